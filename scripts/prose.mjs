@@ -36,6 +36,13 @@ const DONE = [
   "src/tree",
   "tests",
   "tests/common",
+  "www/src/apps",
+  "www/src/browser",
+  "www/src/controls",
+  "www/src/engine",
+  "www/src/files",
+  "www/src/host",
+  "www/src/player",
 ];
 const LIMIT = 0.05;
 const STILTED = /^(What|Whether|How|Of|The same|Those)\b/;

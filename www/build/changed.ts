@@ -1,12 +1,12 @@
 /**
- * A site that is half uploaded has the HTML of one build and the files of another. Then the page's own script may be missing, which could
- * say so; a small script in the HTML does.
+ * Reports missing files. A site that is half uploaded has the HTML of one build and the files of another. Then the
+ * page's own script may be missing, so a small script in the HTML shows a message.
  */
 
 import type { Plugin } from "vite";
 import { withEarlyScript } from "./early.ts";
 
-/** What a page shows then; index.html has it. */
+/** The message's element in index.html. */
 const NOTE = 'id="changed"';
 
 export function tellsOfMissingFiles(page: string): Plugin {
@@ -25,9 +25,10 @@ export function tellsOfMissingFiles(page: string): Plugin {
 }
 
 /**
- * An error event does not say why a file failed. The server is asked for the file again: only if it has no such file, or a page of its own in
- * its place, has the site changed. If the server cannot be reached or a browser extension blocks the file, the page's other words stand.
- * Once the page's own script runs, it reports what is missing: src/page/page.ts.
+ * The script. An error event does not say why a file failed, so the server is asked for the file again: the site has
+ * changed only if the server does not have the file, or sends a page in its place. If the server cannot be reached or a
+ * browser extension blocks the file, the page's other text stays. Once the page's own script runs, that reports missing
+ * files: src/apps/page/page.ts.
  */
 const SCRIPT = `addEventListener("error", async ({ target }) => {
   if (globalThis.hasPageBegun) return;

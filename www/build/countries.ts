@@ -1,4 +1,7 @@
-/** Small pictures of the kinds of country, which stand on their buttons: drawn while the site is built; by the dev server, when one is asked for. */
+/**
+ * Draws the small pictures on the buttons of the countries: during the build, or in the dev server when one is
+ * requested.
+ */
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
@@ -7,11 +10,11 @@ import { Camera } from "../src/apps/page/map/camera.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
 
-/** Twice as large as they are shown, for dense screens. `.preset img` of src/style/panel.css has their shape. */
+/** The size, twice as large as shown, for dense screens. `.preset img` in src/style/panel.css has the same shape. */
 const SIZE = { width: 216, height: 136 };
-/** What of a picture stays free around a map that is seen whole. */
+/** The margin around the map in a picture. */
 const MARGIN_PX = 6;
-/** The files that the page asks for: `COUNTRY_PICTURES` of src/apps/page/panel/choices.ts. */
+/** The folder from which the page requests the pictures: `COUNTRY_PICTURES` in src/apps/page/panel/choices.ts. */
 const FOLDER = "countries";
 
 interface Picture extends Order {
@@ -49,7 +52,7 @@ function pictures(): Picture[] {
   });
 }
 
-/** All of the map, whatever its shape. */
+/** Returns a shot of the whole map, whatever its shape. */
 function shotOf(aspect: number): Shot {
   const insets = { left: MARGIN_PX, top: MARGIN_PX, right: MARGIN_PX, bottom: MARGIN_PX };
   return { ...SIZE, format: "webp", quality: 62, framing: new Camera().framingOn({ ...SIZE, insets, aspect }) };

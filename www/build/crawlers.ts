@@ -1,4 +1,4 @@
-/** For those who look for pages: that they may, and, where the site knows its address, what there is. */
+/** Writes the files for crawlers: robots.txt and, if the site's address is known, a sitemap. */
 
 import type { Plugin } from "vite";
 import { filesOf } from "./gallery/pages.ts";
@@ -21,7 +21,7 @@ export function robots(site: string | undefined): string {
   return `User-agent: *\nAllow: /\n${map}`;
 }
 
-/** Addresses are escaped as XML wants it. */
+/** Writes the sitemap, with addresses escaped for XML. */
 export function sitemap(site: string): string {
   const pages = ["", "gallery/", ...recipes.map(({ slug }) => `gallery/${filesOf(slug).page}`)];
   const base = baseOf(site).replaceAll("&", "&amp;");

@@ -1,10 +1,13 @@
-/** Licences in the site: those of others ask everybody who distributes their work to distribute the licence with it. */
+/** Adds the licences to the site: those of other projects must be distributed with their work. */
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
-/** The npm packages whose code is in the site: what writes archives of game packs, and videos, and what keeps the page. */
+/**
+ * The npm packages whose code is in the site: for the archives of game packs, for videos, and for keeping the page
+ * offline.
+ */
 const PACKAGES = [
   "fflate",
   "mediabunny",
@@ -14,7 +17,7 @@ const PACKAGES = [
   "workbox-strategies",
 ];
 
-/** What the Mozilla Public License asks to be said besides. */
+/** The additional text that the Mozilla Public License requires. */
 const SOURCES: Readonly<Record<string, string>> = {
   mediabunny:
     "Mediabunny is used as it is. Its source is at https://github.com/Vanilagy/mediabunny, and in the npm package mediabunny.\n\n",

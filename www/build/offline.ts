@@ -1,6 +1,6 @@
 /**
- * The page without a connection: its service worker, with the list of what the page is made of, and what it takes to be installed,
- * a manifest and icons.
+ * Makes the page available without a connection: its service worker, with the list of the page's files, and the
+ * manifest and icons that installing it needs.
  */
 
 import { createHash } from "node:crypto";
@@ -12,9 +12,12 @@ type Bundle = Rolldown.OutputBundle;
 
 const WORKER = "service-worker.js";
 const MANIFEST = "manifest.webmanifest";
-/** What a visit without a link begins with; the pictures in the panel; and of the gallery's pages, which are kept when they were seen, the style sheet. */
+/**
+ * Files that are kept besides: the posters, the pictures in the panel, and the style sheet of the gallery, whose pages
+ * are kept once visited.
+ */
 const BESIDES = /^(?:poster\/.+|countries\/.+|assets\/gallery-[\w-]+\.css)$/;
-/** What is in a file's name already needs no revision. */
+/** Files with a hash in their name, which need no revision. */
 const HASHED = /^assets\/.+-[\w-]{8}\.\w+$/;
 
 const ICONS = [
@@ -33,7 +36,7 @@ export function offline(page: string): Plugin {
         path.slice(1) === page ? [{ tag: "link", attrs: { rel: "manifest", href: `./${MANIFEST}` } }] : [],
     },
     generateBundle: {
-      // Once all that is kept has been written.
+      // After all kept files have been written.
       order: "post",
       async handler(_options, bundle) {
         const emit = (fileName: string, source: string | Uint8Array) =>
@@ -55,11 +58,11 @@ export function offline(page: string): Plugin {
   };
 }
 
-/** A file, and all that it or what it names names. */
+/** Returns a file and all files that it mentions, directly or through others, sorted. */
 function mentionedFrom(first: string, bundle: Bundle): string[] {
   const names = Object.keys(bundle).filter((name) => name.startsWith("assets/"));
   const found = new Set([first]);
-  // A set that grows is walked to its end.
+  // The loop also visits elements that are added to the set meanwhile.
   for (const name of found) {
     const text = textOf(name, bundle);
     for (const other of names) if (text.includes(other.slice("assets/".length))) found.add(other);
@@ -80,7 +83,7 @@ function revisionOf(name: string, bundle: Bundle): string | null {
   return createHash("sha256").update(content).digest("hex").slice(0, 16);
 }
 
-/** As one classic script, which all browsers take as a service worker. */
+/** Builds the service worker as one classic script, which all browsers accept. */
 async function workerWith(files: readonly { url: string; revision: string | null }[]): Promise<string> {
   const made = await build({
     configFile: false,
@@ -121,7 +124,10 @@ function manifest(): string {
   return `${JSON.stringify(about, null, 2)}\n`;
 }
 
-/** The page's icon. A maskable one may be cut to a circle: its paper goes to the edge, and its river keeps off it. */
+/**
+ * Draws the page's icon. A maskable one may be cut to a circle: its paper extends to the edge, and its river keeps away
+ * from it.
+ */
 function icon(purpose: "any" | "maskable"): string {
   const [corner, place] =
     purpose === "any" ? [3, ""] : [0, ' transform="translate(16 16) scale(0.75) translate(-16 -16)"'];

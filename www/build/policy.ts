@@ -1,6 +1,6 @@
 /**
- * What the built page allows itself. Not in the dev server, which injects styles and talks over a socket.
- * `'wasm-unsafe-eval'` is what browsers call permission to compile WebAssembly; it allows no script evaluation.
+ * The Content-Security-Policy of the built page. The dev server has none, since it injects styles and uses a socket.
+ * `'wasm-unsafe-eval'` is the permission to compile WebAssembly; it allows no script evaluation.
  */
 
 import { createHash } from "node:crypto";
@@ -25,7 +25,9 @@ export function contentSecurityPolicy(): Plugin {
   };
 }
 
-/** The policy for a page: of scripts in it, those that stand there now, to the letter. */
+/**
+ * Returns the policy for a page. Of inline scripts it allows exactly those that are in the page now, by their hashes.
+ */
 export function policyFor(html: string): string {
   const inline = [...html.matchAll(INLINE)].map(([, script = ""]) => ` 'sha256-${hash(script)}'`);
   return [

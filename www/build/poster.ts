@@ -1,6 +1,7 @@
 /**
- * The poster: the map of a visit without a link, as a picture that stands where the map will stand until that is there, and for
- * visitors without scripts. By day and by night, in the window's shape, as `firstLink` in src/apps/page/page.ts says.
+ * The poster: a picture of the map of a visit without a link, in the map's place until that is painted, and for
+ * visitors without scripts. There are posters for light and dark pages and for both shapes of window, as in `firstLink`
+ * of src/apps/page/preferences.ts.
  */
 
 import type { Plugin } from "vite";
@@ -8,10 +9,12 @@ import { withEarlyScript } from "./early.ts";
 import { drawAll } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
 
-/** So much wider and higher than the map is the poster: the sea around it has become even there. As src/style/poster.css has it. */
+/**
+ * The poster's width and height in those of the map, as in src/style/poster.css: at its edge the sea has become even.
+ */
 const SURROUNDINGS = 1.5;
 
-/** A poster for some windows. The last is for all others. */
+/** A poster for windows that match a media query. The last is for all others. */
 interface Poster {
   readonly file: string;
   readonly media: string;
@@ -65,7 +68,10 @@ export function poster(page: string): Plugin {
   };
 }
 
-/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. On a page without a link it is asked for at once. */
+/**
+ * Writes the script that requests the poster early, on a page without a link. A page with a link shows no poster, and
+ * does not fetch it, since its loading is lazy.
+ */
 function asksEarly(): string {
   const posters = POSTERS.map(({ file, media }) => [`./${FOLDER}/${file}`, media]);
   return `if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";

@@ -1,20 +1,21 @@
 /**
- * The worker that grows the rivers begins as soon as the page is there, and the engine is asked for, and not only when the page's script
- * has arrived and been read: on a slow line two waits become one. What a browser preloads it would fetch again for a worker, and a worker
- * takes longer to begin than the page's script to come. The engine is asked for just as src/engine/wasm-module.ts does, or the browser
- * would fetch it twice. Where a poster stands for the map meanwhile it is left to that script, so that the poster is seen first; unless the
- * line is slow: then it is asked for after a while, behind all else.
+ * Starts the worker that grows the rivers and requests the engine as soon as the page is loaded, without waiting for
+ * the page's script: on a slow line two waits become one. The worker itself is started, since browsers fetch a
+ * preloaded script again for a worker, and a worker takes longer to start than the page's script to arrive. The engine
+ * is requested exactly as in src/engine/wasm-module.ts, or the browser would fetch it twice. On a page with a poster
+ * the page's script requests the engine, so that the poster is seen first. If the line is slow, the engine is requested
+ * after a while with low priority.
  */
 
 import type { Plugin } from "vite";
 import { withEarlyScript } from "./early.ts";
 
 const ENGINE = "riverseed_full_bg.wasm";
-/** A page whose script is not there by then has a slow line. */
+/** The time after which a line is slow if the page's script has not arrived. */
 const SLOW_MS = 400;
 const WORKER = /page-worker-[\w-]+\.js$/;
 
-/** Comes after the poster, whose script says whether there is one. */
+/** Adds the script. The plugin must come after the poster's, whose script says whether there is a poster. */
 export function preloadEngine(...pages: readonly string[]): Plugin {
   return {
     name: "preload-engine",
@@ -27,14 +28,17 @@ export function preloadEngine(...pages: readonly string[]): Plugin {
         const files = Object.values(bundle);
         const engine = files.find((file) => file.type === "asset" && file.names.includes(ENGINE));
         const worker = files.find(({ fileName }) => WORKER.test(fileName));
-        if (!engine || !worker) throw new Error(`${path}: the build has no ${ENGINE} or no worker to ask for early`);
+        if (!engine || !worker) throw new Error(`${path}: the build has no ${ENGINE} or no worker to load early`);
         return withEarlyScript(html, [beginsWorker(worker.fileName), asksFor(engine.fileName)].join("\n"));
       },
     },
   };
 }
 
-/** src/apps/page/backend.ts takes it over, and hears whether it was refused before that. Where no canvas can be handed to it, there is none. */
+/**
+ * Writes the script that starts the worker, unless the browser cannot hand a canvas to it. src/apps/page/backend.ts
+ * takes it over, and learns from `isRefused` if it was refused before.
+ */
 function beginsWorker(fileName: string): string {
   return `if ("transferControlToOffscreen" in HTMLCanvasElement.prototype) try {
   const worker = (globalThis.earlyWorker = new Worker("./${fileName}", { type: "module" }));
@@ -42,7 +46,7 @@ function beginsWorker(fileName: string): string {
 } catch {}`;
 }
 
-/** src/apps/page/page.ts takes the timer back once it is there. */
+/** Writes the script that requests the engine. src/apps/page/page.ts clears the timer when it runs. */
 function asksFor(fileName: string): string {
   const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
   return `{

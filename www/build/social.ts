@@ -1,6 +1,6 @@
 /**
- * Addresses for crawlers. Everything else in the site is relative, so that it works on any host; but who shows a card with the
- * page's picture wants whole addresses. RIVERSEED_SITE says, at build time, where the site will be.
+ * Writes absolute addresses for crawlers. Everything else in the site is relative, so that it works on any host, but
+ * cards with the page's picture need absolute addresses. RIVERSEED_SITE gives the site's address at build time.
  */
 
 import type { Plugin } from "vite";
@@ -15,7 +15,7 @@ export function wholeAddresses(site: string | undefined): Plugin {
   };
 }
 
-/** The page with its picture's whole address, and its own. */
+/** Adds the absolute addresses of the page and its picture. */
 export function completed(html: string, site: string): string {
   const base = new URL(baseOf(site));
   return html
@@ -24,7 +24,7 @@ export function completed(html: string, site: string): string {
     .replace(/(?=<meta property="og:url")/, `<link rel="canonical" href="${base.href}" />\n    `);
 }
 
-/** The site's address, as a folder. */
+/** Returns the site's address with a slash at the end. */
 export function baseOf(site: string): string {
   return site.endsWith("/") ? site : `${site}/`;
 }

@@ -1,4 +1,7 @@
-/** The element's own files in the site, under the names that other pages load them by: `widget/river-seed.js` and what it needs. */
+/**
+ * Adds the element's files to the site, under the names by which other pages load them: `widget/river-seed.js` and the
+ * files it needs.
+ */
 
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -10,7 +13,7 @@ const FOLDER = "widget";
 export function widgetFiles(): Plugin {
   return {
     name: "widget-files",
-    // The dev server has no built files, and needs none.
+    // The dev server has no built files and serves the source.
     configureServer: ({ middlewares }) => {
       middlewares.use((request, _response, next) => {
         if (request.url?.startsWith(`/${FOLDER}/river-seed.js`)) request.url = "/src/apps/widget/river-seed.ts";

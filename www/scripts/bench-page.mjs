@@ -1,16 +1,16 @@
 #!/usr/bin/env node
-// Frames of the built page on a canvas of 1024 by 1024, while 100,000 attractors grow and while the rivers of 6,000
-// meander, as JSON on one line:
+// Measures frames of the built page on a canvas of 1024 by 1024, while 100,000 attractors grow and while the rivers of
+// 6,000 meander. Prints JSON on one line:
 //   {"growing", "meandering": {"p50","p95","max" frame gap in ms, "longest" callback in ms, "frames", "seconds"}}
 //
-// The page must have been built (npm run build). CHROME names the browser, REPEAT how many rivers (default 3, the
-// median of each figure is printed).
+// The page must have been built (npm run build). CHROME names the browser. REPEAT is the number of rivers (default 3;
+// the median of each figure is printed).
 
 import { printFigures } from "./built-page.mjs";
 
-/** What figures were taken with from the beginning, whatever the defaults are. */
+/** The values with which figures have always been taken, whatever the defaults are. */
 const PLAIN = "seed=kauri&aspect=1&land=rectangle&mouths=3&curl=0&width=14&great-rivers=1&style=ink";
-/** The step that makes rivers of a tree counts as meandering. */
+/** The links. The step that makes rivers from a tree counts as meandering. */
 const LINKS = {
   growing: `${PLAIN}&attractors=100000&trim=5&meander=none`,
   meandering: `${PLAIN}&attractors=6000&trim=20&meander-rounds=24`,
@@ -29,7 +29,7 @@ await printFigures(async (browser, address) => {
 });
 
 async function measure(phase, browser, address) {
-  // bypassCSP lets the style below in; nothing else depends on the policy.
+  // bypassCSP allows the style below; nothing else depends on the policy.
   const page = await browser.newPage({ viewport: { width: 1600, height: 1200 }, bypassCSP: true });
   await page.addInitScript(drawOnPage);
   await page.addInitScript(watchFrames);
@@ -54,12 +54,17 @@ async function measure(phase, browser, address) {
   return figures(frames.filter((frame) => (frame.phase === "growing") === (phase === "growing")));
 }
 
-/** What a frame costs can be seen on the page's own thread only: there it grows as where workers have no canvas. */
+/**
+ * Makes the page grow rivers on its own thread, as if workers had no canvas: only there the cost of a frame can be
+ * seen.
+ */
 function drawOnPage() {
   Reflect.deleteProperty(HTMLCanvasElement.prototype, "transferControlToOffscreen");
 }
 
-/** In the page: notes when each frame of an animation began, how long its callbacks took, and what the river did. */
+/**
+ * Runs in the page: records when each frame of an animation began, the time of its callbacks, and the river's phase.
+ */
 function watchFrames() {
   const frames = [];
   globalThis.frames_ = frames;

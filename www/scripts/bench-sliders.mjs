@@ -1,10 +1,12 @@
 #!/usr/bin/env node
-// The sliders of the built page's panel while a hand moves them, in a window of 1440 by 900: from the input event to pixels that have
-// changed on the canvas, in ms, and the longest task on the page's own thread. As JSON on one line:
+// Measures the sliders of the built page's panel while a hand moves them, in a window of 1440 by 900: the time in ms
+// from the input event
+// to changed pixels on the canvas, and the longest task on the page's own thread. Prints JSON on one line:
 //   {NAME: {"sliders": {KEY: {"p50", "p95"}}, "longest"}}
 //
-// The page must have been built (npm run build). CHROME names the browser, MOVES how often each slider moves (default 12), ONLY some of the
-// names of LINKS, SLIDERS some of the keys, by commas.
+// The page must have been built (npm run build). CHROME names the browser. MOVES is the number of moves of each slider
+// (default 12). ONLY
+// lists some of the names of LINKS, and SLIDERS some of the keys, separated by commas.
 
 import { printFigures } from "./built-page.mjs";
 
@@ -14,11 +16,13 @@ const LINKS = {
   colonize: `${ATLAS}&growth=colonize&attractors=20000&mouths=8`,
   many: `${ATLAS}&attractors=300000`,
 };
-/** Of many attractors the longest task alone is asked for, by sliders that begin with another stage each. */
+/**
+ * The sliders for many attractors, each of which begins with another stage. Only the longest task is measured there.
+ */
 const SOME = ["width", "simplify", "channel-area", "concavity", "sea"];
-/** Longer than any picture takes that is still worth the name of an answer. */
+/** The longest time that is waited for a picture. */
 const PATIENCE_MS = 3000;
-/** Shorter than a rest of the hand. */
+/** The time between two moves, shorter than a rest of the hand. */
 const BETWEEN_MS = 60;
 const moves = Number(process.env.MOVES ?? 12);
 
@@ -50,7 +54,7 @@ async function measure(name, browser, address) {
   for (const key of keys) {
     const { times, task } = await page.evaluate(drag, { key, moves, PATIENCE_MS, BETWEEN_MS });
     await finished(page);
-    // None of its places is another map than the one before.
+    // None of its positions gives another map.
     if (times.length === 0) continue;
     times.sort((a, b) => a - b);
     const at = (share) => Number(times[Math.min(times.length - 1, Math.floor(share * times.length))].toFixed(1));
@@ -62,13 +66,13 @@ async function measure(name, browser, address) {
   return { sliders, longest };
 }
 
-/** Until the map is finished, and with it all that follows from that. */
+/** Waits until the map is finished, and everything that follows from that. */
 async function finished(page) {
   await page.waitForSelector('#frame[data-state="finished"]:not([data-pending])', { timeout: 300_000 });
   await page.waitForTimeout(800);
 }
 
-/** In the worker: says when pixels came to a canvas. */
+/** Runs in the worker: reports when pixels were put on a canvas. */
 function tellOfPictures() {
   const line = new BroadcastChannel("pictures");
   const own = OffscreenCanvasRenderingContext2D.prototype;
@@ -79,7 +83,7 @@ function tellOfPictures() {
   };
 }
 
-/** In the page: notes when that was, and tasks of more than 50 ms. */
+/** Runs in the page: records those times, and tasks of more than 50 ms. */
 function watch() {
   const seen = { pictures: [], tasks: [] };
   globalThis.seen_ = seen;
@@ -89,13 +93,13 @@ function watch() {
   }).observe({ entryTypes: ["longtask"] });
 }
 
-/** Those that are there and do something. */
+/** Returns the sliders that have an effect. */
 function slidersOf() {
   const all = [...document.querySelectorAll("#controls input[type=range]:not(:disabled)")];
   return all.filter((slider) => !slider.closest("fieldset:disabled")).map(({ id }) => id.replace(/^field-/, ""));
 }
 
-/** Moves a slider to and fro around where it stands, as a hand would that goes on once it has seen something. */
+/** Moves a slider to and fro around its position, as a hand does that continues when it has seen something. */
 async function drag({ key, moves, PATIENCE_MS, BETWEEN_MS }) {
   const { pictures, tasks } = globalThis.seen_;
   const values = () => [...document.querySelectorAll(".exact")].map(({ value }) => value).join();
@@ -113,7 +117,7 @@ async function drag({ key, moves, PATIENCE_MS, BETWEEN_MS }) {
     const [before, count] = [values(), pictures.length];
     const moved = performance.timeOrigin + performance.now();
     slider.dispatchEvent(new Event("input", { bubbles: true }));
-    // Two places of a slider may stand for the same, of which there is one picture.
+    // Two positions of a slider may give the same values, for which there is only one picture.
     if (values() === before) continue;
     const isAnswered = () => pictures.length > count && pictures.at(-1) >= moved;
     while (!isAnswered() && performance.timeOrigin + performance.now() - moved < PATIENCE_MS) await pause(1);

@@ -1,18 +1,22 @@
 #!/usr/bin/env node
-// What a widget costs the post it stands in, as JSON on one line, in ms:
+// Measures the cost of a widget for the page around it, in ms. Prints JSON on one line:
 //   {"worker" | "page": {recipe: {"frame": from the engine's last byte to the first picture,
 //                                 "longest": the longest task on the page's main thread, in processor time}}}
-// worker: as it is; page: in a browser without workers that draw.
+// worker: as usual; page: in a browser whose workers cannot draw.
 //
-// The widget must have been built (npm run build:widget). CHROME names the browser, REPEAT how many rivers (default 3, the
-// median of each figure is printed).
+// The widget must have been built (npm run build:widget). CHROME names the browser. REPEAT is the number of rivers
+// (default
+// 3; the median of each figure is printed).
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
 import { launchBrowser } from "./built-page.mjs";
 
-/** The finest have more than a widget grows, and so what it grows at most; and what makes most work of that. */
+/**
+ * The recipes. The finest ask for more than a widget grows, and so get the most that it grows; others make the most
+ * work of that.
+ */
 const RECIPES = {
   default: 'seed="kauri"',
   finest:
@@ -23,7 +27,7 @@ const RECIPES = {
 const TYPES = { ".js": "text/javascript", ".wasm": "application/wasm" };
 const repeat = Number(process.env.REPEAT ?? 3);
 
-/** When the last byte of the engine was sent. */
+/** The time at which the last byte of the engine was sent. */
 let sent = 0;
 const server = createServer(async ({ url }, response) => {
   const { pathname, searchParams } = new URL(url, "http://bench");
@@ -82,7 +86,7 @@ async function measure(place, recipe) {
   return { frame: ready - sent, longest: longestTask(trace.traceEvents) };
 }
 
-/** Of the main threads that there are, in time on a processor. */
+/** Returns the longest task of all main threads, in processor time. */
 function longestTask(events) {
   const isMain = ({ name, args }) => name === "thread_name" && args.name === "CrRendererMain";
   const mains = events.filter(isMain).map(({ pid, tid }) => `${pid} ${tid}`);
@@ -93,7 +97,7 @@ function longestTask(events) {
   return taken(tasks[0]);
 }
 
-/** What a task was about. */
+/** Prints the details of a task. */
 function detail({ pid, tid, ts, dur, tdur }, events) {
   const within = events.filter(
     (e) => e.pid === pid && e.tid === tid && e.ts >= ts && e.ts + (e.dur ?? 0) <= ts + dur && e.dur > 3000,

@@ -1,9 +1,10 @@
-// The browser floor: the oldest browsers that everything here runs in. It is stated in package.json, as `browserslist`, and
-// nowhere else; what quotes it is held to it by tests/unit/floor.test.ts.
+// The browser floor: the oldest browsers in which everything here runs. It is defined in package.json, as
+// `browserslist`, and
+// nowhere else; tests/unit/floor.test.ts checks the texts that quote it.
 
 import browserslist from "browserslist";
 
-/** Its oldest versions: `{ chrome: "120", …, safari: "17.2", ios: "17.2" }`. */
+/** Returns the oldest versions: `{ chrome: "120", …, safari: "17.2", ios: "17.2" }`. */
 export function floor() {
   const versions = { chrome: [], edge: [], firefox: [], safari: [], ios_saf: [] };
   for (const [name, version] of browserslist(undefined, { path: import.meta.dirname }).map((one) => one.split(" ")))
@@ -16,7 +17,7 @@ function byAge(a, b) {
   return a.localeCompare(b, "en", { numeric: true });
 }
 
-/** The floor as Vite's `build.target` wants it. */
+/** Returns the floor in the form of Vite's `build.target`. */
 export function targets() {
   return Object.entries(floor()).map(([name, version]) => name + version);
 }

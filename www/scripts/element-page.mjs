@@ -1,7 +1,8 @@
-// The tables of the element's page, docs/element.md, which is also the npm package's README: from the parameter table and
-// package/element.json.
+// Writes the tables of the element's page, docs/element.md, which is also the npm package's README, from the parameter
+// table
+// and package/element.json.
 //
-//   node scripts/element-page.mjs    writes them again; a unit test fails when they are not current
+//   node scripts/element-page.mjs    writes them again; a unit test fails if they are out of date
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -12,7 +13,10 @@ const PAGE = new URL("../../docs/element.md", import.meta.url);
 const OWN = new URL("../package/element.json", import.meta.url);
 const WASM = new URL("../pkg-full/riverseed_full_bg.wasm", import.meta.url);
 
-/** The page with its tables, each of which stands between `<!-- table: attributes -->`, or another name, and `<!-- end -->`. */
+/**
+ * Returns the page with its tables, each of which is between `<!-- table: attributes -->`, or another name, and `<!--
+ * end -->`.
+ */
 export function withTables(text, parameters) {
   const tables = tablesOf(elementOf(JSON.parse(readFileSync(OWN, "utf8")), parameters));
   return text.replace(PLACE, (_, begin, name, end) => `${begin}\n${tables[name]}\n\n${end}`);

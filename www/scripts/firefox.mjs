@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// The built page in a second browser engine: a river grows to its end without a complaint, and every recipe of
-// tests/digest.txt comes out with the committed bits.
+// Tests the built page in a second browser engine: a river grows to its end without warnings, and every recipe of
+// tests/digest.txt gives the committed bits.
 //
 // The page must have been built (npm run build). FIREFOX names the browser.
 
@@ -46,7 +46,7 @@ async function growsToTheEnd() {
   await page.waitForSelector('#frame[data-state="growing"]');
   await page.waitForSelector('#frame[data-state="finished"]');
   const colours = await page.$eval("canvas", (canvas) => {
-    // Of a copy: a canvas in a worker's hands gives no context.
+    // A copy is read, since a canvas that was handed to a worker gives no context.
     const { width, height } = canvas;
     const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
     context.drawImage(canvas, 0, 0);

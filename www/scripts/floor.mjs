@@ -1,11 +1,12 @@
 #!/usr/bin/env node
-// Whether the scripts keep to the browser floor. Prints what does not, and fails. (Style sheets are held to it by Biome's
-// useBaseline.)
+// Checks that the scripts keep to the browser floor. Prints every violation, and fails. (Biome's useBaseline checks the
+// style
+// sheets.)
 
 import { readdirSync, readFileSync } from "node:fs";
 import { membersOf, newerThanFloor } from "./newer.mjs";
 
-/** What is written here. What wasm-bindgen writes asks by itself for what browsers may lack. */
+/** The folders with our scripts. Those by wasm-bindgen check by themselves for features that browsers may lack. */
 const FOLDERS = ["src", "public"];
 
 const scripts = FOLDERS.flatMap(scriptsIn);

@@ -1,9 +1,11 @@
 #!/usr/bin/env node
-// What Lighthouse says of the built site, on a phone and on a desktop: everything of accessibility, best practices and search engines must
-// be right, and next to nothing may move.
+// Checks the built site with Lighthouse, on a phone and on a desktop: all checks of accessibility, best practices and
+// search engines must
+// pass, and almost nothing may shift.
 //
-//   node scripts/lighthouse.mjs            fails if it is not
-//   node scripts/lighthouse.mjs figures    the page's performance instead, the median of five, as JSON on one line: {"mobile", "desktop"}
+//   node scripts/lighthouse.mjs            fails if a check fails
+//   node scripts/lighthouse.mjs figures    prints the page's performance instead, the median of five, as JSON on one
+// line: {"mobile", "desktop"}
 //
 // The site must have been built (npm run build). CHROME names the browser.
 
@@ -12,14 +14,14 @@ import { preview } from "vite";
 
 const PAGES = ["", "gallery/", "gallery/skye.html"];
 const GATES = ["accessibility", "best-practices", "seo"];
-/** A tenth is what the web calls good. */
+/** The most layout shift. Lighthouse calls a tenth good. */
 const MOST_SHIFT = 0.02;
 const RUNS = 5;
 
 const { lighthouse, desktop } = await loaded();
 if (lighthouse) await withSite(process.argv[2] === "figures" ? figures : gates);
 
-/** Nothing of it where it is not installed. */
+/** Loads Lighthouse, or nothing if it is not installed. */
 async function loaded() {
   try {
     const { default: lighthouse, desktopConfig: desktop } = await import("lighthouse");

@@ -1,13 +1,14 @@
-// What tools read about <river-seed>: the custom-elements manifest, and the types of its markup. The parameter table says
-// which parameters there are; package/element.json says what the element has besides.
+// Writes the descriptions of <river-seed> for tools: the custom-elements manifest, and the types of its markup.
+// Parameters
+// come from the parameter table; everything else about the element from package/element.json.
 
-/** Two parameters are called like something that every HTML element has. */
+/** The attributes of two parameters whose names mean something else on every HTML element. */
 const ATTRIBUTES = { style: "river-style", width: "river-width" };
 
 const attributeOf = (key) => ATTRIBUTES[key] ?? key;
 const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
-/** All attributes of the element: the table's rows, then its own. */
+/** Lists all attributes of the element: the table's rows, then its own. */
 export function attributes(own, table) {
   const ofTable = table.map((row) => ({
     name: attributeOf(row.key),
@@ -27,7 +28,7 @@ function typeOf(row) {
     : "string";
 }
 
-/** The element, as the manifest declares a class. */
+/** Describes the element as the manifest declares a class. */
 export function elementOf(own, table) {
   const all = attributes(own, table);
   return {
@@ -46,7 +47,7 @@ function fieldOf({ name, fieldName, ...rest }) {
   return { kind: "field", name: fieldName, ...rest, attribute: name, reflects: true };
 }
 
-/** https://github.com/webcomponents/custom-elements-manifest */
+/** Returns the manifest: https://github.com/webcomponents/custom-elements-manifest */
 export function manifest(own, table) {
   const reference = { name: "RiverSeed", module: "element.js" };
   return {
@@ -68,11 +69,11 @@ export function manifest(own, table) {
   };
 }
 
-/** The attributes as frameworks' JSX and templates spell them, for TypeScript. */
+/** Writes the types of the attributes as frameworks' JSX and templates spell them. */
 export function markupTypes(own, table) {
   const lines = attributes(own, table).flatMap((one) => [
     comment(one),
-    // In markup a number may be written as text, and a boolean as what HTML makes of it.
+    // In markup a number may also be written as text.
     `  ${JSON.stringify(one.name)}?: ${one.type.text}${one.type.text === "number" ? " | string" : ""} | undefined;`,
   ]);
   return `export interface RiverSeedMarkup {\n${lines.join("\n")}\n}\n`;

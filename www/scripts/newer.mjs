@@ -1,10 +1,10 @@
-// What of a script is newer than the browser floor, after MDN's compatibility data.
+// Finds features in a script that are newer than the browser floor, by MDN's compatibility data.
 
 import bcd from "@mdn/browser-compat-data/forLegacyNode";
 import { parseAst } from "vite";
 import { floor } from "./browsers.mjs";
 
-/** MDN's names of the floor's browsers. */
+/** The floor by MDN's names of browsers. */
 const { ios, ...desks } = floor();
 const FLOOR = Object.entries({ ...desks, safari_ios: ios });
 
@@ -12,14 +12,15 @@ const { builtins } = bcd.javascript;
 const OBJECTS = { ...builtins.Intl, ...bcd.webassembly.api, ...builtins, ...bcd.api };
 const MEMBERS = membersByName();
 
-/** The names that a script or a declaration file gives members of classes, interfaces and objects. */
+/** Returns the names of members that a script or a declaration file gives to classes, interfaces and objects. */
 export function membersOf(code, lang) {
   return nodesOf(code, lang).flatMap(memberNamed);
 }
 
 /**
- * What some browser of the floor lacks, as `{ line, name }`: globals, static methods, and methods or properties of a name that
- * there nothing has. `ours` are names that our own objects have. What is asked for with `?.` may be lacking.
+ * Returns the features that some browser of the floor lacks, as `{ line, name }`: globals, static methods, and methods
+ * or properties whose name exists on nothing there. `ours` are names on our own objects. Features that are used with
+ * `?.` are allowed.
  */
 export function newerThanFloor(code, ours = new Set()) {
   const nodes = nodesOf(code);
@@ -40,7 +41,7 @@ function* nodesIn(node) {
   for (const child of Object.values(node).flat()) if (typeof child?.type === "string") yield* nodesIn(child);
 }
 
-/** The name of what a node gives a class, an interface or an object. */
+/** Returns the name of the member that a node gives to a class, an interface or an object. */
 function memberNamed({ type, key, parameter }) {
   const isMember = /^(MethodDefinition|PropertyDefinition|Property|TSPropertySignature|TSMethodSignature)$/.test(type);
   return (isMember ? key.name : type === "TSParameterProperty" && parameter.name) || [];
@@ -57,7 +58,10 @@ function nameOfNew(node, declared, ours) {
   return is ? `${object.name ?? "…"}.${property.name}` : undefined;
 }
 
-/** Whether all that has a member of this name is too new. Without types instances cannot be told apart, nor from ours. */
+/**
+ * Returns whether everything with a member of this name is too new. Without types, instances cannot be distinguished
+ * from each other or from ours.
+ */
 function isNewEverywhere(name, ours) {
   return !ours.has(name) && (MEMBERS.get(name)?.every(isNew) ?? false);
 }
@@ -76,7 +80,7 @@ function camel(name) {
   return name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 }
 
-/** Whether some browser of the floor lacks it. What is not known is not new. */
+/** Returns whether some browser of the floor lacks a feature. Unknown features do not count as new. */
 function isNew(feature) {
   const support = feature?.__compat?.support;
   return support !== undefined && !FLOOR.every(([name, version]) => has(support[name], version));

@@ -1,10 +1,12 @@
 #!/usr/bin/env node
 // Packs the npm package: target/package/riverseed-<version>.tgz.
 //
-// The widget must have been built (npm run build:widget). What every file of the tarball is made from: the scripts and
-// .wasm files are dist-widget's; README is docs/element.md; package.json and framework types are package/'s, with the version and the
-// words of Cargo.toml; declarations come from the sources; custom-elements.json and the types of markup from the
-// parameter table; integrity.json from all that a page loads.
+// The widget must have been built (npm run build:widget). The sources of the files in the tarball: scripts and .wasm
+// files are
+// from dist-widget; README is docs/element.md; package.json and framework types are from package/, with the version and
+// the
+// description of Cargo.toml; declarations come from the sources; custom-elements.json and the types of markup from the
+// parameter table; integrity.json from all files that a page loads.
 
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -49,7 +51,7 @@ function scripts() {
   cpSync("dist-widget", STAGE, { recursive: true });
 }
 
-/** Declarations of the sources, of the engine, and of the element in frameworks' markup. */
+/** Writes the declarations of the sources, of the engine, and of the element in frameworks' markup. */
 function declarations() {
   const types = join(STAGE, "types");
   run("tsc", "--project", "package/tsconfig.json", "--outDir", types);
@@ -68,18 +70,18 @@ function declarations() {
   for (const file of all.filter((file) => !wanted.has(`types/${file}`))) rmSync(join(types, file));
 }
 
-/** Our sources import each other as .ts, which the compiler leaves in declarations; packages name the .js beside them. */
+/** Replaces .ts in imports by .js. Our sources import each other as .ts, which the compiler keeps in declarations. */
 function nameScripts(file) {
   writeFileSync(file, readFileSync(file, "utf8").replace(/((?:from |import\()"\.[^"]*)\.ts"/g, '$1.js"'));
 }
 
-/** What a page may load. */
+/** Returns the files that a page may load. */
 function served() {
   const isServed = (name) => /\.(js|wasm)$/.test(name);
   return readdirSync(STAGE).filter(isServed).sort();
 }
 
-/** For `integrity="…"` and for anybody who wants to know that a copy is whole. */
+/** Returns the hashes of these files, for `integrity="…"` and for checking copies. */
 function integrity() {
   const hash = (name) =>
     createHash("sha384")
@@ -100,7 +102,7 @@ function documents() {
     cpSync(`../${name}`, join(STAGE, name));
 }
 
-/** Says what each file weighs on its way to a reader. */
+/** Prints the compressed size of each file. */
 function weigh() {
   for (const name of served()) {
     const bytes = gzipSync(readFileSync(join(STAGE, name)), { level: 9 }).length;
@@ -115,7 +117,7 @@ function pack() {
   console.log(`target/package/${filename}: ${size} bytes, ${unpackedSize} unpacked, ${entryCount} files`);
 }
 
-/** Runs a program to its end; what it complains about is shown. */
+/** Runs a program and returns its output. Its errors are shown. */
 function run(...[program, ...words]) {
   return execFileSync(program, words, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
 }

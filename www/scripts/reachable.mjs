@@ -1,4 +1,4 @@
-// What belongs to what, among the files of a package.
+// Follows the references between files of a package.
 
 import { posix } from "node:path";
 
@@ -6,10 +6,12 @@ import { posix } from "node:path";
 const IMPORTED = /\b(?:from|import|import\()\s*["'`](\.[^"'`]+)["'`]/g;
 const BESIDE = /new URL\(\s*["'`]([^"'`]+)["'`],\s*import\.meta\.url/g;
 
-/** All files that some lead to, themselves among them: by importing or naming others. `read` gives the text of one. */
+/**
+ * Returns some files and all files that they reach by importing or naming others. `read` returns the text of a file.
+ */
 export function reachable(paths, read) {
   const found = new Set(paths);
-  // A set that grows is walked to its end.
+  // The loop also visits elements that are added to the set meanwhile.
   for (const path of found) {
     if (!/\.(js|d\.ts)$/.test(path)) continue;
     for (const name of referencesIn(read(path))) found.add(resolve(path, name));
@@ -21,7 +23,7 @@ function referencesIn(code) {
   return [...code.matchAll(IMPORTED), ...code.matchAll(BESIDE)].map(([, name]) => name);
 }
 
-/** In declarations `a.js` means the declarations of it. */
+/** Resolves a name. In declarations `a.js` means its declarations. */
 function resolve(from, name) {
   const path = posix.join(posix.dirname(from), name);
   return from.endsWith(".d.ts") ? path.replace(/\.js$/, ".d.ts") : path;

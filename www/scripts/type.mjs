@@ -1,7 +1,7 @@
-// The table of type, src/annotate/glyph/garamond.bin: the letters of EB Garamond Italic as outlines and numbers. What its bytes are stands in
-// src/annotate/glyph/table.rs, which reads them.
+// Writes src/annotate/glyph/garamond.bin, the table of type: the letters of EB Garamond Italic as outlines and numbers.
+// src/annotate/glyph/table.rs, which reads it, describes its bytes.
 //
-//   node scripts/type.mjs    writes it again; a unit test fails when it is not what the font's package gives
+//   node scripts/type.mjs    writes it again; a unit test fails if it differs from the font's package
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -10,13 +10,13 @@ import * as fontkit from "fontkit";
 const FILES = new URL("../node_modules/@fontsource/eb-garamond/files/", import.meta.url);
 const TABLE = new URL("../../src/annotate/glyph/garamond.bin", import.meta.url);
 
-/** Units to the em. At 40 pixels to the em a letter is nowhere off by more than a tenth of one. */
+/** Units per em. At 40 pixels per em a letter is never off by more than a tenth of a pixel. */
 const EM = 256;
 
-/** Pairs that stand closer or farther by less than this share of the em are left as they are. */
+/** The least kerning that is kept, as a share of the em. */
 const LEAST_KERNING = 0.03;
 
-/** ASCII, the letters of Latin-1 and Latin Extended-A, and the signs that names are spelt with. */
+/** The characters: ASCII, the letters of Latin-1 and Latin Extended-A, and the other characters in names. */
 const CODES = [
   range(0x20, 0x7e),
   range(0xc0, 0xff),
@@ -28,7 +28,7 @@ const CODES = [
 
 const LETTERS = CODES.filter((code) => code < 0x7f && /[A-Za-z]/.test(String.fromCharCode(code)));
 
-/** The bytes of the table. */
+/** Returns the bytes of the table. */
 export function table() {
   const fonts = ["latin", "latin-ext"].map((subset) => open(`eb-garamond-${subset}-400-italic.woff2`));
   const glyphs = CODES.flatMap((code) => {
@@ -75,14 +75,14 @@ function range(first, last) {
   return Array.from({ length: last - first + 1 }, (_, i) => first + i);
 }
 
-/** The letter without its accent, as kerning knows it. */
+/** Returns a letter without its accent, as kerning uses it. */
 function baseOf(code) {
   return String.fromCodePoint(code).normalize("NFD").codePointAt(0);
 }
 
 const scaled = (font, length) => Math.round((length * EM) / font.unitsPerEm);
 
-/** A glyph's advance, and the shapes that it is put together from. */
+/** Returns a glyph's advance, and the shapes of which it consists. */
 function glyphOf(font, glyph) {
   return {
     advance: Math.max(0, scaled(font, glyph.advanceWidth)),
@@ -100,7 +100,7 @@ function partsOf(font, glyph, dx, dy) {
   });
 }
 
-/** The contours of a shape, each a list of [x, y, whether it lies on the line]. */
+/** Returns the contours of a shape, each a list of [x, y, whether the point is on the line]. */
 function contoursOf(font, glyph) {
   const contours = [];
   let contour = [];
@@ -114,7 +114,7 @@ function contoursOf(font, glyph) {
   return contours;
 }
 
-/** Without points that stand where the one before stands, and those midway between two controls. Begins on the line. */
+/** Removes points that repeat the one before, and those midway between two controls. The result begins on the line. */
 function thinned(contour) {
   const points = contour.filter(([x, y], i) => {
     const [beforeX, beforeY] = contour.at(i - 1);
@@ -145,7 +145,7 @@ function writeShape(out, contours) {
   });
 }
 
-/** Rows of kerning: the letters that have it, and the letters after them with what is between. */
+/** Returns the rows of kerning: each letter that has any, with the letters after it and their distances. */
 function kerning(font) {
   const rows = new Map();
   for (const first of LETTERS) {
@@ -175,13 +175,13 @@ function writeRow(out, { firsts, pairs }) {
   });
 }
 
-/** How many there are, then each of them. */
+/** Writes the number of items, then each of them. */
 function list(out, items, write) {
   whole(out, items.length);
   for (const item of items) write(out, item);
 }
 
-/** Seven bits a byte, the lowest first; the eighth says that more follow. */
+/** Writes a number in seven bits per byte, the lowest first; the eighth bit says that more follow. */
 function whole(out, number) {
   for (let rest = number; ; rest >>= 7) {
     if (rest < 128) return void out.push(rest);
@@ -189,7 +189,7 @@ function whole(out, number) {
   }
 }
 
-/** 0, −1, 1, −2, 2 … as 0, 1, 2, 3, 4. */
+/** Writes 0, −1, 1, −2, 2 … as 0, 1, 2, 3, 4. */
 function signed(out, number) {
   whole(out, number < 0 ? -2 * number - 1 : 2 * number);
 }

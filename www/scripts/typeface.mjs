@@ -1,7 +1,8 @@
-// The page's typeface, src/style/*.woff2: EB Garamond, of which names and labels on the map are too, cut down to the letters that the page
-// sets in it. Whatever it lacks is set in the reader's own serif.
+// Writes the page's typeface, src/style/*.woff2: EB Garamond, which names and labels on the map use as well, reduced to
+// the characters that the
+// page sets in it. Characters that it lacks are set in the reader's own serif.
 //
-//   node scripts/typeface.mjs    writes the files again; a unit test fails when they are not what the font's package gives
+//   node scripts/typeface.mjs    writes the files again; a unit test fails if they differ from the font's package
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -12,18 +13,18 @@ const PLACE = new URL("../src/style/", import.meta.url);
 
 const SIGNS = " ,.;:!?'’-–—…·&()";
 const ENGLISH = between("A", "Z") + between("a", "z") + SIGNS;
-/** Seeds and names are in any of the languages of western Europe. */
+/** The characters of seeds and names, for the languages of western Europe. */
 const LATIN = `${ENGLISH + between("0", "9")}“”‘"#/+${between("À", "ÿ")}`;
 
-/** Headings are upright, names and seeds are italic. */
+/** The typefaces: upright for headings, italic for names and seeds. */
 export const TYPEFACES = [
   { name: "garamond.woff2", of: "eb-garamond-latin-400-normal.woff2", letters: ENGLISH },
   { name: "garamond-italic.woff2", of: "eb-garamond-latin-400-italic.woff2", letters: LATIN },
 ];
 
-/** The bytes of one of them. */
+/** Returns the bytes of a typeface. */
 export function cut({ of, letters }) {
-  // Without the swashes and ligatures that features would bring in.
+  // Without the swashes and ligatures that features would add.
   return subset(readFileSync(new URL(of, FILES)), letters, { targetFormat: "woff2", noLayoutClosure: true });
 }
 

@@ -67,6 +67,7 @@ fn hash(text: &[u8]) -> u32 {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_types, reason = "the order of a set of hashes is never read")]
 mod tests {
     use std::collections::{BTreeSet, HashSet};
     use std::fs;

@@ -25,7 +25,7 @@ mod input;
 mod islands;
 mod legend;
 mod letters;
-mod place;
+mod placing;
 mod raster;
 mod scatter;
 mod scenery;
@@ -44,7 +44,7 @@ pub use input::{
     SheetGrid, Stream, Strip,
 };
 pub use letters::{Box, Kind, Label, Placed, Stroke};
-pub use place::place;
+pub use placing::place;
 pub use raster::Raster;
 pub use scenery::Scenery;
 pub use shapes::{Feature, PenStroke, SHAPES, Shape};

@@ -1,6 +1,6 @@
 /**
- * Draws maps while the site is built, on all cores, with the engine that the page has. What was drawn once is kept: the same link and
- * the same engine make the same picture.
+ * Draws maps during the build, on all cores, with the page's engine. Pictures are cached, since the same link and
+ * engine make the same picture.
  */
 
 import { createHash } from "node:crypto";
@@ -13,7 +13,7 @@ import type { Shot } from "./shots.ts";
 
 const DRAWER = new URL("../../scripts/draw-maps.mjs", import.meta.url);
 const KEPT = fileURLToPath(new URL("../../node_modules/.cache/riverseed-maps", import.meta.url));
-/** What pictures depend on besides their links. */
+/** The files on which pictures depend besides their links. */
 const MAKERS = [
   "../../pkg-full/riverseed_full_bg.wasm",
   "../../pkg-chart/riverseed_chart_bg.wasm",
@@ -28,7 +28,7 @@ export interface Order {
 
 type Answer = { files: Uint8Array[] } | { error: string };
 
-/** The files of all orders, in their order. */
+/** Returns the files of all orders, in the same order. */
 export async function drawAll(orders: readonly Order[]): Promise<Uint8Array[][]> {
   const makers = hashOfMakers();
   const files = orders.map((order) => keptFor(order, makers));
@@ -38,7 +38,7 @@ export async function drawAll(orders: readonly Order[]): Promise<Uint8Array[][]>
   return files.map((made) => made ?? []);
 }
 
-/** A thread that draws until nothing is missing any more. */
+/** Draws missing orders in a thread until none is left. */
 async function drawMissing(
   missing: number[],
   orders: readonly Order[],
@@ -79,7 +79,7 @@ function keptFor(order: Order, makers: string): Uint8Array[] | undefined {
   }
 }
 
-/** Another build at the same time finds each file whole or not at all. */
+/** Caches files. Each is renamed into place, so that another build at the same time finds it complete or not at all. */
 function keep(order: Order, makers: string, files: readonly Uint8Array[]): void {
   mkdirSync(KEPT, { recursive: true });
   for (const [i, shot] of order.shots.entries()) {

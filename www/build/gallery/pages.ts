@@ -1,4 +1,4 @@
-/** The gallery's pages as HTML, without a script: the overview, and a page for each map. */
+/** Writes the gallery's pages as HTML without scripts: the overview, and a page for each map. */
 
 import { elementSnippet, escaped, titleOf } from "../../src/apps/page/share/snippets.ts";
 import { policyFor } from "../policy.ts";
@@ -6,25 +6,25 @@ import { baseOf } from "../social.ts";
 import type { Entry } from "./recipes.ts";
 import { CARD, overviewShot, pageShot } from "./shots.ts";
 
-/** What the pages are made for. */
+/** The site for which the pages are made. */
 export interface Place {
-  /** The site's own address, if it is known: cards need whole addresses, and so do snippets. */
+  /** The site's address, if it is known: cards and snippets need absolute addresses. */
   readonly site: string | undefined;
-  /** The style sheet, seen from the gallery's folder. */
+  /** The address of the style sheet, relative to the gallery's folder. */
   readonly sheet: string;
-  /** Whether the page says what it allows itself; the dev server's pages do not. */
+  /** True if pages have a Content-Security-Policy, which those of the dev server do not. */
   readonly hasPolicy: boolean;
 }
 
-/** Stands in snippets where the site does not know its address. */
+/** The address in snippets if the site's is not known. */
 const SOME_SITE = "https://example.org/riverseed/";
-/** So many are on the first screen, and are not left for later. */
+/** The number of pictures on the first screen, which are not loaded lazily. */
 const FIRST = 6;
 
 const ICON =
   "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'%3E%3Crect width='32' height='32' rx='3' fill='%23f4eee0'/%3E%3Cpath d='M16 31c0-7-3-8-3-13 0-4 4-5 4-10M13 19C10 16 8 14 8 8M14.500 24c5-4 8-5 9-13' fill='none' stroke='%231c5876' stroke-width='2.500' stroke-linecap='round'/%3E%3C/svg%3E";
 
-/** Files of a map, beside its page. */
+/** Returns the names of a map's files. */
 export const filesOf = (slug: string) => ({
   page: `${slug}.html`,
   overview: `${slug}-overview.webp`,
@@ -59,12 +59,12 @@ function itemOf(entry: Entry, i: number): string {
   return `<li class="${shapeOf(entry)}"><a href="${page}"><img src="${overview}" width="${width}" height="${height}" alt="${escaped(entry.sentence)}" decoding="async" ${when} /><span>${escaped(entry.title)}</span></a></li>`;
 }
 
-/** The class of all maps of this shape: no style may stand in a page. */
+/** Returns the class of maps of this shape, since pages may not contain styles. */
 function shapeOf({ aspect }: Entry): string {
   return `shape-${Math.round(Number(aspect) * 100)}`;
 }
 
-/** What the style sheet cannot know: how wide the maps are for their height. */
+/** Writes the style sheet with the aspects of the maps. */
 export function shapesSheet(entries: readonly Entry[]): string {
   const shapes = new Map(entries.map((entry) => [shapeOf(entry), entry.aspect]));
   return [...shapes].map(([name, aspect]) => `.${name} {\n  --aspect: ${aspect};\n}\n`).join("\n");
@@ -95,7 +95,7 @@ export function pageOf(entry: Entry, around: { before: Entry; after: Entry }, pl
         <pre tabindex="0" aria-label="The recipe as a link"><code>${escaped(entry.link)}</code></pre>
       </section>
       <section aria-labelledby="element">
-        <h2 id="element">On a page of your own</h2>
+        <h2 id="element">On your own page</h2>
         ${snippetOf(entry, place)}
       </section>
       <nav aria-label="Other maps">
@@ -111,7 +111,7 @@ function alternativeOf({ title, style }: Entry): string {
   return `The map ${title}, in the style ${style}`;
 }
 
-/** The element, or the picture where the element would grow less than is on it. */
+/** Returns the snippet of the element, or of the picture if the element could not grow everything on it. */
 function snippetOf(entry: Entry, { site }: Place): string {
   const base = baseOf(site ?? SOME_SITE);
   const picture = new URL(`gallery/${filesOf(entry.slug).picture}`, base).href;
@@ -120,7 +120,7 @@ function snippetOf(entry: Entry, { site }: Place): string {
     ? elementSnippet({ link, seed, aspect, page: base }, picture)
     : pictureSnippet(entry, picture, base);
   const what = entry.suitsElement
-    ? "The rivers grow where this stands:"
+    ? "The rivers grow where you paste this:"
     : "There are more rivers here than the element grows on other people’s pages, so this shows their picture:";
   const remark =
     site === undefined ? `<p>Put this site’s address in place of <code>${escaped(SOME_SITE)}</code>.</p>` : "";
@@ -140,7 +140,7 @@ function pictureSnippet({ link, seed, aspect }: Entry, picture: string, base: st
 interface Content {
   readonly title: string;
   readonly description: string;
-  /** Its own, in the gallery's folder. */
+  /** The page's address, relative to the gallery's folder. */
   readonly address: string;
   readonly card: { readonly file: string; readonly alt: string } | undefined;
   readonly body: string;

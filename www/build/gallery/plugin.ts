@@ -1,4 +1,4 @@
-/** The gallery in the site: drawn and written while the site is built; by the dev server, when it is asked for. */
+/** Adds the gallery to the site: during the build, or in the dev server when a file is requested. */
 
 import type { Plugin } from "vite";
 import { drawAll } from "./drawing.ts";
@@ -7,7 +7,7 @@ import { type Entry, entries } from "./recipes.ts";
 import { cardShot, overviewShot, pageShot } from "./shots.ts";
 
 const FOLDER = "gallery";
-/** What the pages look like: an input of the build. */
+/** The pages' style sheet, which is an input of the build. */
 export const SHEET = "src/style/gallery.css";
 
 type Source = string | Uint8Array;
@@ -44,7 +44,7 @@ export function gallery(site: string | undefined): Plugin {
 
 const TYPES: Readonly<Record<string, string>> = { css: "text/css", webp: "image/webp", jpg: "image/jpeg" };
 
-/** A file of the gallery, if there is one of this name; its map alone is drawn for it. */
+/** Makes a file of the gallery, if there is one of this name. Only its own map is drawn. */
 async function made(file: string, place: Place): Promise<Source | undefined> {
   const all = entries();
   const written = writtenFor(all, place).get(file);

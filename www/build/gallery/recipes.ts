@@ -1,31 +1,31 @@
-/** The maps of the gallery: www/gallery/recipes.json, and what the engine says of them. */
+/** The maps of the gallery: www/gallery/recipes.json, with details from the engine. */
 
 import { readFileSync } from "node:fs";
 import RECIPES from "../../gallery/recipes.json" with { type: "json" };
 import { initSync, parameters, readLink } from "../../pkg-full/riverseed_full.js";
 
-/** A map of the gallery. The first six of the list are seen first. */
+/** A map of the gallery. The first six in the list are on the first screen. */
 export interface Recipe {
-  /** Its name in addresses. */
+  /** The map's name in addresses. */
   readonly slug: string;
   readonly title: string;
-  /** What is to be seen, in plain English. */
+  /** A description of the picture in plain English. */
   readonly sentence: string;
-  /** Its canonical link, style included: it is the same on dark pages. */
+  /** The canonical link, including the style, so that it is the same on dark pages. */
   readonly link: string;
 }
 
-/** The same with what pages say of it. */
+/** A map of the gallery with the details for its page. */
 export interface Entry extends Recipe {
   readonly seed: string;
-  /** Width over height, as links have it. */
+  /** Width over height, as a link writes it. */
   readonly aspect: string;
   readonly land: string;
   /** The name of its style. */
   readonly style: string;
-  /** What it sets, in words. */
+  /** The settings of the link in words. */
   readonly settings: readonly (readonly [label: string, value: string])[];
-  /** Whether `<river-seed>` grows all of it on other people's pages. */
+  /** True if `<river-seed>` grows the whole map on other pages. */
   readonly suitsElement: boolean;
 }
 

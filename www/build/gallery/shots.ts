@@ -1,26 +1,26 @@
-/** Which pictures of a map the site has, and how large they are. */
+/** The pictures of a map in the site, and their sizes. */
 
 import { Camera, type Insets } from "../../src/apps/page/map/camera.ts";
 import type { Size } from "../../src/browser/canvas.ts";
 
-/** A picture of a map as it is asked of scripts/draw-maps.mjs. */
+/** A picture of a map, as an order for scripts/draw-maps.mjs. */
 export interface Shot extends Size {
   readonly format: "webp" | "jpeg";
   readonly quality: number;
-  /** What it shows, as `River.frame` takes it; nothing: the map from edge to edge. */
+  /** The part of the map that it shows, as for `River.frame`; if undefined, the map from edge to edge. */
   readonly framing?: readonly number[];
-  /** What is written in its lower left corner. */
+  /** The title in its lower left corner. */
   readonly title?: string;
 }
 
-/** What chats and social networks show of a link: in this size most of them show all of it. */
+/** The size of the picture that chats and social networks show for a link. Most of them show this size whole. */
 export const CARD: Size = { width: 1200, height: 630 };
-/** Below the map on a card stands its name. */
+/** The margins of a map on a card, with its name below. */
 const CARD_INSETS: Insets = { left: 40, top: 36, right: 40, bottom: 104 };
-/** Lands with the sea all around are seen whole on a card. Others would end somewhere: they fill it. */
+/** Lands that are shown whole on a card, since the sea is all around them. Others fill the card. */
 const WHOLE_LANDS = ["island", "archipelago"];
 
-/** As many pixels have all maps in the overview, and on their own pages, whatever their shape. */
+/** The number of pixels of a map in the overview, and on its own page, whatever its shape. */
 const OVERVIEW_AREA = 640 * 400;
 const PAGE_AREA = 1200 * 750;
 
@@ -32,7 +32,7 @@ export function pageShot(aspect: number): Shot {
   return { ...sizeOf(aspect, PAGE_AREA), format: "webp", quality: 80 };
 }
 
-/** The map with its name. */
+/** Returns the card: the map with its name. */
 export function cardShot(aspect: number, title: string, land: string): Shot {
   const framing = WHOLE_LANDS.includes(land)
     ? new Camera().framingOn({ ...CARD, insets: CARD_INSETS, aspect })
@@ -40,7 +40,7 @@ export function cardShot(aspect: number, title: string, land: string): Shot {
   return { ...CARD, format: "jpeg", quality: 80, title, framing };
 }
 
-/** The middle of a map on all of a card. */
+/** Returns the framing in which the middle of a map fills a card. */
 function filling(aspect: number): number[] {
   const { width, height } = CARD;
   const across = Math.max(width, height * aspect);

@@ -1,8 +1,8 @@
-/** The address bar: where the link of the picture that is shown always stands. */
+/** The address bar, which always contains the link of the picture on show. */
 
 import { withoutTrackers } from "./trackers.ts";
 
-/** At most one write in this time. Safari refuses more than 100 in 30 s; a slider makes hundreds. */
+/** The least time between two writes. Safari refuses more than 100 in 30 s; a slider makes hundreds. */
 export const WRITE_EVERY_MS = 500;
 
 interface Place {
@@ -10,20 +10,20 @@ interface Place {
   hash: string;
 }
 
-/** What an address says of the page, and not of the picture: all six variants are shown side by side. */
+/** The part of an address that is about the page and not the picture: it shows six variants side by side. */
 const SIX = "view=six";
 
-/** The link text in an address: its query, or its fragment if that holds a link and there is no other way to tell. */
+/** Returns the link text in an address: its fragment if that contains a “=”, or else its query. */
 export function linkOf(place: Place): string {
   return without(textOf(place), SIX);
 }
 
-/** Whether an address asks for the six variants. */
+/** Returns whether an address asks for the six variants. */
 export function asksForSix(place: Place): boolean {
   return textOf(place).split("&").includes(SIX);
 }
 
-/** A link's text with the wish for the six variants, for the address alone. */
+/** Adds the request for six variants to a link, for the address alone. */
 export function withSix(link: string): string {
   return link === "" ? SIX : `${link}&${SIX}`;
 }
@@ -40,7 +40,7 @@ function without(text: string, part: string): string {
     .join("&");
 }
 
-/** The whole address that shows `link`, from the page's own. */
+/** Returns the full address that shows `link`; `page` is the page's own address. */
 export function addressOf(link: string, page: string): string {
   const address = new URL(page);
   address.search = link;
@@ -48,21 +48,24 @@ export function addressOf(link: string, page: string): string {
   return address.href;
 }
 
-/** How many writes may come sooner, in how long: with the others they stay below what Safari takes. */
+/** The number of writes that may come sooner within `SOONER_MS`: all writes together stay below Safari's limit. */
 const MOST_SOONER = 30;
 const SOONER_MS = 30_000;
 
-/** Writes links at a bounded rate: the first at once, then the latest when the time is up. A step is not lost for one that follows soon. */
+/**
+ * Writes links at a bounded rate: the first at once, then the latest when the time is up. A step of history is written
+ * even if another follows soon.
+ */
 export class AddressBar {
   #lastWrite = Number.NEGATIVE_INFINITY;
-  /** When what waited was written before its time. */
+  /** The times of writes that came sooner. */
   #sooner: number[] = [];
   #waiting: { link: string; isStep: boolean } | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly write: (link: string, isStep: boolean) => void) {}
 
-  /** A link is on show; with it, perhaps, another step of what can be undone. */
+  /** Takes the link on show. `isStep` makes it another step that can be undone. */
   show(link: string, isStep = false): void {
     if (isStep) this.#makeWay();
     this.#waiting = { link, isStep: isStep || (this.#waiting?.isStep ?? false) };
@@ -71,7 +74,7 @@ export class AddressBar {
     else this.#timer ??= setTimeout(() => this.flush(), wait);
   }
 
-  /** Writes what waits, now: before the link is copied, or when the page is left. */
+  /** Writes the waiting link now: before the link is copied, or when the page is left. */
   flush(): void {
     const waiting = this.#waiting;
     this.drop();
@@ -80,14 +83,14 @@ export class AddressBar {
     this.write(waiting.link, waiting.isStep);
   }
 
-  /** Writes nothing of what waits: the address is another's by now. */
+  /** Forgets the waiting link, since the address has been replaced. */
   drop(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
     this.#waiting = undefined;
   }
 
-  /** What waits belongs to the step before. With a key that is held there would be too many: then they are one. */
+  /** Writes the waiting link, which belongs to the step before. If a held key makes too many steps they become one. */
   #makeWay(): void {
     if (this.#waiting === undefined) return;
     const now = performance.now();

@@ -1,20 +1,20 @@
-/** How many pixels a canvas has, and when that changes. */
+/** The size of canvases in pixels, and its changes. */
 
 export interface Size {
   width: number;
   height: number;
 }
 
-/** A canvas's own size, and how many of its pixels are one CSS pixel. */
+/** A canvas's own size, and its pixels per CSS pixel. */
 export interface CanvasSize extends Size {
   ratio: number;
-  /** All that covers the canvas, without one. */
+  /** The part of the map that the canvas shows; if undefined, the whole map fills it. */
   framing?: Framing;
 }
 
 /**
- * What part of a map a picture shows: how far its western edge lies east of the map's and its northern edge south of the map's, and how wide it
- * is; and how much other things cover of its western, northern, eastern and southern edge. All in widths of the map.
+ * The part of a map that a picture shows: its western and northern edge, measured from the map's, and its width; then
+ * how far other things cover it from its western, northern, eastern and southern edge. All in widths of the map.
  */
 export type Framing = readonly [left: number, top: number, across: number, ...covered: number[]];
 
@@ -24,14 +24,15 @@ export interface Box extends Size {
   y: number;
 }
 
-/** Beyond two pixels to the CSS pixel nobody sees the difference, and painting takes four times as long. */
+/** The most pixels per CSS pixel. Beyond two nobody sees a difference, and painting takes four times as long. */
 const RATIO_CAP = 2;
-/** 2048²: copying more than this takes longer than 2 ms of a frame. */
+/** The most pixels of a canvas, 2048²: copying more takes longer than 2 ms of a frame. */
 const AREA_CAP = 4_194_304;
 
 /**
- * The canvas's own size for a place on the page; 0 when it is not shown at all. Both edges go to the nearest pixel of
- * the screen, as the browser does with them: a canvas of one pixel more or less would be stretched, and all lines soft.
+ * Returns the canvas's own size for a place on the page; 0 if it is not shown. Both edges are rounded to the nearest
+ * pixel of the screen, as the browser does: a canvas of one pixel more or less would be stretched, and its lines
+ * blurred.
  */
 export function backingSize({ x, y, width, height }: Box, devicePixelRatio: number): Size {
   if (!(width > 0 && height > 0)) return { width: 0, height: 0 };
@@ -48,14 +49,15 @@ export interface Fit {
 }
 
 /**
- * How a canvas covers an element: with a part of a pixel on two sides, which the element is to clip. Depends on the element's size
- * alone, not on where it begins, so that nothing turns soft when it is moved without a word.
+ * Fits a canvas to an element. On two sides it may extend beyond it by a part of a pixel, which the element should
+ * clip. The result depends on the element's size and not on its position, so that nothing blurs when it is moved
+ * without an event.
  *
- * Made smaller by a CSS transform, as slides and cards are before they come forward, an element counts as large as it is laid out:
- * no event comes when the transform ends. Made larger it counts as it is seen.
+ * An element that a CSS transform makes smaller, such as a slide before it comes forward, counts with its layout size,
+ * since no event is fired when the transform ends. One that is made larger counts as it is seen.
  */
 export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
-  // Unlike offsetWidth with what there is behind the point.
+  // Unlike offsetWidth this includes fractions of a pixel.
   const laidOut = each(getComputedStyle(element), Number.parseFloat);
   const area = areaOf(laidOut);
   if (!(area > 0)) return NOT_SHOWN;
@@ -78,15 +80,15 @@ function each<T>({ width, height }: { width: T; height: T }, map: (length: T) =>
   return { width: map(width), height: map(height) };
 }
 
-/** How many pixels a canvas has to the unit, for a box of this area in square units. */
+/** Returns the pixels per unit of a canvas, for a box of this area in square units. */
 function pixelsPerUnit(area: number, devicePixelRatio: number): number {
   return Math.min(devicePixelRatio, RATIO_CAP, Math.sqrt(AREA_CAP / area));
 }
 
-/** While a window is dragged wider the old picture is stretched; it is redrawn when the hand rests this long. */
+/** The pause after which a resized picture is redrawn. While a window is dragged, the old picture is stretched. */
 export const RESIZE_PAUSE_MS = 120;
 
-/** Follows a place's size, in the screen's pixels if the browser can: they change alone between two screens. */
+/** Observes an element's size, in the screen's pixels if the browser can: between two screens only these change. */
 export function observeSize(observer: ResizeObserver, element: Element): void {
   try {
     observer.observe(element, { box: "device-pixel-content-box" });

@@ -1,2 +1,5 @@
-/** The media query of a reader who prefers dark pages. Alone, since the element needs nothing else that is about styles. */
+/**
+ * The media query of a reader who prefers dark pages. In its own file, since the element needs nothing else about
+ * styles.
+ */
 export const DARK_PAGES = "(prefers-color-scheme: dark)";

@@ -1,4 +1,4 @@
-/** Making elements. Text always becomes text nodes: seeds and links are hostile, nothing here can read HTML. */
+/** Makes elements. Text always becomes text nodes and is never parsed as HTML: seeds and links are hostile. */
 
 type Attributes = Record<string, string | number | boolean>;
 
@@ -26,31 +26,31 @@ export function svg<Tag extends keyof SVGElementTagNameMap>(
   return element;
 }
 
-/** A drawing of 16 by 16 in the colour of the text, beside or in place of words that say the same. */
+/** Makes an icon of 16 by 16 in the colour of the text, hidden from screen readers: words nearby say the same. */
 export function icon(path: string): SVGElement {
   const attributes = { class: "icon icon-stroke", viewBox: "0 0 16 16", "aria-hidden": "true" };
   return svg("svg", attributes, svg("path", { d: path }));
 }
 
-/** An empty drawing over the map, in units of the map; not seen before it is shown. */
+/** Makes an empty drawing over the map, in units of the map, which is hidden at first. */
 export function mapLayer(name: string): SVGSVGElement {
   const attributes = { class: `map-layer ${name}`, "aria-hidden": "true", preserveAspectRatio: "none", hidden: "" };
   return svg("svg", attributes);
 }
 
-/** An element that the page's HTML has. */
+/** Finds an element of the page's HTML. Throws if there is none. */
 export function find<Type extends Element>(selector: string, type: new () => Type): Type {
   const element = document.querySelector(selector);
   if (element instanceof type) return element;
   throw new Error(`the page has no ${selector}`);
 }
 
-/** Sets what differs: a value that is set again moves the caret of the person typing. */
+/** Sets a field's value if it differs: setting it again would move the caret of the person typing. */
 export function setValue(field: HTMLInputElement | HTMLSelectElement, value: string): void {
   if (field.value !== value) field.value = value;
 }
 
-/** Sets text that differs, once a frame at most: the browser need not lay out again what says the same. */
+/** Sets an element's text if it differs, so that the browser need not lay out the same text again. */
 export function setText(element: Element | undefined, text: string): void {
   if (element && element.textContent !== text) element.textContent = text;
 }

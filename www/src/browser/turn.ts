@@ -1,4 +1,7 @@
-/** Lets all that waits have its turn before something that takes long: a message comes after what is due, and waits for no clock. */
+/**
+ * Waits until all pending tasks have run, before a long one: a message is delivered after them, without the delay of a
+ * timer.
+ */
 export function turn(): Promise<void> {
   return new Promise((done) => {
     const { port1, port2 } = new MessageChannel();

@@ -1,4 +1,4 @@
-/** One control for one row of the parameter table: its label, the value, what it does, and the way back to the default. */
+/** A control for one row of the parameter table: its label, the value, the help text and a reset button. */
 
 import { el, setText, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
@@ -9,7 +9,8 @@ import { rangeOf, sidesOf, sidesText } from "./values.ts";
 export interface Control {
   readonly element: HTMLElement;
   /**
-   * Shows a value and its default, both as link text, and why it does nothing, if so: it is kept, and cannot be changed.
+   * Shows a value and its default, both as link text. With `idle`, the reason why it has no effect, the control is
+   * disabled.
    */
   show(text: string, fallback: string, idle: string | undefined): void;
 }
@@ -22,7 +23,7 @@ export function control(parameter: Parameter, change: Change): Control {
   });
   const help = el("p", { class: "help", id: helpId(parameter) }, parameter.help);
   const head = el("div", { class: "control-head" }, field.label, reset.element, ...(field.aside ? [field.aside] : []));
-  // A fieldset can be disabled with all that is in it; to a screen reader it is no group.
+  // A fieldset can be disabled with all its contents; its role keeps it from being a group to a screen reader.
   const element = el("fieldset", {
     role: "none",
     class: `control control-${parameter.kind}`,
@@ -51,7 +52,7 @@ function fieldFor(parameter: Parameter, change: Change): Field {
   return textControl(parameter, change);
 }
 
-/** The way back to the default, which is another one on dark pages. */
+/** The button that resets a value to its default, which may differ on dark pages. */
 class ResetButton {
   readonly element: HTMLButtonElement;
   #fallback = "";
@@ -114,7 +115,7 @@ function sidesControl(parameter: Parameter, change: Change): Field {
   element.addEventListener("change", (event) => {
     const chosen = new Set(boxes.filter(({ box }) => box.checked).map(({ box }) => box.value));
     const last = event.target;
-    // The rivers must end somewhere: the last side stays, and the box says so by not letting go.
+    // The rivers must end somewhere, so the last side cannot be unchecked.
     if (chosen.size === 0 && last instanceof HTMLInputElement) last.checked = true;
     else change(parameter.key, sidesText(chosen, parameter));
   });

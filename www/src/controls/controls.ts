@@ -1,4 +1,4 @@
-/** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
+/** The controls of the recipe except the seed, generated from the parameter table under its headings. */
 
 import { el } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
@@ -14,23 +14,26 @@ export interface Controls {
   show(values: Values): void;
 }
 
-/** By key: the values on show, the defaults of the page, and why some do nothing. */
+/** Values by key: those on show, the defaults of the page, and the reasons why some have no effect. */
 export interface Values {
   values: ReadonlyMap<string, string>;
   defaults: ReadonlyMap<string, string>;
   idle: ReadonlyMap<string, string>;
 }
 
-/** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own, an outline is drawn. */
+/**
+ * Returns whether a parameter gets a control here. One with a single possible value (the edition) does not; the seed
+ * has its own box, and an outline is drawn.
+ */
 export function isAdjustable(parameter: Parameter): boolean {
   const range = rangeOf(parameter);
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
-/** Told several keys and their new values as link text, which are one change. */
+/** Takes one change of several keys, with their new values as link text. */
 export type ChangeOfMany = (values: readonly (readonly [key: string, text: string])[]) => void;
 
-/** `own` has, by key, controls that are made elsewhere. */
+/** Makes the controls. `own` contains, by key, controls that are made elsewhere. */
 export function controls(
   table: readonly Parameter[],
   change: ChangeOfMany,
@@ -57,7 +60,7 @@ export function controls(
   for (const [heading, all] of grouped(adjustable)) {
     const parameters = all.filter(({ key }) => !made.has(key));
     parameters.forEach(make);
-    // What of it stands in front is kept with the rest.
+    // This padlock includes the parameters that are shown in front.
     const padlock = padlocks.padlock(`all of ${heading}`, keysUnder(heading, table));
     groups.push(group(heading, parameters, made, disclosures, padlock));
   }
@@ -79,7 +82,7 @@ export function controls(
   };
 }
 
-/** What shapes a map most, in the words of whoever wants one: parameters and macros. All else stands under its heading. */
+/** The parameters and macros that shape a map most, in everyday words. All others are under their headings. */
 export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["land", "Land"],
   ["sea", "How much sea"],
@@ -90,21 +93,24 @@ export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["width", "How wide"],
 ];
 
-/** A control with its padlock. */
+/** Puts a padlock into a control. */
 function locked(control: HTMLElement, padlock: HTMLElement): HTMLElement {
   control.querySelector(".control-head label")?.after(padlock);
   return control;
 }
 
-/** All values under a heading, those too that have their control elsewhere, such as a drawn coast. */
+/** Returns all keys under a heading, including those with a control elsewhere, such as a drawn coast. */
 function keysUnder(heading: string, table: readonly Parameter[]): string[] {
   return table.filter(({ group }) => group === heading).map(({ key }) => key);
 }
 
-/** What applies however rivers grow, then what the default way uses; the others follow in the table's order. */
+/**
+ * The first headings: those that apply however rivers grow, then that of the default growth. The others follow in the
+ * table's order.
+ */
 const FIRST = ["Land", "Growth", "Drainage"];
 
-/** Parameters by their headings, in the order of the panel. */
+/** Groups parameters by heading, in the order of the panel. */
 export function grouped(table: readonly Parameter[]): Map<string, Parameter[]> {
   const headings = new Set([...FIRST, ...table.map(({ group }) => group)]);
   const members = (heading: string) => table.filter(({ group }) => group === heading);

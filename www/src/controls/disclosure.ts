@@ -1,10 +1,10 @@
-/** Groups that open and close: which of them are open is remembered, where the browser lets the page remember anything. */
+/** Groups that open and close. Their state is remembered if the browser allows storage. */
 
 import { el } from "../browser/dom.ts";
 
 const KEPT_AS = "riverseed-folds";
 
-/** What a page can keep; of a browser's storage, whose every use may throw, this much. */
+/** The part of a browser's storage that the page uses. Every call may throw. */
 export interface Keeper {
   getItem(key: string): string | null;
   setItem(key: string, value: string): void;
@@ -27,11 +27,11 @@ export class Disclosures {
     try {
       this.keeper().setItem(KEPT_AS, JSON.stringify(Object.fromEntries(this.#states)));
     } catch {
-      // It opens and closes all the same; it will only not be remembered.
+      // The group opens and closes all the same, but its state is not remembered.
     }
   }
 
-  /** A group under a heading, as it was left, or as it is at first. */
+  /** Makes a group under a heading, open or closed as it was left; `first` is its initial state. */
   details(name: string, first: boolean, attributes: { class: string }, ...children: Node[]): HTMLDetailsElement {
     const element = el("details", { ...attributes, open: this.isOpen(name, first) }, ...children);
     element.addEventListener("toggle", () => {

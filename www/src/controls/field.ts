@@ -1,16 +1,16 @@
-/** What every control is, and how its parts find each other. */
+/** The common interface of all controls' fields, and the ids by which their parts refer to each other. */
 
 import type { Parameter } from "../engine/full.ts";
 
-/** Told the key and the new value as link text. */
+/** Takes a change: the key, and the new value as link text. */
 export type Change = (key: string, text: string) => void;
 
-/** What is particular to a kind: its field, and where the focus goes when the reset button vanishes. */
+/** The part of a control that depends on the kind of parameter. It takes the focus when the reset button vanishes. */
 export interface Field {
   readonly element: HTMLElement;
   readonly label: HTMLElement;
   readonly aside?: HTMLElement;
-  /** What is to be known of it before it is moved. */
+  /** A remark to read before the field is changed. */
   readonly remark?: string;
   /** Shows a value, given as link text. */
   show(text: string): void;

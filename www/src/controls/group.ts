@@ -1,11 +1,11 @@
-/** Controls under one heading, which fold away; folded, the heading still says how many of them are not as at first. */
+/** Controls under a heading that fold away. The heading always shows how many of them differ from their default. */
 
 import { el, setText } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
 import type { Control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 
-/** Seldom wanted: these stand under “More” at the end of their group. */
+/** Parameters that are seldom wanted: they are under “More” at the end of their group. */
 const RARE = new Set(["flat-share", "neck", "clearance", "taper"]);
 
 export interface Group {
@@ -29,7 +29,7 @@ export function group(
   if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
   const details = disclosures.details(heading, false, { class: "group" }, summary, members);
   return {
-    // Beside the heading, not in it: a button within what opens and closes would be two in one.
+    // Beside the heading, not in it, since the heading itself works as a button.
     element: el("div", { class: "group-place" }, padlock, details),
     show(values, defaults) {
       const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;

@@ -1,4 +1,6 @@
-/** The kind of land, where it is always at hand. A drawn one is drawn first: that has a button of its own. */
+/**
+ * The choice of land that is always in reach. “Drawn” appears only for a drawn land, since drawing has its own button.
+ */
 
 import { el, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";

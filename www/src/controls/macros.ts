@@ -1,6 +1,6 @@
 /**
- * Macros: sliders in plain words for what several parameters do together, or for what another parameter does in each way of growing. What
- * they set are values like any others: a link knows nothing of them.
+ * Macros: sliders in plain words that set several parameters together, or a different parameter for each growth. They
+ * set ordinary values: a link does not contain them.
  */
 
 import { el, setText, setValue } from "../browser/dom.ts";
@@ -12,22 +12,25 @@ export interface Macro {
   readonly name: string;
   readonly label: string;
   readonly help: string;
-  /** How much it is, from the least to the most, in as many words as its parts have stops. */
+  /** A word for each stop, from the least to the most. */
   readonly words: readonly string[];
   readonly parts: readonly Part[];
-  /** What has to be changed first, for it to do anything. */
+  /** A value that has to be changed first for the macro to have an effect. */
   readonly unless?: { readonly key: string; readonly is: string; readonly becomes: string };
 }
 
-/** A parameter that a macro sets, and its values at stops that are equally far apart. */
+/** A parameter that a macro sets, with its values at evenly spaced stops. */
 interface Part {
   readonly key: string;
-  /** The way of growing that it is for; every one if none is said. */
+  /** The growth that it applies to; all if undefined. */
   readonly growth?: string;
   readonly stops: readonly number[];
 }
 
-/** Both leave the network as it has grown, but for Brownian trees, whose streams are what they are. The middle is the table's default. */
+/**
+ * The macros. They do not change how the network grows, except for the number of streams of Brownian trees. The middle
+ * stop is the table's default.
+ */
 export const MACROS: readonly Macro[] = [
   {
     name: "rivers",
@@ -53,10 +56,10 @@ export const MACROS: readonly Macro[] = [
   },
 ];
 
-/** As finely as a slider can be moved. */
+/** The number of steps of a macro's slider. */
 const PLACES = 100;
 
-/** The values that a macro sets at a place from 0 to 1. */
+/** Returns the values that a macro sets at a place from 0 to 1. */
 export function valuesAt(
   macro: Macro,
   place: number,
@@ -74,7 +77,7 @@ export function valuesAt(
   return [...first, ...set];
 }
 
-/** Where a macro stands, from 0 to 1: its first part says so. */
+/** Returns the place of a macro, from 0 to 1, by the value of its first part. */
 export function placeOf(macro: Macro, values: ReadonlyMap<string, string>): number {
   const { unless } = macro;
   const [part] = partsOf(macro, values);
@@ -82,7 +85,7 @@ export function placeOf(macro: Macro, values: ReadonlyMap<string, string>): numb
   return placeAmong(part.stops, Number(values.get(part.key)));
 }
 
-/** The parameters that a macro may set. */
+/** Returns the keys of the parameters that a macro may set. */
 export function keysOf({ parts, unless }: Macro): string[] {
   return [...parts.map(({ key }) => key), ...(unless ? [unless.key] : [])];
 }
@@ -91,7 +94,7 @@ function partsOf({ parts }: Macro, values: ReadonlyMap<string, string>): Part[] 
   return parts.filter(({ growth }) => growth === undefined || growth === values.get("growth"));
 }
 
-/** The value at a place among stops. */
+/** Interpolates the value at a place from 0 to 1 among stops. */
 function between(stops: readonly number[], place: number): number {
   const at = Math.min(Math.max(place, 0), 1) * (stops.length - 1);
   const i = Math.min(Math.floor(at), stops.length - 2);
@@ -99,7 +102,7 @@ function between(stops: readonly number[], place: number): number {
   return low + (high - low) * (at - i);
 }
 
-/** The place of a value among stops, which rise or fall; at the ends, of whatever lies beyond. */
+/** Returns the place from 0 to 1 of a value among rising or falling stops. Values beyond the ends are clamped. */
 function placeAmong(stops: readonly number[], value: number): number {
   const [first = 0, last = 0] = [stops[0], stops.at(-1)];
   const rises = last > first;
@@ -115,7 +118,7 @@ export interface MacroControl {
   show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
 }
 
-/** A slider that says in words how much of something there is. */
+/** Makes the slider of a macro, which shows its value as a word. */
 export function macroControl(
   macro: Macro,
   table: ReadonlyMap<string, Parameter>,
@@ -155,7 +158,7 @@ export function macroControl(
       fallback = keysOf(macro).flatMap((key) => changed(key, shown, defaults));
       reset.hidden = fallback.length === 0;
       const place = placeOf(macro, shown);
-      // A slider that already stands for these values is left where the finger has it.
+      // A slider that already stands for these values stays under the finger.
       const isThere = valuesAt(macro, slider.valueAsNumber / PLACES, table, shown).every(
         ([key, text]) => shown.get(key) === text,
       );

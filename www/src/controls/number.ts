@@ -1,4 +1,4 @@
-/** The control of a number: a slider to feel one's way, and a field for those who know the value they want. */
+/** The control of a number: a slider for trying values, and a field for an exact value. */
 
 import { el, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
@@ -6,7 +6,7 @@ import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { LOG_STEPS, logStep, nearestText, position, type Range, share, spoken, textAt } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";
 
-/** What one key press changes on a logarithmic slider. */
+/** The change of a logarithmic slider by each key. */
 const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
   ArrowRight: [1, 0.02],
   ArrowUp: [1, 0.02],
@@ -16,11 +16,14 @@ const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
   PageDown: [-1, 0.25],
 };
 
-/** What one notch of the wheel changes: a hundredth of the way, and one step at least. */
+/**
+ * The change by one notch of the wheel: a share of the value on a logarithmic slider, or else a hundredth of the range;
+ * at least one step.
+ */
 const WHEEL_SHARE = 0.02;
 const WHEEL_NOTCHES = 100;
 
-/** Trees that look for their way grow otherwise with the least change of these: their sliders stop at so many places. */
+/** Parameters of which the least change gives a different tree. Their sliders have only `DETENTS` steps. */
 const RESHAPING: ReadonlySet<string> = new Set(["reach", "kill", "step", "momentum", "curl", "stretch", "sensitivity"]);
 const DETENTS = 20;
 
@@ -78,7 +81,7 @@ function unitAside(exact: HTMLInputElement, unit: string | undefined): HTMLEleme
 
 function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit: string | undefined): void {
   const value = Number(text);
-  // A slider that already stands for this value is left where the finger has it, between two roundings.
+  // A slider that already stands for this value stays under the finger, between two rounded values.
   if (textAt(slider.valueAsNumber, range) !== text) setValue(slider, String(position(value, range)));
   slider.style.setProperty("--share", String(share(value, range)));
   slider.setAttribute("aria-valuetext", spoken(text, unit));
@@ -88,7 +91,10 @@ function wheelStep({ min, max, step }: Range): number {
   return Math.max(step, (max - min) / WHEEL_NOTCHES);
 }
 
-/** A step of a thousandth of the way is too little at the low end, where it would round to the value it came from. */
+/**
+ * Moves a logarithmic slider by a key. The browser's step, a thousandth of the way, could round to the same value at
+ * the low end.
+ */
 function stepByKey(event: KeyboardEvent, value: number, range: Range, commit: (text: string) => void): void {
   const step = KEY_SHARE[event.key];
   if (!step || event.altKey || event.ctrlKey || event.metaKey) return;

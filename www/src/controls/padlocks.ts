@@ -1,6 +1,6 @@
 /**
- * Padlocks: the values under a shut one stay when something sets many at a time, a country or a pattern. Which are shut is remembered,
- * where the browser lets the page remember anything.
+ * Padlocks: the values under a shut one are kept when a country or a pattern sets many at a time. Their state is
+ * remembered if the browser allows storage.
  */
 
 import { el, icon } from "../browser/dom.ts";
@@ -18,12 +18,15 @@ export class Padlocks {
     for (const key of this.#remembered()) if (typeof key === "string") this.#kept.add(key);
   }
 
-  /** The keys whose values stay. */
+  /** The keys whose values are kept. */
   get kept(): ReadonlySet<string> {
     return this.#kept;
   }
 
-  /** One for some keys, which others may have as well: it is shut when all of them are kept, and mixed when some are. */
+  /**
+   * Makes a padlock for some keys, which may be shared with others. It is shut when all of them are kept, and mixed
+   * when some are.
+   */
   padlock(label: string, keys: readonly string[]): HTMLElement {
     const title = `Keep ${label} when a country or a pattern is chosen`;
     const attributes = { type: "button", class: "keep", "aria-label": `Keep ${label}`, title };
@@ -44,7 +47,7 @@ export class Padlocks {
     try {
       this.keeper().setItem(KEPT_AS, JSON.stringify([...this.#kept]));
     } catch {
-      // They are kept all the same; it will only not be remembered.
+      // The values are kept all the same, but the state is not remembered.
     }
   }
 

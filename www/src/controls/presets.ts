@@ -1,17 +1,19 @@
-/** The presets: named sets of values, from the core. Pressing one sets what it names and nothing else; all name the same keys. */
+/**
+ * Presets: named sets of values from the core. Pressing one sets its values and nothing else; all have the same keys.
+ */
 
 import { el } from "../browser/dom.ts";
 import type { Parameter, Preset } from "../engine/full.ts";
 import { inWords } from "./values.ts";
 
-/** Whether the values on show are this preset's. */
+/** Returns whether the values on show are those of a preset. */
 export function isShown({ values }: Preset, shown: ReadonlyMap<string, string>): boolean {
   return values.every(([key, value]) => shown.get(key) === value);
 }
 
 /**
- * What pressing a preset changes although all presets have it in common, in words: people press one for what tells the presets
- * from each other, and would miss the rest. Nothing if there is no such change.
+ * Describes the values that a preset has changed and that are equal in all presets; returns nothing if there are none.
+ * People press a preset for the differences between presets, and would not notice these changes.
  */
 export function unaskedChanges(
   preset: Preset,
@@ -37,16 +39,16 @@ export interface Presets {
   focus(): void;
 }
 
-/** In CSS pixels. Fetched when they are about to be seen. */
+/** Attributes of the pictures: the size is in CSS pixels, and they are fetched when they are about to be seen. */
 const PICTURE = { width: "108", height: "68", loading: "lazy", decoding: "async" };
 
-/** A button for each of some presets, of which one is pressed, if any is shown. */
+/** A button for each of some presets. The one whose values are on show is pressed. */
 export class PresetButtons {
   readonly element: HTMLElement;
   readonly #made: { preset: Preset; button: HTMLButtonElement }[];
   #last: HTMLButtonElement | undefined;
 
-  /** With the address of a picture, if there is one of each. */
+  /** `pictureOf` returns the address of a preset's picture, if they have any. */
   constructor(
     name: string,
     all: readonly Preset[],
@@ -67,20 +69,20 @@ export class PresetButtons {
     this.element = el("div", { class: "presets", role: "group", "aria-label": name }, buttons);
   }
 
-  /** Shows which of them the values on show are. */
+  /** Presses the button of the preset whose values are on show, and returns that preset. */
   show(shown: ReadonlyMap<string, string>): Preset | undefined {
     const current = this.#made.find(({ preset }) => isShown(preset, shown));
     for (const one of this.#made) one.button.setAttribute("aria-pressed", String(one === current));
     return current?.preset;
   }
 
-  /** Puts the focus on the one that was pressed last. */
+  /** Puts the focus on the button that was pressed last. */
   focus(): void {
     this.#last?.focus({ preventScroll: true });
   }
 }
 
-/** The presets of links, with what the one on show is for. */
+/** Makes the preset buttons of the panel, with the help text of the preset on show. */
 export function presets(all: readonly Preset[], choose: (preset: Preset) => void): Presets {
   const buttons = new PresetButtons("Presets", all, choose);
   const help = el("p", { class: "help" });

@@ -1,8 +1,11 @@
-/** The seed box: a word, typed or thrown. */
+/** The box in which the seed is typed. */
 
 import { setValue } from "../browser/dom.ts";
 
-/** Long enough that a word is typed without a river for every letter, short enough to feel like an answer. */
+/**
+ * The pause after typing before a river grows: long enough to type a word without a river for every letter, short
+ * enough to feel responsive.
+ */
 export const TYPING_PAUSE_MS = 300;
 
 export class SeedBox {
@@ -41,7 +44,7 @@ export class SeedBox {
     this.#timer = setTimeout(() => this.#tell(), TYPING_PAUSE_MS);
   }
 
-  /** Left behind is what grows: in the core's spelling, or the last word if the box was emptied. */
+  /** Shows the seed that is growing, in the core's spelling, when the box loses the focus. */
   #leave(): void {
     if (this.#timer !== undefined) this.#tell();
     setValue(this.field, this.#shown);
@@ -52,7 +55,7 @@ export class SeedBox {
     this.#timer = undefined;
   }
 
-  /** An empty box is a word that has not been typed yet: the river stays. */
+  /** Reports the typed seed. An empty box keeps the river. */
   #tell(): void {
     this.#cancel();
     if (this.field.value.trim() !== "") this.change(this.field.value);

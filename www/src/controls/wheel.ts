@@ -1,4 +1,4 @@
-/** The wheel on a slider: it moves the one that has the focus. Over any other it scrolls the panel, as everywhere. */
+/** Lets the wheel move a slider that has the focus. Over any other slider it scrolls the panel, as everywhere. */
 
 export function stepByWheel(slider: HTMLInputElement, step: (direction: 1 | -1) => void): void {
   slider.addEventListener(

@@ -1,12 +1,12 @@
-/** What a person can do about each failure. Apart from their names: who has no failure need not have these. */
+/** Advice for each failure. Separate from the error codes, so that these texts are loaded only after a failure. */
 
 import type { Code, PageError } from "./errors.ts";
 
 export interface Advice {
   title: string;
-  /** What to do, in one or two sentences. */
+  /** One or two sentences that say what to do. */
   text: string;
-  /** Whether loading the page again is likely to help. */
+  /** True if loading the page again is likely to help. */
   reload: boolean;
 }
 
@@ -85,7 +85,7 @@ const ADVICE: Record<Code, Advice> = {
     reload: true,
   },
   "no-land": {
-    title: "This is no land",
+    title: "No land found",
     text: "A land needs a coast with water on one side. Draw a larger one, or choose another picture.",
     reload: false,
   },

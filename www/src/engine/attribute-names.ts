@@ -1,9 +1,9 @@
 /**
- * The parameters as attributes. Their keys are known here before the engine is, since a browser asks an element's class what to
- * observe; a unit test holds the lists to the core's table.
+ * The parameters as attributes. The keys are listed here because a browser asks an element's class what to observe
+ * before the engine is loaded. A unit test compares the lists with the core's table.
  */
 
-/** Parameters whose values are numbers, and those whose values are text. */
+/** Parameters whose values are numbers; below, those whose values are text. */
 // biome-ignore format: a list of words
 export const NUMBERS = [
   "edition", "aspect", "sea", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
@@ -27,7 +27,7 @@ export const TEXTS = [
   "style",
 ] as const;
 
-/** Keys that mean something else in HTML carry a prefix as attributes. */
+/** Keys that mean something else in HTML; as attributes they have a prefix. */
 const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
 
 export function attributeOf(key: string): string {

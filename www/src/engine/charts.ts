@@ -1,4 +1,7 @@
-/** Charts, what a map has besides its rivers: names, labels, woods and hills. A wasm module of its own, fetched when one is first wanted. */
+/**
+ * Charts: the names, labels, woods and hills of a map. They come from a separate wasm module, fetched when a chart is
+ * first wanted.
+ */
 
 import init, { Chart } from "../../pkg-chart/riverseed_chart.js";
 import wasmUrl from "../../pkg-chart/riverseed_chart_bg.wasm?url";
@@ -8,7 +11,7 @@ export interface Charts {
   readonly Chart: typeof Chart;
 }
 
-/** From where it lies beside the script, unless its first caller knows better. */
+/** Loads the charts module, once, from `url` or else from beside the script. */
 export const loadCharts: (url?: string) => Promise<Charts> = once((url = wasmUrl) =>
   start(url, async (compiled): Promise<Charts> => {
     await init({ module_or_path: compiled });

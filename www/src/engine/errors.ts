@@ -1,5 +1,5 @@
 /**
- * What can go wrong, by name; `advice.ts` says what a person can do about it. Every failure that reaches the page passes
+ * Failures by code; `advice.ts` says what a person can do about each. Every failure that reaches the page passes
  * through `named`, so that nobody is shown a stack trace or a blank canvas.
  */
 
@@ -38,13 +38,13 @@ function isCode(code: unknown): code is Code {
   return CODES.some((known) => known === code);
 }
 
-/** Gives whatever was thrown its name. The core's errors carry a code; a trap in wasm is a panic. */
+/** Turns whatever was thrown into an error with a code. The core's errors carry one; a trap in wasm is a panic. */
 export function named(thrown: unknown): PageError {
   if (thrown instanceof PageError) return thrown;
   if (!(thrown instanceof Error)) return new PageError("unknown", String(thrown));
   if ("code" in thrown && isCode(thrown.code)) return new PageError(thrown.code, thrown.message);
   if (thrown.name === "RuntimeError") return new PageError("panic", thrown.message);
-  // What engines throw when memory cannot grow: `RangeError` from typed arrays and from WebAssembly.Memory.
+  // Typed arrays and WebAssembly.Memory throw a `RangeError` when memory cannot grow.
   if (thrown instanceof RangeError) return new PageError("too-large", thrown.message);
   return new PageError("unknown", thrown.message);
 }
@@ -59,7 +59,7 @@ const RECOVERABLE: ReadonlySet<Code> = new Set([
   "bad-image",
 ]);
 
-/** A failure after which the picture on the page is still good, so that a note beside it is enough. */
+/** Returns whether the picture on the page is still good after a failure, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {
   return RECOVERABLE.has(error.code);
 }

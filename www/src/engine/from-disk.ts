@@ -1,4 +1,4 @@
-/** The wasm modules that make files, in Node: read from the disk, where they lie beside the script, when they are first needed. */
+/** The wasm modules that make files, for Node: read from disk, beside the script, when they are first needed. */
 
 import { readFileSync } from "node:fs";
 import { Chart, initSync as initChart } from "../../pkg-chart/riverseed_chart.js";
@@ -9,7 +9,7 @@ import type { Charts } from "./charts.ts";
 
 let isRead = false;
 
-/** The engine and what names its rivers. It blocks for as long as it takes to compile them. */
+/** Returns the engine and the charts module. The first call blocks while they are compiled. */
 export function fromDisk(): { readonly engine: typeof engine; readonly charts: Charts } {
   if (!isRead) {
     engine.initSync({ module: readFileSync(new URL(fullUrl)) });

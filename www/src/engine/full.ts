@@ -1,4 +1,6 @@
-/** The full engine: rivers and pictures, and besides, what a page's controls ask for, the writing of files and the digest. */
+/**
+ * The full engine: rivers and pictures, and also the data of the page's controls, the writing of files and the digest.
+ */
 
 import init, * as engine from "../../pkg-full/riverseed_full.js";
 import wasmUrl from "../../pkg-full/riverseed_full_bg.wasm?url";
@@ -20,7 +22,10 @@ export type {
 
 export type FullCore = Core<typeof engine>;
 
-/** From where it lies beside the script, unless its first caller knows better, who is also told of the module when that is compiled. */
+/**
+ * Loads the engine, once, from `url` or else from beside the script. `compiled` is called with the module as soon as
+ * that is compiled.
+ */
 export const loadFull: (url?: string, compiled?: (module: WebAssembly.Module) => void) => Promise<FullCore> = once(
   (url = wasmUrl, compiled) =>
     start(url, (module) => {
@@ -29,7 +34,7 @@ export const loadFull: (url?: string, compiled?: (module: WebAssembly.Module) =>
     }),
 );
 
-/** From a module that somebody else has compiled. */
+/** Starts the engine from a module that is compiled already. */
 export async function linkFull(module: WebAssembly.Module): Promise<FullCore> {
   const { memory } = await init({ module_or_path: module });
   return { engine, memory };

@@ -1,6 +1,6 @@
-/** How values are written in a link. */
+/** The spelling of values in a link. */
 
-/** Values as link text, for the core to read. Spaces as %20: one spelling, whatever reads it. */
+/** Writes values as link text for the core. Spaces become %20, which every reader understands. */
 export function linkText(values: Iterable<readonly [key: string, value: string]>): string {
   const query = new URLSearchParams();
   for (const [key, value] of values) query.append(key, value);

@@ -1,4 +1,4 @@
-/** The recipe on show, always in the core's own spelling: the page changes values, the core reads the link once and answers. */
+/** The recipe on show, always in the core's spelling: the page changes values, and the core reads the new link once. */
 
 import type { Reading } from "./full.ts";
 import { linkText } from "./link-text.ts";
@@ -9,12 +9,12 @@ export class Recipe {
   #values: ReadonlyMap<string, string> = new Map();
   #idle: ReadonlyMap<string, string> = new Map();
   readonly #notices = new Map<string, string>();
-  /** Read when they are first asked for, which the first picture need not wait for. */
+  /** Read on first use, so that the first picture need not wait for it. */
   #defaults: ReadonlyMap<string, string> | undefined;
-  /** True if somebody chose how it looks: the author of a link, or a person at the controls. */
+  /** True if the author of the link or a person at the controls chose a style. */
   #isStyled: boolean;
 
-  /** Takes the first link. On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
+  /** Takes the first link. On a dark page, a recipe without a chosen style is shown in the style for dark pages. */
   constructor(
     private readonly readLink: (text: string, options?: ReadOptions) => Reading,
     text = "",
@@ -24,7 +24,7 @@ export class Recipe {
     this.#isStyled = this.#reading.namesStyle;
   }
 
-  /** The canonical link to share, with the style that was chosen, if one was, even the default. */
+  /** The canonical link to share. It contains the style if one was chosen, even the default one. */
   get link(): string {
     return this.#reading.sharedLink;
   }
@@ -44,23 +44,23 @@ export class Recipe {
     return this.#values;
   }
 
-  /** The value that every key has on this page if nobody says otherwise. */
+  /** The default value of every key on this page. */
   get defaults(): ReadonlyMap<string, string> {
     this.#defaults ??= new Map(this.#readHere("").values);
     return this.#defaults;
   }
 
-  /** Why keys do nothing, by key. */
+  /** The reason why a key has no effect, by key. */
   get idle(): ReadonlyMap<string, string> {
     return this.#idle;
   }
 
-  /** Values that had to be clamped or left out, by the key they are about. */
+  /** Notices about values that had to be clamped or left out, by key. */
   get notices(): ReadonlyMap<string, string> {
     return this.#notices;
   }
 
-  /** Says in words what a widget does not grow of it. */
+  /** Sentences about the parts of the recipe that a widget does not grow. */
   get widgetNotices(): string[] {
     return this.readLink(this.link, { widget: true }).notices.map(({ message }) => message);
   }
@@ -81,7 +81,7 @@ export class Recipe {
     this.#takeValues(new Map(this.readLink(shown).values));
   }
 
-  /** Changes some values. A note about another one stays until it is dismissed; one about these is out of date. */
+  /** Changes some values and drops their notices. Notices about other values stay until they are dismissed. */
   set(changes: Iterable<readonly [key: string, value: string]>): void {
     const values = new Map(this.#values);
     for (const [key, value] of changes) {
@@ -92,7 +92,7 @@ export class Recipe {
     this.#takeValues(values);
   }
 
-  /** The page has become dark, or light. */
+  /** Reads the recipe again after the page has become dark or light. */
   refresh(): void {
     this.#defaults = undefined;
     this.set([]);
@@ -102,7 +102,7 @@ export class Recipe {
     this.#notices.clear();
   }
 
-  /** A style that nobody chose is left out: the core knows which it is. */
+  /** Reads a recipe from its values. A style that nobody chose is left out: the core knows the default. */
   #takeValues(values: Map<string, string>): void {
     if (!this.#isStyled) values.delete("style");
     this.#take(linkText(values));

@@ -1,4 +1,4 @@
-/** The tracing of pictures: a wasm module of its own, fetched when somebody opens a picture. */
+/** The tracing of pictures: a separate wasm module, fetched when somebody opens a picture. */
 
 import init, { longestTracedSide, type Traced, traceImage } from "../../pkg-trace/riverseed_trace.js";
 import wasmUrl from "../../pkg-trace/riverseed_trace_bg.wasm?url";
@@ -19,7 +19,10 @@ const load = once(() =>
   }),
 );
 
-/** Without it the map is as good as before: that it did not arrive is no failure of the page. */
+/**
+ * Loads the tracing module. A failure gets the code "no-tracing", from which the page recovers, since the map is not
+ * affected.
+ */
 export async function loadTracing(): Promise<Tracing> {
   try {
     return await load();

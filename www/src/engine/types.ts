@@ -1,3 +1,3 @@
-/** What the engine's functions take and give. Where the packages lie is known to this folder alone. */
+/** The types of the engine's functions. Only this folder knows where the packages are. */
 
 export type * from "../../pkg/riverseed.js";

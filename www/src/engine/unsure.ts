@@ -1,8 +1,13 @@
-/** What is not asked any more after a failure. Apart from the names of failures: an element on a page need not know it. */
+/**
+ * Failures that leave the engine in an unknown state. Separate from the error codes: an element on a page does not need
+ * this.
+ */
 
 import type { PageError } from "./errors.ts";
 
-/** Whether nobody knows in what state the engine is: nothing is asked of what it was at, not even to go. */
+/**
+ * Returns whether the engine's state is unknown: then nothing may be called on the object that failed, not even `free`.
+ */
 export function isEngineUnsure({ code }: PageError): boolean {
   return code === "panic" || code === "unknown";
 }

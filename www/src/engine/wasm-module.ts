@@ -1,4 +1,4 @@
-/** Fetches and starts a wasm module, and names what can go wrong on the way. */
+/** Fetches and starts wasm modules, and gives each failure a code. */
 
 import { PageError } from "./errors.ts";
 import { DOWNLOAD_SILENCE_MS, limited } from "./time-limits.ts";
@@ -8,15 +8,18 @@ const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
-/** What servers answer for a file that they do not have: "not found" and "gone". */
+/** HTTP statuses of a file that does not exist: "not found" and "gone". */
 const GONE: ReadonlySet<number> = new Set([404, 410]);
 
-/** Asked before the download, so that an old browser does not fetch what it cannot run. */
+/**
+ * Returns whether the browser runs wasm with SIMD. Checked before the download, so that an old browser fetches nothing
+ * in vain.
+ */
 function isSupported(): boolean {
   return typeof WebAssembly === "object" && WebAssembly.validate(SIMD_PROBE);
 }
 
-/** One download and one memory, however often it is asked for. A failed load can be tried again. */
+/** Wraps a loader so that it runs once and every caller gets its result. After a failure it can be tried again. */
 export function once<Given extends unknown[], T>(
   load: (...given: Given) => Promise<T>,
 ): (...given: Given) => Promise<T> {
@@ -30,7 +33,7 @@ export function once<Given extends unknown[], T>(
   };
 }
 
-/** Fetches a module, and links it with its script. It reports every part of the module that arrives. */
+/** Fetches a module and links it with its script. Calls `progress` for every part of the module that arrives. */
 export async function start<T>(
   url: string,
   link: (compiled: WebAssembly.Module) => Promise<T>,
@@ -47,7 +50,10 @@ export async function start<T>(
   }
 }
 
-/** Gives up when nothing more arrives, and then lets go of the connection: the next try has one of its own. */
+/**
+ * Downloads and compiles a module. Gives up when nothing more arrives, and then aborts the connection: the next try
+ * gets a new one.
+ */
 async function compiledFrom(url: string, progress: () => void): Promise<WebAssembly.Module> {
   const control = new AbortController();
   try {
@@ -65,7 +71,10 @@ async function compiledFrom(url: string, progress: () => void): Promise<WebAssem
   }
 }
 
-/** Reads a copy, so that the response itself is compiled as it comes, and cached. What is wrong with it is reported there. */
+/**
+ * Reads a copy of the response, so that the response itself can be compiled while it streams, and cached. Its errors
+ * are reported there.
+ */
 async function tellOfParts({ body }: Response, heard: () => void): Promise<void> {
   const reader = body?.getReader();
   try {

@@ -1,4 +1,4 @@
-/** The lean engine: rivers and their pictures, and all that a widget loads to show them. */
+/** The lean engine: rivers and their pictures, which is all that a widget loads to show them. */
 
 import init, * as engine from "../../pkg/riverseed.js";
 import wasmUrl from "../../pkg/riverseed_bg.wasm?url";
@@ -12,7 +12,7 @@ export interface Core<Loaded = Engine> {
   readonly memory: WebAssembly.Memory;
 }
 
-/** From where it lies beside the script, unless its first caller knows better. */
+/** Loads the engine, once, from `url` or else from beside the script. */
 export const load: (url?: string, progress?: () => void) => Promise<Core> = once((url = wasmUrl, progress) =>
   start(
     url,

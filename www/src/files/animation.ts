@@ -1,5 +1,5 @@
 /**
- * The growth as a video, by the browser's own encoder. Its frames are those of the river's own steps, whatever the clock says: growth, quick at
+ * Films the growth with the browser's encoder. The frames follow the river's steps and not the clock: growth, quick at
  * first, then the bends, then the finished map.
  */
 
@@ -24,13 +24,16 @@ import { type MakerCore, paint } from "./painting.ts";
 const LONGER_SIDE = 1200;
 const RATE = 30;
 
-/** The number of frames of each part: six seconds in all. */
+/** The number of frames of each part, six seconds in all. */
 const FRAMES = { growing: 105, meandering: 30, fading: 15, finished: 30 } as const;
 
-/** How far each phase is, at a share of its time. Of young rivers most is trimmed again, so that little is seen of the first third of growth. */
+/**
+ * The progress of each phase at a share of its time. The first third of growth is quick, since most of it is trimmed
+ * again.
+ */
 const PACES = { growing: Math.sqrt, meandering: (share: number) => share } as const;
 
-/** By when each part is over, as a share of the whole. */
+/** The end of each part, as a share of the whole. */
 const SHARES = { growing: 0.55, meandering: 0.75, finishing: 0.8 } as const;
 
 /** The formats that browsers can encode, the most widely played first. */
@@ -55,7 +58,7 @@ export async function animationOf(link: string, core: MakerCore, course: Course)
 async function filmed(scenes: Scenes, course: Course): Promise<Blob> {
   try {
     await scenes.film("growing", partOf(course, 0, SHARES.growing));
-    // Rivers are made of the tree: nothing is to be seen of that.
+    // While rivers are made from the tree there is nothing to see.
     await scenes.skip("shaping", course);
     await scenes.film("meandering", partOf(course, SHARES.growing, SHARES.meandering));
     await scenes.finish(partOf(course, SHARES.meandering, SHARES.finishing), partOf(course, SHARES.finishing, 1));
@@ -66,7 +69,7 @@ async function filmed(scenes: Scenes, course: Course): Promise<Blob> {
   }
 }
 
-/** Encoders take even sides only. */
+/** Rounds a side to an even length, since encoders take no other. */
 function even(length: number): number {
   return Math.max(2, 2 * Math.round(length / 2));
 }
@@ -79,7 +82,7 @@ class Scenes {
     readonly video: Video,
   ) {}
 
-  /** A phase, frame by frame; nothing if the river has none such. */
+  /** Films a phase, frame by frame; nothing if the river is in another. */
   async film(phase: keyof typeof PACES, course: Course): Promise<void> {
     const { river } = this;
     const frames = FRAMES[phase];
@@ -105,7 +108,7 @@ class Scenes {
     );
   }
 
-  /** From rivers to the finished map, which fades in and stays. */
+  /** Films the end: from the rivers to the finished map, which fades in and stays. */
   async finish(making: Course, showing: Course): Promise<void> {
     const { river, core, video } = this;
     const before = this.#pixels();
@@ -136,7 +139,7 @@ class Scenes {
   }
 }
 
-/** A picture on its way to another. */
+/** Blends one picture into another. */
 function mixed(from: Uint8Array, to: Uint8Array, share: number): Uint8Array {
   return from.map((value, i) => value + ((to[i] ?? 0) - value) * share);
 }
@@ -184,10 +187,10 @@ class Video {
   }
 }
 
-/** The first of what the browser can encode at this size. */
+/** Finds the first codec with which the browser can encode this size. */
 async function encodable(width: number, height: number): Promise<[VideoCodec, OutputFormat]> {
   for (const [codec, container] of CODECS)
     if (await canEncodeVideo(codec, { width, height, quality: QUALITY_HIGH })) return [codec, container()];
   const tried = "H.264, VP9, VP8 or AV1";
-  throw new PageError("unknown", `this browser encodes no video of ${width} × ${height} pixels, as ${tried}`);
+  throw new PageError("unknown", `this browser cannot encode a video of ${width} × ${height} pixels as ${tried}`);
 }

@@ -1,4 +1,4 @@
-/** How the making of a file goes on: in steps, between which it is told how far it is, and others have their turn. */
+/** The making of a file in steps; between them it reports its progress and lets others have their turn. */
 
 import type { FullRiver } from "../engine/full.ts";
 
@@ -15,10 +15,10 @@ export function partOf(course: Course, from: number, to: number): Course {
   return { tell: (share) => course.tell(from + (to - from) * share), pause: () => course.pause() };
 }
 
-/** The time between two pauses: less than anybody notices. */
+/** The time between two pauses, too short to be noticed. */
 const SLICE_MS = 12;
 
-/** Takes steps, each of which says whether there are more, and then how far they have come. */
+/** Takes steps until one returns false, and between some of them reports their `share` and pauses. */
 export async function inSteps(course: Course, step: () => boolean, share: () => number): Promise<void> {
   let end = performance.now() + SLICE_MS;
   while (step()) {
@@ -29,7 +29,7 @@ export async function inSteps(course: Course, step: () => boolean, share: () => 
   }
 }
 
-/** By when each phase is over, as a share of growing. */
+/** The end of each phase, as a share of growing. */
 const OVER = { growing: 0.6, shaping: 0.65, meandering: 0.8, relief: 1, finished: 1 } as const;
 
 /** Takes a river to its end. */

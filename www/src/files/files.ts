@@ -1,4 +1,4 @@
-/** Makes files of finished rivers that widgets make, too: pictures and shapes. */
+/** Makes the files of finished rivers that widgets can make, too: pictures and shapes. */
 
 import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
@@ -8,10 +8,10 @@ import { riverPng } from "./river-png.ts";
 
 /** Pixels on the long side of a game pack's picture: a full page in print, and more than any screen has. */
 export const LONG_SIDE_PX = 3000;
-/** Growing for a file may take this long at a time, so that the page goes on answering. */
+/** The time for growing at once, short so that the page keeps answering. */
 const SLICE_MS = 12;
 
-/** The memory that holds pictures, and what else files need. */
+/** The means of painting a file: the memory that holds the picture, and those of every file. */
 export interface Painting extends FileMeans {
   readonly memory: WebAssembly.Memory;
 }
@@ -30,7 +30,7 @@ export function svgOf(river: FullRiver, core: FileMeans): Promise<Blob> {
   });
 }
 
-/** Makes something of a river when it has come to its end. */
+/** Grows a river to its end, makes something of it, and frees it. */
 export async function finished<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
   try {
     await inSlices(() => river.advance(1));
@@ -40,12 +40,12 @@ export async function finished<Made>(river: River, make: () => Made | Promise<Ma
   }
 }
 
-/** Takes steps, each of which says whether there are more, and lets the page answer in between. */
+/** Takes steps until one returns false, and lets the page answer in between. */
 export async function inSlices(step: () => boolean): Promise<void> {
   while (stepsFor(SLICE_MS, step)) await new Promise((resume) => setTimeout(resume));
 }
 
-/** Returns whether there is more to do. */
+/** Takes steps for some time. Returns whether there is more to do. */
 function stepsFor(milliseconds: number, step: () => boolean): boolean {
   const end = performance.now() + milliseconds;
   do {
@@ -66,5 +66,5 @@ export async function picture(river: River, core: Painting, longSide: number): P
   return riverPng(river, core.memory, "rgb", SILENT);
 }
 
-/** Tells nobody how far it is, and lets others have their turn. */
+/** A course that reports no progress, and lets others have their turn. */
 export const SILENT: Course = { tell: () => {}, pause: () => new Promise((resume) => setTimeout(resume)) };

@@ -1,4 +1,4 @@
-/** The formats of data and shapes that the page offers, each named as its files end; `formats.ts` makes them. */
+/** The formats of data and shapes that the page offers, named by their file extension; `formats.ts` makes them. */
 
 export const FORMATS = ["svg", "geojson", "json", "zip"] as const;
 

@@ -1,4 +1,7 @@
-/** Makes files of finished rivers in every format that the page offers. Apart from `files.ts`: widgets need not load what writes archives. */
+/**
+ * Makes files of finished rivers in every format that the page offers. Separate from `files.ts`, so that widgets need
+ * not load the archiver.
+ */
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import { askChartForFile } from "../player/chart-maker.ts";
@@ -6,7 +9,7 @@ import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from 
 import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
-/** The full engine, with what makes charts: all files of data have names. */
+/** The full engine, with the charts module, since all data files contain names. */
 export type FileCore = FullCore & Painting;
 
 const FORMATS: Record<Format, (river: FullRiver, core: FileCore) => Promise<Blob>> = {
@@ -18,12 +21,12 @@ const FORMATS: Record<Format, (river: FullRiver, core: FileCore) => Promise<Blob
   zip: packOf,
 };
 
-/** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
+/** Grows a river to its end and makes a file of it. Takes over the river, and frees it afterwards. */
 export function fileOf(river: FullRiver, core: FileCore, format: Format): Promise<Blob> {
   return FORMATS[format](river, core);
 }
 
-/** Packs the picture and all that games need besides. */
+/** Packs the picture and the other files that games need. */
 async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
   const [contents, map] = await raised(river, async () => {
     const contents = contentsOf(river, await namesOf(river, core));
@@ -33,7 +36,7 @@ async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
   return packed(contents, map);
 }
 
-/** Makes something of a river and its relief, in a style that shows none too. */
+/** Grows a river to its end with its relief, even in a style that shows none, and makes something of it. */
 function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promise<Made> {
   return finished(river, async () => {
     await inSlices(() => river.raiseRelief());

@@ -1,4 +1,4 @@
-/** A map's files for a game, as one archive: rasters, rivers, the picture, and a text that says by which scale. */
+/** A map's files for a game, in one archive: rasters, rivers, the picture, and a text that gives the scale. */
 
 import { strToU8, zipSync } from "fflate";
 import type { FullRiver } from "../engine/full.ts";
@@ -54,10 +54,10 @@ async function bytesOf(file: Blob): Promise<Uint8Array> {
   return new Uint8Array(await file.arrayBuffer());
 }
 
-/** Files have no time, so that a river always gives the same archive: the first day that the format knows. */
+/** The date of all files, the first that the format knows, so that a river always gives the same archive. */
 const EARLIEST = new Date(1980, 0, 1);
 
-/** Keywords and texts in turn, as an object. */
+/** Turns a list of alternating keywords and texts into an object. */
 function paired(texts: string[]): Record<string, string> {
   return Object.fromEntries(texts.flatMap((key, i) => (i % 2 === 0 ? [[key, texts[i + 1] ?? ""]] : [])));
 }

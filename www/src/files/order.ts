@@ -1,4 +1,4 @@
-/** What can be made of a map in pictures, as whoever asks for it says it: plain data, since it goes to a worker. */
+/** Orders for pictures and videos of a map: plain data, since they go to a worker. */
 
 import type { Code } from "../engine/errors.ts";
 
@@ -8,11 +8,11 @@ export interface PictureOrder {
   link: string;
   /** In pixels. */
   longerSide: number;
-  /** Without the sea, or in styles of lines the paper. */
+  /** True to leave out the sea, or in line styles the paper. */
   isTransparent: boolean;
 }
 
-/** A picture with the map's title, for posts and for what social networks show of a link. */
+/** A picture with the map's title, for posts and for the previews of links in social networks. */
 export interface CardOrder {
   kind: "card";
   link: string;
@@ -26,26 +26,26 @@ export interface AnimationOrder {
 
 export type Order = PictureOrder | CardOrder | AnimationOrder;
 
-/** A worker's message: that it is there, how far the file is, or the file. */
+/** A worker's message: that it is ready, the progress of the file, the file, or a failure. */
 export type Said =
   | { is: "open" }
   | { is: "at"; share: number }
   | { is: "made"; file: Blob }
   | { is: "failed"; code: Code; message: string };
 
-/** The sizes of pictures: by use, and the range of those of one's own; the longer side, in pixels. */
+/** The longer side of pictures in pixels, by use; below, the range of custom sizes. */
 export const SIZES = { screen: 2000, a4: 3508, a3: 4961, poster: 8192 } as const;
 export const OWN_SIZES = { min: 256, max: 8192 } as const;
 
-/** The size of the picture that social networks show of a link, in pixels. */
+/** The size in pixels of the picture that social networks show for a link. */
 export const CARD = { width: 1200, height: 630 } as const;
 
-/** A link but for what is written on its map. */
+/** Returns a link without labels and cartouche. */
 export function withoutNames(link: string): string {
   return changed(link, { labels: undefined, cartouche: undefined });
 }
 
-/** A link with other values; with the usual ones, where there are none. */
+/** Returns a link with other values; keys with an undefined value get their default. */
 export function changed(link: string, values: Record<string, string | undefined>): string {
   const all = new URLSearchParams(link);
   for (const [key, value] of Object.entries(values)) {

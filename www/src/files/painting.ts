@@ -1,10 +1,10 @@
-/** Painting a river for a file, with what stands on its map. */
+/** Paints a river for a file, with its labels and scenery. */
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import { askChartForFile, type LoadCharts } from "../player/chart-maker.ts";
 import { type Course, inSteps } from "./course.ts";
 
-/** An engine, and what fetches charts. */
+/** An engine, with the loader of the charts module. */
 export interface MakerCore extends FullCore {
   readonly loadCharts: LoadCharts;
 }

@@ -1,4 +1,4 @@
-/** Pictures and cards of a link's finished rivers, wherever they are made: nobody else has the rivers. */
+/** Makes pictures and cards of a link. Each grows a river for itself. */
 
 import type { FullRiver } from "../engine/full.ts";
 import { type Course, grow, partOf } from "./course.ts";
@@ -6,7 +6,7 @@ import { CARD, type CardOrder, changed, type PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";
 import { riverPng } from "./river-png.ts";
 
-/** By when rivers are grown and the picture is painted, as shares of a file's course. */
+/** The ends of growing and of painting, as shares of a file's course. */
 const GROWN = 0.2;
 const PAINTED = 0.7;
 
@@ -30,7 +30,10 @@ function sidesFor(river: FullRiver, { longerSide }: PictureOrder): [width: numbe
   return [width, height];
 }
 
-/** The map with its title in letters that are read in small, too, and of names no more than there is room for. */
+/**
+ * Returns the link of a card: the map with its title, in letters that can be read at a small size, and with few labels
+ * if it has any.
+ */
 export function cardLink(link: string): string {
   const labels = new URLSearchParams(link).get("labels") ?? "none";
   return changed(link, {

@@ -1,6 +1,6 @@
 /**
- * The one encoder of PNG, some rows at a time. A browser's canvas does not serve: the largest pictures are more than many browsers give,
- * some change pixels by a little when they are read, and none says how far it is.
+ * Encodes PNG files, some rows at a time. A browser's canvas cannot do it: the largest pictures are larger than many
+ * browsers allow, some browsers change pixels slightly when they are read, and none reports progress.
  */
 
 import type { Course } from "./course.ts";
@@ -9,16 +9,19 @@ export interface PngImage {
   width: number;
   height: number;
   pixels: Pixels;
-  /** The pixels of some rows, as they lie in memory; they may be gone when the next are asked for. */
+  /** Returns the pixels of some rows, as they are in memory. They are valid until the next call. */
   rows(first: number, count: number): Uint8Array;
-  /** Texts by keyword, in Latin letters. */
+  /** Texts by keyword, in Latin-1. */
   texts: Readonly<Record<string, string>>;
 }
 
-/** The kind of pixels: RGBA in memory, with an opacity in the file or without; grey of 8 bits; grey of 16. */
+/**
+ * The kind of pixels. `rgb` and `rgba` are RGBA in memory, and are written without and with opacity; grey has 8 or 16
+ * bits.
+ */
 export type Pixels = "rgb" | "rgba" | "grey8" | "grey16";
 
-/** The format's number of a kind of colour, bits a channel, and how many bytes a pixel takes in memory and in the file. */
+/** The format's colour type and bits per channel, and the bytes of a pixel in memory and in the file. */
 interface Layout {
   colour: number;
   depth: number;
@@ -33,7 +36,7 @@ const LAYOUTS: Readonly<Record<Pixels, Layout>> = {
   grey16: { colour: 0, depth: 16, inMemory: 2, inFile: 2 },
 };
 
-/** About how many bytes of rows are written at a time. */
+/** The approximate number of bytes in memory that are written at a time. */
 const BAND_BYTES = 1 << 19;
 
 const SIGNATURE = new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10]);
@@ -49,7 +52,7 @@ export async function pngOf(image: PngImage, course: Course): Promise<Blob> {
   return new Blob(parts, { type: "image/png" });
 }
 
-/** Writes rows, each behind the number of its filter, into a stream that packs them. */
+/** Writes rows, each after the number of its filter, into a stream that compresses them. */
 async function filter(image: PngImage, packed: WritableStream<BufferSource>, course: Course): Promise<void> {
   const { width, height, pixels } = image;
   const writer = packed.getWriter();
@@ -79,12 +82,12 @@ async function collect(stream: ReadableStream<Uint8Array>, take: (bytes: Uint8Ar
   }
 }
 
-/** Filters rows: each filter takes away what is known of a byte by those before it. */
+/** Filters rows. Each filter subtracts from a byte a prediction by the bytes before it. */
 class RowFilters {
   readonly #length: number;
   #above: Uint8Array;
   #row: Uint8Array;
-  /** A row by each filter, as the format numbers them from 1. */
+  /** The row after each filter, in the order in which the format numbers them from 1. */
   readonly #tried: Uint8Array[];
 
   constructor(
@@ -97,7 +100,7 @@ class RowFilters {
     this.#tried = [1, 2, 3, 4].map(() => new Uint8Array(this.#length));
   }
 
-  /** Filters the rows that follow on the last, each by the filter that leaves least. */
+  /** Filters the next rows, each with the filter that leaves the least. */
   filtered(pixels: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
     const filtered = new Uint8Array((this.#length + 1) * count);
     const bytes = pixels.length / count;
@@ -111,7 +114,7 @@ class RowFilters {
     return filtered;
   }
 
-  /** Takes a row as it lies in the file: without opacity if there is none, and the larger byte of 16 bits first. */
+  /** Takes a row in the layout of the file: without opacity for `rgb`, and with the high byte of 16 bits first. */
   #take(pixels: Uint8Array, from: number): void {
     const row = this.#row;
     const { inMemory, inFile } = this.layout;
@@ -124,7 +127,7 @@ class RowFilters {
     if (this.layout.depth === 16) swapPairs(row);
   }
 
-  /** Tries all filters. Returns the place in the list of the one that leaves the least sum. */
+  /** Tries all filters. Returns the index of the one that leaves the least sum. */
   #best(): number {
     const [sub, up, average, paeth] = this.#tried;
     if (!sub || !up || !average || !paeth) return 0;
@@ -153,17 +156,17 @@ class RowFilters {
   }
 }
 
-/** Swaps the bytes of numbers of 16 bits, whose smaller byte lies first in the memory of every browser's machine. */
+/** Swaps the bytes of 16-bit numbers, which are little-endian on every machine with a browser. */
 function swapPairs(row: Uint8Array): void {
   for (let i = 0; i < row.length; i += 2) [row[i], row[i + 1]] = [row[i + 1] ?? 0, row[i] ?? 0];
 }
 
-/** Returns the distance of a byte from 0, either way. */
+/** Returns the distance of a byte from 0, in either direction. */
 function rest(byte: number): number {
   return byte < 128 ? byte : 256 - byte;
 }
 
-/** Paeth's guess at a byte: that of its neighbours which is nearest to what their slope says. */
+/** Returns Paeth's prediction of a byte: the neighbour that is nearest to left + upper - corner. */
 function likeliest(left: number, upper: number, corner: number): number {
   const byLeft = Math.abs(upper - corner);
   const byUpper = Math.abs(left - corner);
@@ -185,7 +188,7 @@ function latin(text: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 }
 
-/** A chunk: its length and name, its bytes, and their check. */
+/** Makes a chunk: its length, name and bytes, and their checksum. */
 function chunk(name: string, bytes: Uint8Array): BlobPart[] {
   const head = new Uint8Array(8);
   new DataView(head.buffer).setUint32(0, bytes.length);
@@ -195,7 +198,7 @@ function chunk(name: string, bytes: Uint8Array): BlobPart[] {
   return [head, bytes as Uint8Array<ArrayBuffer>, check];
 }
 
-/** The remainders of all bytes by the polynomial that PNG checks by. */
+/** The remainders of all bytes by the polynomial of PNG's checksum. */
 const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
   let rest = byte;
   for (let bit = 0; bit < 8; bit++) rest = rest & 1 ? 0xedb88320 ^ (rest >>> 1) : rest >>> 1;

@@ -1,13 +1,13 @@
-/** The picture of a river as PNG: exactly the core's pixels, and the river's link. */
+/** Writes the picture of a river as PNG: exactly the core's pixels, with the river's link as text. */
 
 import type { River } from "../engine/types.ts";
 import type { Course } from "./course.ts";
 import { pngOf } from "./png.ts";
 
-/** The keyword under which pictures carry their link, as those of the command line do. */
+/** The keyword of the link in a picture, the same as the command line's. */
 const LINK_KEYWORD = "riverseed";
 
-/** Writes the picture that a river has; `pixels` are "rgba" once its ground is cut out. */
+/** Writes a river's painted picture. `pixels` is "rgba" if its background has been cut out. */
 export function riverPng(
   river: Pick<River, "width" | "height" | "link" | "pixelsPointer">,
   memory: WebAssembly.Memory,

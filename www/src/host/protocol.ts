@@ -1,6 +1,6 @@
 /**
- * What whoever shows a river and the renderer say to each other: plain data, since the renderer may be in a worker. Commands go
- * there, reports come back; each of whom they are about has a number.
+ * The messages between the renderer and its clients: plain data, since the renderer may be in a worker. Commands go to
+ * the renderer and reports come back; both carry the number of the client they belong to.
  */
 
 import type { CanvasSize } from "../browser/canvas.ts";
@@ -23,7 +23,7 @@ export interface Opening {
   inStep?: boolean;
 }
 
-/** To a river on its canvas. */
+/** A command to a river on its canvas. */
 export type SceneCommand = { id: number } & (
   | { do: "show"; link: LinkToRead; how: ShowMode; size: CanvasSize }
   | { do: "resize"; size: CanvasSize }
@@ -31,33 +31,33 @@ export type SceneCommand = { id: number } & (
   | { do: "play" | "pause" | "toggle" | "replay" | "finish" | "rest" | "wake" | "close" }
 );
 
-/** A question has one answer, and a number of its own. */
+/** A message to the renderer. A question has a number that no other message has, and gets one answer. */
 export type Command<Question> = Opening | SceneCommand | { id: number; do: "ask"; question: Question };
 
 /** The place that the renderer runs in: a worker, or the page itself. */
 export interface Backend<Question> {
   take(command: Command<Question>): void;
-  /** Ends it, with all rivers in it. */
+  /** Closes the renderer and all rivers in it. */
   close(): void;
   /** True if another can be opened in place of one whose engine has stopped. */
   readonly isReplaceable: boolean;
 }
 
 /**
- * The worker's answers to its first message, which says where the engine is: while that is coming, and one at the end. What comes
- * before it has arrived waits. No canvas is handed over before.
+ * The worker's answers to its first message, which says where the engine is: `coming` while the engine loads, then
+ * `open` or `shut`. Commands that come earlier wait, and no canvas is handed over before.
  */
 export type InitReply = { is: "coming" } | { is: "open" } | { is: "shut"; code: string; message: string };
 
-/** Asks a worker for a sign of life; its number is that of the commands before it. */
+/** Asks a worker for a sign of life. Its number is the count of commands sent before it. */
 export interface Ping {
   id: number;
   do: "ping";
 }
 
 /**
- * The answer to it. Without work the worker says no more, until there is another command. Before a step that takes long it says
- * unasked how long at most nothing will be heard of it.
+ * The answer to a ping. A worker without work then stays silent until the next command. Before a long step it sends one
+ * unasked, with the longest silence to expect.
  */
 export interface Pong {
   id: number;
@@ -73,7 +73,10 @@ export interface Status {
   summary: Summary;
 }
 
-/** A failure of a scene says how many links that had been asked to show by then: of which one it is. */
+/**
+ * A message from the renderer. A failure of a scene carries the number of links it had been asked to show, which tells
+ * whose failure it is.
+ */
 export type Report<Answer> = { id: number } & (
   | ({ is: "shown"; reading: Reading } & Status)
   | { is: "failed"; code: Code; message: string; links?: number }

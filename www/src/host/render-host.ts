@@ -1,6 +1,6 @@
 /**
- * One renderer for all rivers of a page: opened with the first of them, replaced when its engine stops or answers no more, left
- * with the last.
+ * One renderer for all rivers of a page: opened for the first river, replaced when its engine stops or no longer
+ * answers, and closed after the last.
  */
 
 import { PageError } from "../engine/errors.ts";
@@ -10,11 +10,11 @@ import type { Listener } from "./worker-backend.ts";
 /** A client of the render host: it shows a river, or asks a question. */
 export interface Client<Answer = unknown> {
   hear(report: Report<Answer>): void;
-  /** The renderer had to be replaced: everything has to be handed over again. */
+  /** Called when the renderer was replaced: everything has to be handed over again. */
   moved(): void;
 }
 
-/** An empty renderer is kept so long: pages that show one thing after another take rivers away and bring others. */
+/** An empty renderer is kept for this time, since pages often remove one river and then add another. */
 export const EMPTY_MS = 5000;
 
 type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
@@ -25,12 +25,17 @@ export class RenderHost<Question, Answer> {
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
-  /** `open` opens a renderer, wherever; the address is that of the engine, if it is not beside the script. */
+  /**
+   * `open` opens a renderer, in a worker or on the page. `wasmUrl` is the engine's address if that is not beside the
+   * script.
+   */
   constructor(
     private readonly open: (listener: Listener<Answer>, wasmUrl: string | undefined) => Promise<Backend<Question>>,
   ) {}
 
-  /** Takes somebody in, once there is a renderer; their number. The address counts for the first. */
+  /**
+   * Adds a client once there is a renderer, and returns the client's number. Only the first client's `wasmUrl` counts.
+   */
   async enter(client: Client<Answer>, wasmUrl?: string): Promise<number> {
     clearTimeout(this.#leaving);
     const backend = this.#opened(wasmUrl);
@@ -45,12 +50,12 @@ export class RenderHost<Question, Answer> {
     void this.#backend?.then((backend) => backend.take({ ...command, id }));
   }
 
-  /** Has a question answered, which is put anew to another renderer if the first is gone before that. */
+  /** Asks the renderer a question. If the renderer is lost before it answers, the next one is asked. */
   ask(question: Question, wasmUrl?: string): Promise<Answer> {
     return new Promise((done, failed) => {
       let asked = 0;
       const ask = (): void => {
-        // A file may be what a worker dies of: of a third there is no hope, and the rivers need theirs.
+        // The question itself may have killed both workers, and the rivers need the third.
         if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice at this"));
         else void this.enter(client, wasmUrl).then((id) => this.send(id, { do: "ask", question }), failed);
       };
@@ -99,15 +104,15 @@ export class RenderHost<Question, Answer> {
   }
 
   /**
-   * After a trap nobody knows in what state the engine is, so the others get a new one. On the page itself there is only the
-   * one that its script holds: there they go on in it, since a trap touches no memory but its own river's.
+   * Moves the other clients to a new engine after a trap, since the state of the old one is unknown. On the page itself
+   * there is only one engine: there they go on in it, since a trap touches no memory but its own river's.
    */
   async #replace(): Promise<void> {
     const backend = this.#backend;
     if ((await backend)?.isReplaceable && backend === this.#backend) this.#moveAll();
   }
 
-  /** Everybody goes to another backend. */
+  /** Moves all clients to another backend. */
   #moveAll(): void {
     this.#close();
     const clients = [...this.#clients.values()];
@@ -115,7 +120,7 @@ export class RenderHost<Question, Answer> {
     for (const client of clients) client.moved();
   }
 
-  /** Nobody knows whose fault it was: asked to go on, all might do the same again. */
+  /** Reports a failure to all clients: nobody knows which of them caused it, so none may try again. */
   #collapse(message: string): void {
     for (const id of [...this.#clients.keys()]) this.#tell({ id, is: "failed", code: "panic", message });
   }

@@ -1,4 +1,4 @@
-/** Where rivers are grown and drawn, each on its canvas, and questions about them answered: in a worker, or on the page itself. */
+/** Grows and draws rivers, each on its canvas, and answers questions about them: in a worker, or on the page itself. */
 
 import { named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
@@ -8,10 +8,10 @@ import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
-/** The means by which a renderer makes rivers, and answers questions about the river of a number. */
+/** A renderer's means of making rivers and of answering questions about them. */
 export interface Means<R extends River, Question, Answer> {
   readonly maker: RiverMaker<R>;
-  /** The time of a frame that all rivers share, if not the usual; a river that is alone may take all, and waits for nothing. */
+  /** The time of a frame that all rivers share, if not the usual. If it is given, a new river opens at once. */
   readonly shareMs?: number;
   /** The clock of rivers that grow in step. */
   readonly clock?: SharedClock;
@@ -30,7 +30,7 @@ export class Renderer<R extends River, Question, Answer> {
     this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);
   }
 
-  /** True while a report is to come without another command. */
+  /** True while a report is due without another command. */
   get isAtWork(): boolean {
     return this.#scheduler.isAwaited || this.#unanswered > 0;
   }
@@ -48,7 +48,7 @@ export class Renderer<R extends River, Question, Answer> {
     const scene = new Scene(maker, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
     this.#scenes.set(command.id, scene);
     if (shareMs) scene.open();
-    // In its turn: planting twenty rivers at once would hold up the page.
+    // In turn, since planting twenty rivers at once would hold up the page.
     else this.#scheduler.request(() => scene.open());
   }
 

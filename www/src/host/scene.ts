@@ -1,4 +1,4 @@
-/** One river on its canvas, wherever that is drawn. */
+/** One river on its canvas, in a worker or on the page. */
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
@@ -9,7 +9,7 @@ import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Opening, Report, SceneCommand } from "./protocol.ts";
 
-/** A command to a river that is there. */
+/** A command to an open river. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
 export class Scene<R extends River = River> {
@@ -18,7 +18,7 @@ export class Scene<R extends River = River> {
   /** Commands from before the river was created. */
   #early: Request[] = [];
   #isOver = false;
-  /** False once the river may not even be freed. */
+  /** False after a failure that leaves the engine in an unknown state: then the river may not even be freed. */
   #mayFree = true;
 
   constructor(
@@ -26,7 +26,7 @@ export class Scene<R extends River = River> {
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
-    /** The clock that it shares with others, if it does. */
+    /** The clock that it shares with other rivers, if any. */
     private readonly clock?: SharedClock,
   ) {
     this.#size = opening.size;

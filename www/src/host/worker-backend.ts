@@ -1,4 +1,7 @@
-/** A renderer in a worker, as the page sees it: opened, watched while an answer is due, and given up when none comes. */
+/**
+ * The page's side of a renderer in a worker: opens it, watches it while an answer is due, and gives it up when none
+ * comes.
+ */
 
 import { PageError } from "../engine/errors.ts";
 import { limited, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
@@ -6,19 +9,19 @@ import type { Backend, InitReply, Ping, Pong, Report } from "./protocol.ts";
 
 export interface Listener<Answer> {
   tell(report: Report<Answer>): void;
-  /** The backend as a whole has failed. */
+  /** Called when the backend as a whole has failed. */
   collapsed(message: string): void;
-  /** The backend no longer answers: it is to be closed, and another opened. */
+  /** Called when the backend no longer answers, so that it is closed and another opened. */
   lost(): void;
 }
 
-/** After this number of workers that did not answer, the page itself takes over: the next would hardly do better. */
+/** After this many workers that did not answer, the page itself takes over. */
 const MOST_LOST = 2;
 let lost = 0;
 
 /**
- * A worker if the browser and the page's policy allow one with a canvas; once it has begun, the first message tells it where the engine
- * is. Nothing if not: whatever the reason, the page itself is tried next and says what is wrong.
+ * Opens a worker, if the browser and the page's policy allow one with a canvas. `init` is its first message, which says
+ * where the engine is. Returns nothing on failure: then the page itself is tried, and reports what is wrong.
  */
 export async function openWorker<Question, Answer>(
   begin: () => Worker | Promise<Worker>,
@@ -39,8 +42,8 @@ export async function openWorker<Question, Answer>(
 }
 
 /**
- * Waits until the worker has the engine. A refused worker says so by an error, an engine that does not arrive by an answer; an
- * empty script, or one that hangs, says nothing at all.
+ * Waits until the worker has the engine. A refused worker fires an error, and an engine that does not arrive is
+ * reported in an answer; an empty script, or one that hangs, says nothing at all.
  */
 function handshake(worker: Worker, init: object): Promise<void> {
   const opened = (heard: () => void): Promise<void> =>
@@ -53,10 +56,10 @@ function handshake(worker: Worker, init: object): Promise<void> {
   return limited(WORKER_SILENCE_MS, "the worker", opened);
 }
 
-/** What a worker says once it is open; of reports alone no silence follows. */
+/** A message from an open worker. No long silence follows a report. */
 type Said<Answer> = (Report<Answer> & { silenceMs?: undefined }) | Pong;
 
-/** A worker that has the engine, or is to have it. */
+/** Wraps a worker that has the engine, or will have it, as a backend. */
 export function backendOf<Question, Answer>(worker: Worker, listener: Listener<Answer>): Backend<Question> {
   let commands = 0;
   let watched: Watch | undefined;
@@ -79,7 +82,7 @@ export function backendOf<Question, Answer>(worker: Worker, listener: Listener<A
     isReplaceable: true,
     take(command) {
       commands++;
-      // Only while an answer is due: a page whose rivers are finished lets its worker sleep.
+      // Only while an answer is due, so that the worker of a page with finished rivers sleeps.
       watched ??= watch(WORKER_SILENCE_MS, lose, ping);
       if (command.do === "open") {
         const canvas = (command.canvas as HTMLCanvasElement).transferControlToOffscreen();

@@ -1,4 +1,4 @@
-/** The end of the line that is in the worker: where a renderer is, growing rivers never keeps the page from answering. */
+/** The worker's side of a renderer. Rivers grow here, so that the page always answers. */
 
 import { named } from "../engine/errors.ts";
 import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
@@ -6,16 +6,19 @@ import type { River } from "../engine/types.ts";
 import type { Command, InitReply, Ping, Pong, Report } from "./protocol.ts";
 import type { Renderer } from "./renderer.ts";
 
-/** The messages of a renderer that is being opened. */
+/** The messages that a renderer sends to the page. */
 export interface Line<Answer> {
   tell(report: Report<Answer>): void;
-  /** The engine is coming. */
+  /** Says that the engine is still loading. */
   coming(): void;
-  /** A step that takes long is next. */
+  /** Announces a long step. */
   holdOn(): void;
 }
 
-/** Opens a renderer when the first message says where the engine is, and hands it all others, those as well that come before it is open. */
+/**
+ * Opens a renderer when the first message says where the engine is, and hands it all later messages, even those that
+ * come before it is open.
+ */
 export function serve<Init, R extends River, Question, Answer>(
   open: (init: Init, line: Line<Answer>) => Promise<Renderer<R, Question, Answer>>,
 ): void {

@@ -1,6 +1,6 @@
 /** Copies the core's pixels to the canvas, only where they changed. */
 
-/** The core's pixels, where they lie in its memory. */
+/** The core's pixels in its own memory. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;
@@ -23,7 +23,10 @@ export class Blitter {
     if (width > 0 && height > 0) this.context.putImageData(this.#view(pixels), 0, 0, x, y, width, height);
   }
 
-  /** A view of the core's pixels without a copy, kept until memory grew (which detaches it), they moved or changed size. */
+  /**
+   * Returns a view of the core's pixels without a copy. It is kept until memory grows (which detaches it), or the
+   * pixels move or change size.
+   */
   #view(pixels: Pixels): ImageData {
     const image = this.#image;
     const pointer = pixels.pixelsPointer();

@@ -1,4 +1,4 @@
-/** Charts over rivers: once rivers that want names or labels are finished, the module that makes these is fetched, once. */
+/** Lays charts over rivers. The charts module is fetched, once, when rivers that want names or labels are finished. */
 
 import type { Framing } from "../browser/canvas.ts";
 import type { Charts } from "../engine/charts.ts";
@@ -9,11 +9,11 @@ type Chart = InstanceType<Charts["Chart"]>;
 
 export type LoadCharts = () => Promise<Charts>;
 
-/** The part of a river that a chart is made of, and laid over. */
+/** The part of a river that a chart is made from and laid over. */
 export type Chartable = Pick<River, "wantsChart" | "mapData" | "takeChart" | "width" | "height">;
 
 export interface ChartMakerEvents {
-  /** The charts module has arrived: a picture may be painted with one. */
+  /** Called when the charts module has arrived: pictures can be painted with charts now. */
   arrived(): void;
   failed(error: PageError): void;
 }
@@ -28,8 +28,8 @@ export class ChartMaker {
   ) {}
 
   /**
-   * Lays a chart over a picture that wants one, whose pixels are so many to a CSS pixel, if what makes it is there. Returns whether it
-   * did: the picture is then to be painted again.
+   * Lays a chart over a picture that wants one, if the charts module has arrived; `ratio` is device pixels per CSS
+   * pixel. Returns whether it did: then the picture is to be painted again.
    */
   lay(river: Chartable, ratio: number, framing?: Framing): boolean {
     if (!river.wantsChart()) return false;
@@ -42,14 +42,14 @@ export class ChartMaker {
     try {
       layChart(river, charts, ratio, framing);
     } catch (error) {
-      // None, so that it is not tried again and again.
+      // An empty chart, so that it is not tried again and again.
       river.takeChart(new Uint8Array());
       this.events.failed(unlabelled(error));
     }
     return true;
   }
 
-  /** Once: a map without labels is a map, and whoever shows it has been told. */
+  /** Fetches the charts module. A failure is reported once and not tried again: the map is shown without labels. */
   async #ask(): Promise<void> {
     if (this.#isAsked) return;
     this.#isAsked = true;
@@ -62,7 +62,7 @@ export class ChartMaker {
   }
 }
 
-/** Asks a chart of a river. */
+/** Makes a chart of a river and asks it something. */
 export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart: Chart) => Said): Said {
   const chart = new Chart(river.mapData());
   try {
@@ -75,11 +75,14 @@ export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart:
 /** The means of making a file, besides its river. */
 export interface FileMeans {
   readonly loadCharts: LoadCharts;
-  /** Called before a step that takes long: what is painted or written for a file is, in one. */
+  /** Called before a long step: a file is painted or written in one. */
   holdOn(): void;
 }
 
-/** Asks a chart for a file, and fetches the charts module if need be. Work that follows at once may take as long. */
+/**
+ * Asks a chart for a file's data, fetching the charts module if need be. Calls `holdOn` first; it covers the work that
+ * follows at once, too.
+ */
 export async function askChartForFile<Said>(
   river: Chartable,
   { loadCharts, holdOn }: FileMeans,
@@ -90,7 +93,9 @@ export async function askChartForFile<Said>(
   return askChart(river, charts, ask);
 }
 
-/** A file without the names that it should have is none. */
+/**
+ * Loads the charts module for a file. Fails if it does not arrive, since a file without its names would be incomplete.
+ */
 async function forFile(load: LoadCharts): Promise<Charts> {
   try {
     return await load();
@@ -112,6 +117,6 @@ function unlabelled(error: unknown): PageError {
   const { code, message } = named(error);
   return new PageError(
     "no-chart",
-    `The part of Riverseed that names rivers cannot be had (${code}: ${message}). The map is shown without names.`,
+    `The part of Riverseed that names rivers could not be loaded (${code}: ${message}). The map is shown without names.`,
   );
 }

@@ -1,10 +1,13 @@
-/** Drafts: a dragged slider's link, painted over the river that is there, until the hand rests and the river goes over to it. */
+/**
+ * Drafts: previews of a dragged slider's link, painted over the current river until the hand rests and the river
+ * changes to that link.
+ */
 
 import type { Drafted } from "../engine/full.ts";
 import type { ReadOptions, River, Stage } from "../engine/types.ts";
 import type { Wanted } from "./showing.ts";
 
-/** A draft over the rivers that are there may take this long at once: a hand sees it sooner than in parts, a frame each. */
+/** The time for painting a draft in one go. The hand sees it sooner than if each part had to wait for a frame. */
 const AT_ONCE_MS = 46;
 
 /** The methods of the full engine's rivers that drafts need. */
@@ -16,8 +19,8 @@ export interface Drafting {
 }
 
 /**
- * The draft of a link that the core has read: painted in part; on the canvas since a time; or impossible. `isOverOther`: until it is seen,
- * the canvas shows an earlier one.
+ * The draft of a link that the core has read: `begun`, `impossible`, or `seen` on the canvas since a time.
+ * `isOverOther` is true if the canvas still shows an earlier draft.
  */
 type Draft = { is: "begun" | "impossible"; of: Wanted; isOverOther: boolean } | { is: "seen"; of: Wanted; at: number };
 
@@ -34,19 +37,19 @@ export class Drafts {
     return this.#draft !== undefined && (this.#draft.is === "seen" || this.#draft.isOverOther);
   }
 
-  /** True while the canvas shows a draft, or one is begun. */
+  /** True while the canvas shows a draft, or one has been begun. */
   get areShown(): boolean {
     return this.#draft?.is === "begun" || this.isOnCanvas;
   }
 
-  /** Since when a draft of this link is on the canvas. */
+  /** Returns the time at which a draft of this link came on the canvas, if it is there. */
   seenSince(wanted: Wanted): number | undefined {
     return this.#draft?.is === "seen" && this.#draft.of === wanted ? this.#draft.at : undefined;
   }
 
   /**
-   * Paints a draft of a link, or as much of it as there is time for since the frame began. One that is begun is finished first: a fast hand
-   * would starve it.
+   * Paints a draft of a link, or as much of it as the time since the frame began allows. A draft that was begun is
+   * finished first, since a fast hand would starve it.
    */
   paint(wanted: Wanted, began: number): Drafted {
     const isOverOther = this.isOnCanvas;
@@ -60,7 +63,9 @@ export class Drafts {
     return drafted;
   }
 
-  /** Goes over to a link, which the core has read already if the draft is of it. There is no draft afterwards. */
+  /**
+   * Changes the river to a link, which the core has read already if the draft is of it. There is no draft afterwards.
+   */
   leaveFor(wanted: Wanted): Stage | "none" {
     const { river } = this;
     const isRead = this.#draft?.of === wanted;
@@ -69,7 +74,7 @@ export class Drafts {
     return river.change(wanted.link.text, wanted.link.options);
   }
 
-  /** Something else was painted over it. */
+  /** Forgets the draft: something else was painted over it. */
   forget(): void {
     this.#draft = undefined;
   }

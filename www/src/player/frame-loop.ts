@@ -1,30 +1,39 @@
 /**
- * The frame loop: how far to go before the next picture. It knows the time and nothing of pixels; what grows and meanders
- * is the same to the bit however the work is sliced. What it is at is one of five cases; each frame takes one step from there.
+ * The frame loop: decides how far to go before the next picture. It knows the time and nothing of pixels; the river is
+ * the same to the bit however the work is sliced. Its course is one of five cases, and each frame takes one step from
+ * there.
  */
 
 import type { Phase } from "../engine/types.ts";
 
-/** At 1x a tree grows up in this time, whatever its shape and however fine it is. */
+/** The time in which a tree grows up at 1x, whatever its shape and however fine it is. */
 export const GROWTH_SECONDS = 2;
-/** At 1x rivers meander at this pace, or a round at most every other frame; many rounds share the time there is for all. */
+/** The pace at which rivers meander at 1x. Many rounds share `MEANDER_SECONDS`, and so are faster. */
 export const ROUNDS_PER_SECOND = 40;
 export const MEANDER_SECONDS = 1.2;
 /** The time for steps in a frame that animates: painting, and the rest of the page, need the other 10 ms. */
 export const FRAME_BUDGET_MS = 6;
 /** The time for steps in a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
-/** The time for steps until a river that follows a hand shows anything, which it does in the same frame, within 50 ms in all. */
+/** The time for steps before a river that follows a hand is painted, in the same frame and within 50 ms in all. */
 export const DRAFT_BUDGET_MS = 24;
-/** After this time without a change a hand rests, and the river is made exactly. */
+/** After this time without a change the hand is at rest, and the exact river is made. */
 export const REST_MS = 150;
-/** The time for painting in a frame, exceeded by a part at most. A picture that takes longer is painted over several frames, and seen in the last. */
+/**
+ * The time for painting in a frame, exceeded by one part at most. A picture that takes longer is painted over several
+ * frames and shown in the last.
+ */
 export const PAINT_BUDGET_MS = 10;
-/** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
+/**
+ * After steps that took longer than this, painting waits for the next frame: one callback with both would be noticed.
+ */
 export const LONG_STEPS_MS = 20;
-/** While somebody waits for a river that takes longer than this, it is shown so often: each picture delays the end. */
+/** The time between two pictures of a river that somebody waits for: each picture delays the end. */
 export const SETTLE_QUIET_MS = 250;
-/** After a pause in frames (a hidden tab, a busy machine) it goes on from where it was, it does not catch up. */
+/**
+ * The longest time that one frame animates: after a pause in frames (a hidden tab, a busy machine) it does not catch
+ * up.
+ */
 const LONGEST_STEP_MS = 100;
 
 /** A river that grows: the core's, or a stand-in in a test. */
@@ -32,9 +41,9 @@ export interface Growing {
   readonly phase: Phase;
   /** The share of the phase that is done, from 0 to 1. */
   readonly progress: number;
-  /** The number of rounds that rivers meander in all. */
+  /** The total number of rounds that rivers meander. */
   readonly rounds: number;
-  /** Goes on by some steps. Returns whether there is more to do, here. */
+  /** Makes some steps. Returns whether there is more for this caller to do. */
   advance(steps: number): boolean;
   restart(): void;
 }
@@ -45,18 +54,23 @@ export interface Frames {
   now(): number;
 }
 
-/** Animated, in bends too; held; on its way to the end as fast as the page bears; with nothing left to do. */
+/**
+ * growing: animated, including the bends; paused; settling: on its way to the end as fast as the page allows; finished.
+ */
 export type State = "growing" | "paused" | "settling" | "finished";
 
 type Course =
   | { is: "paused" }
   | { is: "finished" }
-  /** `last` is the time of the last frame; `pace` is the phase that is being animated, and the seconds, at 1x, that it has been. */
+  /**
+   * `last` is the time of the last frame; `pace` is the phase that is being animated, and the seconds, at 1x, that it
+   * has been.
+   */
   | { is: "growing"; last?: number | undefined; pace?: { phase: Phase; spent: number } | undefined }
   | Settling
   | Following;
 
-/** To the finished river without animation. */
+/** The course to the finished river without animation. */
 interface Settling {
   is: "settling";
   /** The phase in which it began. */
@@ -68,43 +82,46 @@ interface Settling {
   shownAt: number;
 }
 
-/** After a hand that still moves: to something that can be shown, and to the finished river when the hand rests. */
+/** The course after a moving hand: to something that can be shown, and to the finished river when the hand rests. */
 interface Following {
   is: "following";
   from: Phase;
-  /** When the hand moved last. */
+  /** The time of the hand's last move. */
   since: number;
   /** The part of the new river that pictures have shown. */
   shown: "nothing" | "tree" | "rivers";
   shownAt: number;
 }
 
-/** The picture to be painted: none; one in a frame to come; one in the next frame, which makes no steps; the rest of one, in the next frame. */
+/**
+ * The picture to be painted: none; due in some frame; next, in a frame without steps; or begun, to be completed in the
+ * next frame.
+ */
 type Picture = "none" | "due" | "next" | "begun";
 
-/** Who looks on: somebody; nobody, for now; nobody any more. */
+/** The presence of an audience: here; away for now; gone for good. */
 type Audience = "here" | "away" | "gone";
 
 export interface FrameLoopEvents {
   /**
-   * Does a part of showing what there is; of rivers that follow a hand a draft will do. Returns whether there is more to do: until there is
-   * not, nothing is to be seen.
+   * Paints a part of the picture, as a draft if the river follows a hand. Returns whether there is more to do: only the
+   * complete picture is shown.
    */
   draw(asDraft: boolean): boolean;
-  /** Something was shown that may give way to another recipe. */
+  /** Called when something has been shown, so that another recipe may replace it. */
   ready(): void;
   changed(state: State): void;
   failed(error: unknown): void;
 }
 
-/** The way a phase is spread over its time; times and shares run from 0 to 1. */
+/** The way a phase is spread over its time. Times and shares run from 0 to 1. */
 interface Pace {
   seconds: number;
   shareAt(time: number): number;
   timeAt(share: number): number;
 }
 
-/** Fast at first, so that there is soon something to be seen: after half of the time four fifths have grown. */
+/** Makes growth fast at first, so that there is soon something to see: after half the time four fifths have grown. */
 const EASE = 2.5;
 const GROWING: Pace = {
   seconds: GROWTH_SECONDS,
@@ -129,10 +146,10 @@ export class FrameLoop {
     return stateOf(this.#course);
   }
 
-  /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
+  /** The speed as a multiple of the ordinary one. `Infinity` grows as fast as the budget allows. */
   set speed(speed: number) {
     this.#speed = speed;
-    // From where it stands, however fast it came there.
+    // The new pace starts from the present progress.
     if (this.#course.is === "growing") this.#course.pace = undefined;
   }
 
@@ -141,12 +158,12 @@ export class FrameLoop {
     return this.#picture === "begun" || hidesNews(this.#course);
   }
 
-  /** Animates a river from where it stands. */
+  /** Animates the river from its present state. */
   watch(): void {
     this.#enter({ is: "growing" });
   }
 
-  /** Goes on; a finished river starts again. */
+  /** Continues, or starts again if the river is finished. */
   play(): void {
     if (this.state === "finished") this.river.restart();
     this.watch();
@@ -172,15 +189,16 @@ export class FrameLoop {
     this.watch();
   }
 
-  /** Goes to the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
+  /** Goes to the finished river without animation, in slices. With `showsTree` the grown tree is shown on the way. */
   settle(showsTree: boolean): void {
     const [shownAt, from] = [this.frames.now(), this.river.phase];
     this.#enter({ is: "settling", from, showsTree, hasShown: false, shownAt });
   }
 
   /**
-   * Follows a hand that still moves: to a grown tree, or to rivers as far as they have meandered by then, and to the finished river when
-   * the hand rests. `isShown`: a draft has shown it already, and the hand rests, so it goes to the finished river at once.
+   * Follows a moving hand: to a grown tree, or to rivers as far as they have meandered by then, and to the finished
+   * river when the hand rests. With `isShown` a draft has been shown and the hand is at rest, so it goes to the
+   * finished river at once.
    */
   follow(isShown = false): void {
     const [shownAt, from] = [this.frames.now(), this.river.phase];
@@ -188,20 +206,20 @@ export class FrameLoop {
     this.#enter({ is: "following", from, since, shown: isShown ? "rivers" : "nothing", shownAt });
   }
 
-  /** Takes the frame that is due, now. */
+  /** Runs the requested frame now. */
   hurry(): void {
     if (this.#handle === undefined) return;
     this.frames.cancel(this.#handle);
     this.#frame(this.frames.now());
   }
 
-  /** Paints one more picture, whatever the state: something late changed. */
+  /** Paints one more picture, whatever the state. */
   redraw(): void {
     if (this.#picture === "none") this.#picture = "due";
     this.#wake();
   }
 
-  /** Makes no more steps until it is seen again. A picture that is due is still painted. */
+  /** Stops making steps until `wake`. A picture that is due is still painted. */
   rest(): void {
     if (this.#audience === "here") this.#audience = "away";
     if (this.#picture === "none") this.halt();
@@ -213,14 +231,14 @@ export class FrameLoop {
     this.#goOn();
   }
 
-  /** Takes no more frames, unless something is asked for again. */
+  /** Cancels the requested frame. A later request starts again. */
   halt(): void {
     if (this.#handle !== undefined) this.frames.cancel(this.#handle);
     this.#handle = undefined;
     this.#forgetTime();
   }
 
-  /** Takes no frames any more, whatever is asked for: the one that this may be in does not go on, either. */
+  /** Stops for good, whatever is requested later. A frame that is running does not request another. */
   close(): void {
     this.halt();
     this.#audience = "gone";
@@ -238,7 +256,7 @@ export class FrameLoop {
     return this.#runs && this.#audience === "here";
   }
 
-  /** After a pause in frames the animation goes on from where it was. */
+  /** Forgets the last frame's time, so that the animation goes on from where it was. */
   #forgetTime(): void {
     if (this.#course.is === "growing") this.#course.last = undefined;
   }
@@ -269,13 +287,16 @@ export class FrameLoop {
     }
   }
 
-  /** Makes the steps that are due, and the picture. A picture that the last frame had no time for comes first. */
+  /**
+   * Makes the steps that are due, then the picture. A picture that the last frame had no time for comes first, without
+   * steps.
+   */
   #step(now: number): void {
     if (this.#picture === "next" || this.#picture === "begun") this.#show(now);
     else {
       const [began, before] = [this.frames.now(), this.river.phase];
       if (this.#isStepping && before !== "finished") this.#proceed(now, before);
-      // A hand waits for no other frame: its steps have a budget that leaves room for a draft.
+      // A draft does not wait for another frame: the budget of its steps leaves room for it.
       const mayWait = this.#course.is !== "following" || this.#course.shown !== "nothing";
       if (this.#isWorthShowing(now, before)) {
         if (mayWait && this.frames.now() - began > LONG_STEPS_MS) this.#picture = "next";
@@ -296,13 +317,13 @@ export class FrameLoop {
     else if (course.is === "following") this.#follow(course, phase);
   }
 
-  /** Until something is seen, goes to a draft; then waits for the hand to rest. */
+  /** Makes a draft until something has been shown; then waits for the hand to rest. */
   #follow({ shown, since }: Following, phase: Phase): void {
     if (shown === "nothing") this.#makeDraft(phase);
     else if (this.frames.now() - since >= REST_MS) this.#advance(phase, 1, SETTLE_BUDGET_MS);
   }
 
-  /** Tells whether there is a picture to be painted. Of a river that settles, seldom. */
+  /** Returns whether a picture should be painted. A settling river is painted seldom. */
   #isWorthShowing(now: number, before: Phase): boolean {
     const { phase } = this.river;
     const course = this.#course;
@@ -332,7 +353,7 @@ export class FrameLoop {
     return false;
   }
 
-  /** Makes steps until there is something new to be shown, or the budget is spent. */
+  /** Makes steps until there is something new to show, or the budget is spent. */
   #makeDraft(before: Phase): void {
     const end = this.frames.now() + DRAFT_BUDGET_MS;
     const { river } = this;
@@ -341,7 +362,7 @@ export class FrameLoop {
     while (!isGrown() && river.phase !== "relief" && river.phase !== "finished" && this.frames.now() < end);
   }
 
-  /** Advances by some seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
+  /** Advances by some seconds of the animation. Steps that do not fit in the budget make the animation longer. */
   #animate(course: Extract<Course, { is: "growing" }>, phase: Phase, seconds: number): void {
     const pace = this.#paceOf(phase);
     if (course.pace?.phase !== phase) {
@@ -359,15 +380,15 @@ export class FrameLoop {
   }
 
   /**
-   * Makes steps until this share of the phase is done, 1 for its end. Returns whether there was time for them. One step at a time: a step
-   * is far longer than asking the clock, and the longest bounds how late a frame can be. Another phase begins with another frame,
-   * so that its first picture is seen.
+   * Makes steps until this share of the phase is done, 1 for its end. Returns whether there was time for them. It
+   * checks the clock after every step: a step takes far longer than that, and the longest step bounds how late a frame
+   * can be. The next phase begins with the next frame, so that its first picture is seen.
    */
   #advance(phase: Phase, share: number, budgetMs: number): boolean {
     const end = this.frames.now() + budgetMs;
     const isDue = (): boolean => this.river.phase === phase && (share === 1 || this.river.progress < share);
     while (isDue()) {
-      // Either that was the last step, or others make it.
+      // That was the last step, or other rivers move the shared clock.
       if (!this.river.advance(1)) return true;
       if (this.frames.now() >= end) return !isDue();
     }
@@ -379,12 +400,15 @@ function stateOf({ is }: Course): State {
   return is === "following" ? "settling" : is;
 }
 
-/** Tells whether a river settles of which no picture has shown anything new. */
+/** Returns whether a river is settling and no picture has shown anything new of it. */
 function hidesNews(course: Course): boolean {
   return course.is === "settling" ? !course.hasShown : course.is === "following" && course.shown === "nothing";
 }
 
-/** Notes what a picture in a phase has shown of a river that settles: until there are other rivers, or another relief, the old stay in it. */
+/**
+ * Notes what a picture has shown of a settling river. The old rivers and relief stay in the picture until there are new
+ * ones.
+ */
 function note(course: Course, phase: Phase, now: number): void {
   if (course.is !== "settling" && course.is !== "following") return;
   course.shownAt = now;

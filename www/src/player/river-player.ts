@@ -1,4 +1,7 @@
-/** A river on a canvas: grows and draws it, and reports how far it is. It knows no document, so that it works in a worker as well. */
+/**
+ * Grows and draws a river on a canvas, and reports its progress. It uses no document, so that it works in a worker as
+ * well.
+ */
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
@@ -12,17 +15,23 @@ import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts
 export type * from "./showing.ts";
 
 export interface PlayerEvents {
-  /** Asks how many pixels the canvas should have for a river of this shape; none if it is not shown. */
+  /** Returns the size that the canvas should have for a river of this shape; 0 if it is not shown. */
   sizeFor(aspect: number): CanvasSize;
-  /** Something of the picture changed: the link, the state, or in it the river. */
+  /** Called when the link, the state or the river changed. */
   changed(reading: Reading, state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
 }
 
-/** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
+/**
+ * The time between two reports while a river grows or meanders: counting its sources takes time, and nobody reads
+ * faster.
+ */
 const COUNT_EVERY_MS = 250;
 
-/** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
+/**
+ * Changes by a hand are shown at once, unless they come sooner than this after the last: then the latest one is shown
+ * in the next frame.
+ */
 const AT_ONCE_MS = 16;
 
 /** The methods of the full engine's rivers that the lean engine's lack. */
@@ -30,37 +39,37 @@ interface Controlled extends Drafting {
   frame(framing: Float32Array): void;
 }
 
-/** The part of an engine that makes rivers: a lean one, or a full one. */
+/** The part of a lean or full engine that makes rivers. */
 export interface RiverMaker<R> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
-  /** Fetches what makes charts of its rivers. */
+  /** Fetches the charts module. */
   readonly loadCharts: LoadCharts;
 }
 
 export class RiverPlayer<R extends River & Partial<Controlled> = River> {
-  /** The link that it is to go over to, until it has. */
+  /** The link to change to, until that is done. */
   #wanted: Wanted | undefined;
   #reading: Reading;
-  /** How many links it was asked to show after the first. */
+  /** The number of links it was asked to show after the first. */
   #links = 0;
   #followedAt = Number.NEGATIVE_INFINITY;
   #applying: number | undefined;
-  /** Before this time there are no labels, since the hand may move on; and the frame that looks whether it has come. */
+  /** The time before which no labels are made, since the hand may move on, and the frame that checks for it. */
   #labelling: { from: number; handle: number } | undefined;
-  /** The last report. */
+  /** The phase and time of the last report. */
   #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
   #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
   readonly #river: R;
-  /** As it grows by the clock that it shares with others, if there is one. */
+  /** The river, or the member of the shared clock that stands in for it while it grows. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
   readonly #chartMaker: ChartMaker;
   readonly #drafts: Drafts;
 
-  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
+  /** Puts a river on the canvas at tick 0. Throws the core's errors. */
   constructor(
     core: RiverMaker<R>,
     private readonly canvas: Canvas,
@@ -86,17 +95,20 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     });
   }
 
-  /** The canonical link of the river that is on the canvas. */
+  /** The canonical link of the river on the canvas. */
   get link(): string {
     return this.#reading.link;
   }
 
-  /** How many links it was asked to show after the first. */
+  /** The number of links it was asked to show after the first. */
   get links(): number {
     return this.#links;
   }
 
-  /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
+  /**
+   * The river on the canvas, for questions. Undefined once the player is closed, since after a failure it may not be
+   * used.
+   */
   get river(): R | undefined {
     return this.#canRun ? this.#river : undefined;
   }
@@ -129,7 +141,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#attempt(() => this.#loop.pause());
   }
 
-  /** Stands still, and shows the river as it is. */
+  /** Pauses, and shows the river as it is. */
   hold(): void {
     this.#attempt(() => this.#loop.hold());
   }
@@ -138,12 +150,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#attempt(() => this.#loop.replay());
   }
 
-  /** To the finished river without animation, whatever it is doing. */
+  /** Goes to the finished river without animation. */
   finish(): void {
     if (this.state !== "finished") this.#attempt(() => this.#loop.settle(false));
   }
 
-  /** Nobody sees it: no steps until somebody does. */
+  /** Makes no steps until `wake`, while nobody sees the river. */
   rest(): void {
     this.#attempt(() => this.#loop.rest());
   }
@@ -153,8 +165,8 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   /**
-   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
-   * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
+   * Shows another recipe. While the river of a dragged slider is settling and has not been seen, only the latest link
+   * is remembered: otherwise each new value would discard the work for the last one, and none would ever be seen.
    */
   show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
@@ -170,12 +182,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     else this.#applying ??= this.frames.request(follow);
   }
 
-  /** Gives the canvas the size it should have; the river stays the same. */
+  /** Gives the canvas the size that it should have. The river stays the same. */
   resize(): void {
     this.#attempt(() => this.#fit());
   }
 
-  /** Stops for good. The river is not freed: after some failures nothing may be asked of it. */
+  /** Stops for good. The river is not freed, since after some failures it may not be used. */
   close(): void {
     this.#canRun = false;
     this.clock?.leave(this.#growing);
@@ -184,7 +196,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       if (handle !== undefined) this.frames.cancel(handle);
   }
 
-  /** Stops for good, if it has not, and gives the river's memory back, once. */
+  /** Stops for good and frees the river. May be called only once. */
   free(): void {
     this.close();
     this.#river.free();
@@ -200,20 +212,20 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const wanted = this.#wanted;
     if (!wanted || this.#showsDraft(wanted)) return;
     const isDrafted = this.#drafts.areShown;
-    // It has seen a draft of this very link, and has not moved since.
+    // The hand has seen a draft of this link, and has not moved since.
     const isAtRest = this.#drafts.seenSince(wanted) !== undefined;
     this.#wanted = undefined;
     const stage = this.#change(wanted, isDrafted);
     this.#reading = this.#readRiver();
     if (stage === "none") {
-      // The picture stays, unless it is a draft; that it is of this link is news. What settles goes on.
+      // The picture stays, unless it is a draft, but its link is reported. A settling river goes on.
       if (isDrafted || this.state === "settling") this.#loop.redraw();
       this.#tell();
       return;
     }
     this.#fit();
     const { phase } = this.#river;
-    // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.
+    // A style may show the relief of finished rivers for the first time, and then it has to be made.
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
     if (stage === "land" || stage === "grow") this.#grow(wanted.how, isAtRest);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
@@ -222,7 +234,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     if (wanted.how === "settle" && stage === "relief" && !isDrafted) this.#labelAtRest(this.frames.now() + REST_MS);
   }
 
-  /** Goes over to a link. One that is refused leaves no draft behind. */
+  /** Changes the river to a link. If the link is refused, a draft is painted over. */
   #change(wanted: Wanted, isDrafted: boolean): ReturnType<River["change"]> {
     try {
       return this.#drafts.leaveFor(wanted);
@@ -232,14 +244,14 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     }
   }
 
-  /** Paints one more picture, unless a draft is shown: then there will be one anyway, at rest. */
+  /** Paints one more picture, unless a draft is shown: then one will be painted when the hand rests. */
   #redraw(): void {
     if (!this.#drafts.areShown) this.#loop.redraw();
   }
 
   /**
-   * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for `REST_MS`. Returns whether a
-   * draft is on the canvas, or on its way there.
+   * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for
+   * `REST_MS`. Returns whether a draft is on the canvas or has been begun.
    */
   #showsDraft(wanted: Wanted): boolean {
     const { state } = this;
@@ -253,12 +265,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return true;
   }
 
-  /** Paints a part of a draft. Returns whether there can be one. */
+  /** Paints a part of a draft. Returns whether a draft is possible. */
   #paintDraft(wanted: Wanted, now: number): boolean {
     if (!this.#drafts.isOnCanvas && wanted.link.text === this.link) return false;
     const drafted = this.#drafts.paint(wanted, now);
     if (drafted === "impossible") return false;
-    // No step is made for what the hand has left.
+    // No more steps for the old river.
     this.#loop.halt();
     if (drafted === "whole") this.#blitter.blit(this.#river);
     return true;
@@ -281,7 +293,10 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return { link, seed, aspect, notices, links: this.#links };
   }
 
-  /** After a draft the hand rests, and waits for the exact map: there are no more drafts. */
+  /**
+   * Grows the river. `isAtRest` means that the hand has seen a draft and waits for the exact map, so that there are no
+   * more drafts.
+   */
   #grow(how: ShowMode, isAtRest = false): void {
     if (how === "watch") this.#loop.watch();
     else if (how === "settle" && !isAtRest) this.#loop.follow();
@@ -313,7 +328,9 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.events.changed(this.#reading, this.state, phase, this.#river.summary());
   }
 
-  /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
+  /**
+   * Changes to the remembered link at once, not in the next frame: then a pen or a slider is followed twice as often.
+   */
   #followWanted(): void {
     if (this.#wanted) this.#applyNow();
   }
@@ -324,7 +341,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const { width, height, ratio, framing } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
     const before = this.#view;
-    // As finely as letters are measured.
+    // Letters are measured in quarters of a ratio.
     const isAsDense = Math.round(ratio * 4) === Math.round(before.ratio * 4);
     const isAsLarge = width === river.width && height === river.height && isAsDense;
     const isFramed = `${framing}` === `${before.framing}`;
@@ -332,7 +349,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     if (!isAsLarge) river.resize(width, height);
     river.frame?.(new Float32Array(framing ?? []));
     this.#view = framing ? { ratio, framing } : { ratio };
-    // Setting its size empties a canvas, so it is filled again before the browser can show that.
+    // Setting its size clears a canvas, so it is painted again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
     while (this.#paint());
@@ -341,7 +358,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#drafts.forget();
   }
 
-  /** Does some work; after the end, nothing. */
+  /** Does some work and reports its failure. Does nothing once the player is closed. */
   #attempt(work: () => void): void {
     if (!this.#canRun) return;
     try {
@@ -354,7 +371,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
 
 /** Returns a context that replaces pixels rather than mixing them. */
 export function contextOf(canvas: Canvas): CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D {
-  // Both kinds of canvas take the same, which their types do not say of the two together.
+  // Both kinds of canvas take the same arguments, but the union of their types does not allow it.
   const context = (canvas as OffscreenCanvas).getContext("2d", { alpha: false });
   if (!context) throw new Error("this browser gives no 2D canvas");
   return context;

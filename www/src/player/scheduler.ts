@@ -1,8 +1,8 @@
-/** When pictures are painted: the display's own frames, and how many rivers share them. */
+/** Schedulers of painting: the display's frames, and a scheduler that shares them among rivers. */
 
 import type { Frames } from "./frame-loop.ts";
 
-/** The display's. Workers of some browsers have none: there a timer stands in. */
+/** The display's frames. Workers of some browsers have none: there a timer stands in. */
 export const displayFrames: Frames = {
   now: () => performance.now(),
   request: (callback) =>
@@ -18,7 +18,10 @@ export const displayFrames: Frames = {
 /** The time of a frame, in ms, that all rivers of a thread share. A river that comes later waits for the next frame. */
 export const SHARE_MS = 8;
 
-/** One display for many rivers: each has its turn, in the order of asking, and those that come too late go first next time. */
+/**
+ * Shares the display's frames among many rivers. They take turns in the order of asking; those that were skipped go
+ * first in the next frame.
+ */
 export class SharedScheduler implements Frames {
   readonly #waiting = new Map<number, (now: number) => void>();
   #last = 0;
@@ -59,7 +62,7 @@ export class SharedScheduler implements Frames {
     const end = this.now() + this.shareMs;
     const last = this.#last;
     for (const [handle, callback] of this.#waiting) {
-      // Whoever asks in this frame wants the next.
+      // A request that was made in this frame is for the next one.
       if (handle > last) break;
       this.#waiting.delete(handle);
       callback(now);

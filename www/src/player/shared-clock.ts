@@ -1,4 +1,6 @@
-/** One clock for several rivers: whatever each of them costs, they grow tick by tick together, so that they can be compared. */
+/**
+ * One clock for several rivers: they grow tick by tick together, however long each takes, so that they can be compared.
+ */
 
 import type { Growing } from "./frame-loop.ts";
 
@@ -6,14 +8,20 @@ import type { Growing } from "./frame-loop.ts";
 interface Member extends Growing {
   readonly river: Growing;
   ticks: number;
-  /** The error that its river threw, perhaps in another's frame, for its own loop to report. Nothing is asked of the river after that. */
+  /**
+   * The error that its river threw, perhaps in another's frame, for its own loop to report. The river is not used after
+   * that.
+   */
   failure: { thrown: unknown } | undefined;
 }
 
 export class SharedClock {
   #members: Member[] = [];
 
-  /** A river that grows by this clock from now on, for its frame loop; late, it catches up. What comes after growth each makes at its own pace. */
+  /**
+   * Lets a river grow by this clock, and returns it for its frame loop. One that joins late catches up. After growth
+   * each river has its own pace.
+   */
   join(river: Growing): Growing {
     const member: Member = {
       river,
@@ -42,7 +50,7 @@ export class SharedClock {
     return member;
   }
 
-  /** The others go on without it. */
+  /** Removes a river; the others go on without it. */
   leave(member: Growing): void {
     this.#members = this.#members.filter((one) => one !== member);
   }
@@ -51,7 +59,7 @@ export class SharedClock {
     return this.#members.filter(({ phase }) => phase === "growing");
   }
 
-  /** The pace of the river that has the longest way to go, so that none is hurried. */
+  /** Returns the progress of the river that has the longest way to go, so that none is hurried. */
   #progress(): number {
     return Math.min(...this.#growing.map(({ river }) => river.progress));
   }
@@ -62,7 +70,10 @@ export class SharedClock {
     return wasMoved;
   }
 
-  /** A tick of those that are behind, or of all. The first that grows moves the clock, the others wait for it; returns whether it was moved. */
+  /**
+   * Makes a tick for the rivers that are behind, or for all. Only the first growing river moves the clock; the others
+   * wait for it. Returns whether the clock was moved.
+   */
   #tick(by: Member): boolean {
     const growing = this.#growing;
     if (growing[0] !== by) return false;
@@ -73,7 +84,7 @@ export class SharedClock {
     return true;
   }
 
-  /** One that fails leaves. */
+  /** Grows one river by a tick. A river that fails leaves. */
   #grow(member: Member): void {
     member.ticks++;
     try {

@@ -1,22 +1,23 @@
-/** Plain data that go to a player and come back: the map to show, and the map on the canvas. */
+/** Plain data that goes to a player and comes back: the map to show, and the map on the canvas. */
 
 import type { Notice, ReadOptions } from "../engine/types.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
 /**
- * watch: shows it grow and meander; settle: for a slider that is being dragged, shows the grown tree or a draft of the rivers as soon as may
- * be, and the finished rivers when the hand rests; still: shows nothing but finished rivers.
+ * The way to show a map. watch: shows it grow and meander. settle: while a slider is dragged, shows the grown tree or a
+ * draft of the rivers as soon as possible, and the finished rivers when the hand rests. still: shows only finished
+ * rivers.
  */
 export type ShowMode = "watch" | "settle" | "still";
 
-/** A link, and where its rivers are to be seen. */
+/** A link, with the options for reading it. */
 export interface LinkToRead {
   text: string;
   options?: ReadOptions;
 }
 
-/** A link to go over to. */
+/** A link to change to. */
 export interface Wanted {
   link: LinkToRead;
   how: ShowMode;
@@ -30,6 +31,6 @@ export interface Reading {
   aspect: number;
   /** The corrections that were needed. */
   notices: readonly Notice[];
-  /** How many links the player had been asked to show by then, the first not counted. */
+  /** The number of links the player had been asked to show by then, without the first. */
   links: number;
 }

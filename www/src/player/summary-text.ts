@@ -1,4 +1,4 @@
-/** A river in words: the caption, the picture's text alternative, the sentence of the finished state. */
+/** Describes a river in words: the caption, the picture's text alternative, and the sentence of the finished state. */
 
 import { type Count, count } from "../browser/count.ts";
 import type { Phase, Summary } from "../engine/types.ts";
@@ -44,13 +44,16 @@ export function alternative(seed: string, phase: Phase, summary: Summary, writte
   return `River network grown from the seed “${seed}”: ${size}.`;
 }
 
-/** The step between growing and meandering is too short to be spoken of. */
+/** Names a phase. The step between growing and meandering is too short to have a name. */
 function doing(phase: Phase): string {
   if (phase === "relief") return "raising the land";
   return phase === "meandering" ? "meandering" : "growing";
 }
 
-/** The two lines under the picture, in every state two, so that nothing jumps when growth ends. The second may be left to whoever knows more. */
+/**
+ * Returns the two lines under the picture. There are always two, so that nothing jumps when growth ends; the second may
+ * be empty, for the caller to fill.
+ */
 export function caption(state: State, phase: Phase, summary: Summary): [string, string] {
   if (state === "finished") return [sizeOf(summary, count), summary.stopped ?? ""];
   return [state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase)), progressOf(phase, summary)];

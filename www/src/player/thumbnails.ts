@@ -16,8 +16,9 @@ export interface Thumbnail {
 }
 
 /**
- * Of a river that is the caller's to give away, in each of the styles; `pause` comes between tasks, and says whether to go on. A style that fails, as
- * where there is no memory for it, is left out, unless the engine has stopped.
+ * Makes a thumbnail in each style of a river, which it takes over and frees. `pause` is called between tasks and
+ * returns whether to go on. A style that fails, for lack of memory for example, is left out, unless the engine has
+ * stopped.
  */
 export async function* thumbnails(
   river: FullRiver,
@@ -55,7 +56,7 @@ async function pixelsIn(
   return new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
 
-/** Nothing of labels and scenery, which would not be seen. */
+/** Returns a link with another style, and without labels and scenery, which would be too small to see. */
 function inStyle(link: string, style: string): string {
   const values = new URLSearchParams(link);
   values.set("style", style);
@@ -63,7 +64,7 @@ function inStyle(link: string, style: string): string {
   return values.toString();
 }
 
-/** Repeats a step until it says that there is no more to do. False if that was not to be. */
+/** Repeats a step until there is no more to do. Returns false if `pause` stopped it before. */
 async function inSlices(step: () => boolean, pause: () => Promise<boolean>): Promise<boolean> {
   let end = performance.now() + BUDGET_MS;
   while (step()) {

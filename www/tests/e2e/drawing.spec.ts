@@ -320,7 +320,7 @@ test("what a picture has too much of is said, and a long one is not squeezed", a
   await choose(page, islands);
   await expectAddress(page, "aspect", "4");
   await expect(page.locator("#drawing-status")).toContainText(
-    /Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/,
+    /Kept of the picture: \d+ of 80 coasts, \d+ points\..* continue beyond/,
   );
 });
 
@@ -351,7 +351,7 @@ test("a picture that cannot be a land is refused with a message, and the map sta
     ["all black", png(40, 40, () => [0, 0, 0]), "all water"],
     ["all white", png(40, 40, () => [255, 255, 255]), "all land"],
     ["tiny", png(4, 4, () => [255, 255, 255]), "too small: 4 x 4"],
-    ["no picture", Buffer.from("not a picture"), "no picture that the browser can read"],
+    ["no picture", Buffer.from("not a picture"), "cannot read this file as a picture"],
     ["too large", tooLarge(), "5000 × 20 pixels"],
   ] as const)
     await test.step(name, async () => {

@@ -2,8 +2,10 @@ import { expect, type Page, test } from "@playwright/test";
 import { openFinished, openPanel, openUnfolded, resize } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
+type Size = readonly [number, number];
+
 /** Windows on a desk and in the hand. A page is opened in the first of a row, and then its window is made the others'. */
-const ROWS = {
+const ROWS: Record<string, readonly [Size, ...Size[]]> = {
   "on a desk and a tablet": [
     [1440, 900],
     [820, 1180],
@@ -13,7 +15,7 @@ const ROWS = {
     [320, 568],
     [844, 390],
   ],
-} as const;
+};
 
 for (const [where, sizes] of Object.entries(ROWS)) {
   const opened = async (page: Page, open: typeof openFinished, link: string): Promise<void> => {
@@ -144,13 +146,14 @@ test("the screen shows the picture's own pixels, not a stretched copy, in window
       return [...own].filter((byte, i) => byte !== seen[i]).length;
     }, screen);
   };
-  for (const size of [
+  const sizes: readonly Size[] = [
     [1440, 900],
     [1280, 800],
     [1100, 700],
     [820, 1180],
     [390, 844],
-  ] as const) {
+  ];
+  for (const size of sizes) {
     await resize(page, ...size);
     // Once the map is painted in its place.
     await expect.poll(different, `${size}`).toBe(0);

@@ -211,7 +211,7 @@ test("a browser that encodes no video says so, and offers all else", async ({ pa
   await page.getByRole("button", { name: "Save", exact: true }).click();
   const animation = saving(page).getByRole("radio", { name: /^Animation/ });
   await expect(animation).toBeDisabled();
-  await expect(animation).toHaveAccessibleName(/encode no video/);
+  await expect(animation).toHaveAccessibleName(/does not let this page encode video/);
   await expect(saving(page).getByRole("radio", { name: /^Picture/ })).toBeChecked();
 });
 

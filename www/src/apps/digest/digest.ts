@@ -1,6 +1,6 @@
 /**
  * Grows every recipe of tests/digest.txt in this browser and compares the digests with the committed ones: the same
- * recipe must give the same river, bit for bit, everywhere. Tests read the answer from the body's data attributes.
+ * recipe must give the same river, bit for bit, everywhere. Tests read the result from the body's data attributes.
  */
 
 import expected from "../../../../tests/digest.txt?raw";

@@ -1,4 +1,4 @@
-/** The committed list of digests: a line for each recipe, its digest first. `#` begins a comment. */
+/** The committed list of digests, with a line for each recipe that begins with its digest. `#` begins a comment. */
 
 export interface Line {
   digest: string;

@@ -1,4 +1,4 @@
-/** embed.html: one river and nothing else, for an iframe on somebody's page. */
+/** The script of embed.html: one river and nothing else, for an iframe on somebody's page. */
 
 import "./embed.css";
 import "../widget/define.ts";
@@ -11,7 +11,7 @@ import { heightMessage } from "./messages.ts";
 import { correctionsNote, failureNote } from "./notes.ts";
 import { readQuery } from "./query.ts";
 
-/** It is said until this script runs. */
+// The text that is shown until this script runs.
 find("#missing", HTMLElement).remove();
 
 const root = document.documentElement;
@@ -21,13 +21,16 @@ const { recipe, attributes } = readQuery(linkOf(location));
 const river = el("river-seed", { ...Object.fromEntries(attributes), recipe });
 let aspect = 1;
 
-/** The element has the river's shape by itself; the frame's style sheet needs it to fit the whole of it in. */
+/** Passes the river's shape to the frame's style sheet, which needs it to fit the whole river in. */
 function shape(link: string): void {
   aspect = aspectOf(link);
   root.style.setProperty("--aspect", String(aspect));
 }
 
-/** How high the frame should be: as the river's shape wants it at this width, or as high as what stands in its place. */
+/**
+ * Measures the height that the frame should have: by the river's shape at this width, or by the failure note in its
+ * place.
+ */
 function measure(): void {
   const hasFailed = root.dataset["state"] === "failed";
   heights.changed(hasFailed ? river.getBoundingClientRect().height : window.innerWidth / aspect);
@@ -50,7 +53,7 @@ river.addEventListener("error", ({ detail }) => {
   measure();
 });
 
-/** The river's theme, and that of what may stand over it. */
+/** Sets the theme of the river and of the notes over it. */
 function dress(theme: string): void {
   river.setAttribute("theme", theme);
   root.dataset["theme"] = theme;

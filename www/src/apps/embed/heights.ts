@@ -1,6 +1,9 @@
-/** When a height is posted: once it has come to rest, and only if it has changed. */
+/** Posts heights: each once it has come to rest, and only if it has changed. */
 
-/** A window that is dragged changes the height every frame; the page around would lay itself out again for each. */
+/**
+ * The time without a change after which a height is posted. While a window is dragged the height changes every frame,
+ * and the page around would be laid out again for each.
+ */
 export const REST_MS = 60;
 
 export class Heights {
@@ -12,7 +15,7 @@ export class Heights {
   changed(height: number): void {
     clearTimeout(this.#timer);
     if (!(height > 0 && Number.isFinite(height))) return;
-    // Upward: a pixel of nothing is less of a loss than a pixel of river.
+    // Rounded up: an empty pixel is better than losing a pixel of river.
     this.#timer = setTimeout(() => this.#settle(Math.ceil(height)), REST_MS);
   }
 

@@ -1,8 +1,8 @@
-/** The page around an embedded river: whom messages go to, and whose are heard. */
+/** The page around an embedded river: the origin that messages go to and are accepted from. */
 
 import { type HeightMessage, type Theme, themeIn } from "./messages.ts";
 
-/** What of a window says who is around it. */
+/** The properties of a window that tell about the page around it. */
 export interface Surroundings {
   readonly self: unknown;
   readonly parent: unknown;
@@ -11,8 +11,8 @@ export interface Surroundings {
 }
 
 /**
- * The origin of the page around: as the browser gives it, or else (older Firefox) of the page that asked for this one.
- * Undefined where there is no page around, where it has no origin (a file, a sandbox), and where it asks not to be named: then
+ * Returns the origin of the page around: the browser's `ancestorOrigins`, or else (older Firefox) the referrer's.
+ * Undefined if there is no page around, if it has no origin (a file, a sandbox), or if it withholds its name: then
  * nothing is posted.
  */
 export function hostOrigin({ self, parent, location, document }: Surroundings): string | undefined {
@@ -36,7 +36,7 @@ export class HostPage {
     if (this.#origin !== undefined) this.around.parent.postMessage(message, this.#origin);
   }
 
-  /** Hears the page itself only: not its other frames, and not what another origin has put in its place. */
+  /** Listens for themes from the page itself only: not from its other frames, nor from another origin in its place. */
   onTheme(take: (theme: Theme) => void): void {
     this.around.addEventListener("message", ({ data, origin, source }) => {
       if (source !== this.around.parent || origin !== this.#origin) return;

@@ -1,6 +1,6 @@
 /**
- * What an embedded river and the page around it tell each other: `{ riverseed: { height } }` goes out, in CSS pixels, and
- * `{ riverseed: { theme } }` comes in. Whatever else a page says is none of our business, and not an error.
+ * The messages between an embedded river and the page around it: `{ riverseed: { height } }` goes out, in CSS pixels,
+ * and `{ riverseed: { theme } }` comes in. Other messages are ignored, and are not errors.
  */
 
 export type Theme = "auto" | "light" | "dark";
@@ -13,7 +13,7 @@ export function heightMessage(height: number): HeightMessage {
   return { riverseed: { height } };
 }
 
-/** The theme that a message asks for, if it is one of ours and a sound one. */
+/** Returns the theme that a message asks for, if it is a valid message of this kind. */
 export function themeIn(message: unknown): Theme | undefined {
   const theme = member(member(message, "riverseed"), "theme");
   return theme === "auto" || theme === "light" || theme === "dark" ? theme : undefined;

@@ -1,11 +1,11 @@
-/** What embed.html says when something is wrong: in the river's place, or over the river. */
+/** The notes of embed.html when something is wrong: in place of the river, or over it. */
 
 import { el } from "../../browser/dom.ts";
 import { advice } from "../../engine/advice.ts";
 import { PageError } from "../../engine/errors.ts";
 import type { ErrorDetail } from "../widget/events.ts";
 
-/** In the river's place: what happened, what can be done, and its name for the owner of the page. */
+/** Makes the note in place of the river: the failure, advice, and the error's code for the owner of the page. */
 export function failureNote({ code, message }: ErrorDetail): HTMLElement {
   const { title, text } = advice(new PageError(code, message));
   return el(
@@ -17,7 +17,7 @@ export function failureNote({ code, message }: ErrorDetail): HTMLElement {
   );
 }
 
-/** Over the river, until it is dismissed: what in the link had to be corrected. */
+/** Makes the note over the river with the corrections of the link, which can be dismissed. */
 export function correctionsNote(notices: readonly { readonly message: string }[]): HTMLElement {
   const close = el("button", { type: "button" }, "Dismiss");
   const note = el(

@@ -1,12 +1,12 @@
-/** The query of embed.html: a river's link, and beside it how the element is to behave. */
+/** The query of embed.html: a river's link, and attributes of the element. */
 
-/** What the query may say besides the recipe; the names and values are the element's attributes. */
+/** The attributes that the query may contain besides the recipe, with the element's names and values. */
 const ATTRIBUTES: readonly string[] = ["controls", "still", "theme"];
 
 export interface EmbedQuery {
   /** Link text. */
   readonly recipe: string;
-  /** Of names given twice the first counts, as in links. */
+  /** The element's attributes. If a name is given twice the first counts, as in links. */
   readonly attributes: ReadonlyMap<string, string>;
 }
 

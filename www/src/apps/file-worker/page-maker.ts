@@ -1,4 +1,4 @@
-/** Files made on the page itself, with the page's own engine. */
+/** Makes files on the page itself, with the page's engine. */
 
 import { loadCharts } from "../../engine/charts.ts";
 import { loadFull } from "../../engine/full.ts";
@@ -9,7 +9,7 @@ import { pictureOf } from "../../files/picture.ts";
 export async function makeHere(order: Order, course: Course): Promise<Blob> {
   const core = { ...(await loadFull()), loadCharts };
   if (order.kind !== "animation") return pictureOf(order, core, course);
-  // What writes videos is large, and most visitors never need it.
+  // The video writer is large, and most visitors never need it.
   const { animationOf } = await import("../../files/animation.ts");
   return animationOf(order.link, core, course);
 }

@@ -1,4 +1,4 @@
-/** The end of the line that is in a worker which makes one file. */
+/** The worker's side of making one file. */
 
 import { loadCharts } from "../../engine/charts.ts";
 import { named } from "../../engine/errors.ts";
@@ -9,10 +9,10 @@ import type { MakerCore } from "../../files/painting.ts";
 
 const say = (said: Said): void => self.postMessage(said);
 
-/** Nothing waits for a turn here, and what is no longer wanted ends with the worker. */
+/** A course that never pauses: nothing else runs in the worker, and a cancelled file ends with it. */
 const course: Course = { tell: (share) => say({ is: "at", share }), pause: () => Promise.resolve() };
 
-/** Answers the first message, which is the order. */
+/** Makes the file that the first message orders. */
 export function serve<Made extends Order>(make: (order: Made, core: MakerCore, course: Course) => Promise<Blob>): void {
   const answer = async (order: Made): Promise<void> => {
     try {

@@ -1,4 +1,7 @@
-/** `riverseed/node`: finished maps as files, made in Node without a page. Which wasm modules make them is no part of it. */
+/**
+ * The entry `riverseed/node`: makes files of finished maps in Node, without a page. The wasm modules behind it are not
+ * part of the interface.
+ */
 
 import { named, PageError } from "../../engine/errors.ts";
 import { fromDisk } from "../../engine/from-disk.ts";
@@ -12,10 +15,10 @@ export type { Summary } from "../../engine/types.ts";
 
 /** The name of something on a map. */
 export interface Name {
-  /** What a link's `names` calls it. */
+  /** Its mark in a link's `names`. */
   mark: string;
   name: string;
-  /** Whether the link gives it this name. */
+  /** True if the link gives it this name. */
   isOwn: boolean;
 }
 
@@ -35,8 +38,8 @@ export function parameters(): Parameter[] {
 }
 
 /**
- * Grows the map of a link, such as `seed=kauri&labels=some`. The program waits meanwhile. Links are read strictly: a `PageError` names
- * what is unknown or out of range.
+ * Grows the map of a link, such as `seed=kauri&labels=some`. The call blocks meanwhile. Links are read strictly: a
+ * `PageError` names any value that is unknown or out of range.
  */
 export function grow(link: string): GrownMap {
   try {
@@ -64,7 +67,7 @@ class GrownMap {
     while (river.advance(STEPS));
   }
 
-  /** Its canonical link, without what has its default. */
+  /** Its canonical link, without defaults. */
   get link(): string {
     return this.#river.link;
   }
@@ -87,7 +90,10 @@ class GrownMap {
     return river.geojson(askChart(river, fromDisk().charts, (chart) => chart.names())) as GeoJson;
   }
 
-  /** Names everything on it, whether or not the link shows labels: its rivers first, the greatest before the others. */
+  /**
+   * Lists the names of everything on it, whether or not the link shows labels: rivers first, the greatest before the
+   * others.
+   */
   names(): Name[] {
     const flat = askChart(this.#river, fromDisk().charts, (chart) => chart.greatest(ALL));
     const names: Name[] = [];
@@ -98,7 +104,7 @@ class GrownMap {
     return names;
   }
 
-  /** Gives its memory back at once, and not only when JavaScript collects it. Nothing can be asked of it afterwards. */
+  /** Frees its memory at once, rather than when JavaScript collects it. It cannot be used afterwards. */
   free(): void {
     this.#river.free();
   }
@@ -106,7 +112,7 @@ class GrownMap {
 
 export type { GrownMap };
 
-/** Between two looks at whether it is finished. */
+/** The number of steps between two checks whether it is finished. */
 const STEPS = 1000;
-/** More rivers than any map has. */
+/** A limit above any number of names. */
 const ALL = 2 ** 32 - 1;

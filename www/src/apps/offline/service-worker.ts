@@ -1,24 +1,25 @@
 /**
- * Keeps the page for visits without a connection: the page itself, its engine and what makes charts, all of one version; and of the gallery
- * what has been visited. All else in its folder, the element's files and `embed.html` among it, goes by untouched.
+ * Keeps the page for visits without a connection: the page itself, its engine and the charts module, all of one
+ * version, and the visited parts of the gallery. All other files in its folder, such as the element's and `embed.html`,
+ * are not touched.
  *
- * A new version is fetched beside the old one and takes its place when no page of the old one is open any more: a page that is open finds
- * what it fetches late.
+ * A new version is fetched beside the old one and replaces it when no page of the old one is open any more, so that an
+ * open page still finds the files that it fetches late.
  */
 
 import { precacheAndRoute } from "workbox-precaching";
 import { registerRoute } from "workbox-routing";
 import { NetworkFirst, StaleWhileRevalidate } from "workbox-strategies";
 
-/** What the page is made of: build/offline.ts puts it here. */
+/** The files of the page, which build/offline.ts inserts here. */
 declare const PAGE_FILES: readonly { url: string; revision: string | null }[];
 
-/** Its own folder, which is all that it hears of. */
+/** The worker's folder, whose requests are all that it sees. */
 const FOLDER = new URL("./", location.href);
-/** What is kept when it was seen. */
+/** The files that are kept once they have been visited. */
 const SEEN = /^gallery\//;
 
-/** The page is the same for all links. */
+/** The match options of the page, which is the same file for all links. */
 const FOR_ALL_LINKS = { ignoreURLParametersMatching: [/./] };
 
 precacheAndRoute([...PAGE_FILES], FOR_ALL_LINKS);

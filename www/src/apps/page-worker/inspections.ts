@@ -1,6 +1,6 @@
 /**
- * Whoever the page's renderer asks about the rivers of a finished map: made when somebody first asks, and kept for that map. What can be laid
- * over any map, its river itself is asked.
+ * Answers questions about the rivers of a finished map by an inspector, which is made for the first question and kept
+ * for that map. Overlays of unfinished maps come from the river itself.
  */
 
 import type { Charts } from "../../engine/charts.ts";
@@ -11,17 +11,17 @@ import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } 
 
 type Player = RiverPlayer<FullRiver>;
 
-/** All of them: how many there are, nobody asks. */
+/** A limit above any number of rivers. */
 const ALL_RIVERS = 0xffff_ffff;
-/** The time for making a relief before the page is heard again. */
+/** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
-/** As many colours as basins have. */
+/** The number of colours of basins. */
 const BASIN_KINDS = 6;
 
 interface Inspected {
   inspector: Inspector;
   size: readonly [width: number, height: number];
-  /** By mark. */
+  /** Names by mark. */
   names: ReadonlyMap<string, string>;
 }
 
@@ -36,7 +36,10 @@ export class Inspections {
 
   constructor(private readonly loadCharts: () => Promise<Charts>) {}
 
-  /** The river at a place of a player's map; none if there is none, or the map is not finished, or not the same any more. */
+  /**
+   * Returns the river at a place of a player's map; none if there is none, or if the map is not finished or has changed
+   * meanwhile.
+   */
   async river(player: Player | undefined, place: RiverPlace): Promise<PointedRiver | undefined> {
     if (player?.state !== "finished") return;
     const kept = this.#keptFor(player);
@@ -48,12 +51,12 @@ export class Inspections {
     if (!river) return;
     const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
     const into = Array.from(river.into, nameOf);
-    // By its mark all of it is meant, and it is shown from its source.
+    // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
     return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
   }
 
-  /** Something to be laid over a player's map; none while there is none. */
+  /** Returns an overlay of a player's map, if there is one of this name. */
   async overlay(player: Player | undefined, name: OverlayName): Promise<Overlay | undefined> {
     if (player?.river && isLive(name)) return live(player.river, player.link, name);
     if (isLive(name) || player?.state !== "finished") return;
@@ -67,7 +70,7 @@ export class Inspections {
   #keptFor(player: Player): Kept {
     const kept = this.#kept;
     if (kept?.player === player && kept.link === player.link) return kept;
-    // Questions that still wait for the old one get no answer; its inspector is freed, if one could be made.
+    // Questions that still wait for the old one get no answer. Its inspector is freed, if it was made.
     kept?.made.then(
       (inspected) => inspected?.inspector.free(),
       () => {},
@@ -85,17 +88,17 @@ export class Inspections {
   async #make(player: Player, link: string): Promise<Inspected | undefined> {
     const river = (): FullRiver | undefined =>
       player.link === link && player.state === "finished" ? player.river : undefined;
-    // A map without names can be asked about, too.
+    // Without names there are still answers.
     const charts = await this.loadCharts().catch(() => undefined);
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
-    // The inspector last: nothing that fails leaves it behind.
+    // The inspector comes last, so that no failure leaves it behind.
     const [size, names] = [sizeOf(river()), namesOf(river(), charts)];
     const inspector = river()?.inspector();
     return inspector && { inspector, size, names };
   }
 }
 
-/** The engine's numbers of lines on rivers that are no order. */
+/** The engine's numbers of lines on rivers, besides the orders. */
 const LINES = { held: 0, curvature: 255 } as const;
 
 /** The lines of a finished map that each overlay shows, kind by kind. */
@@ -107,7 +110,7 @@ const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspec
   curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
 };
 
-/** The engine's numbers of shapes that any map has. */
+/** The engine's numbers of the shapes that any map has. */
 const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4, captures: 5, formerWays: 6 } as const;
 
 /** The shapes of any map that the other overlays show. */
@@ -131,7 +134,7 @@ function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
   return { ...laid, counts: { all, left }, reaches: [reach, kill] };
 }
 
-/** All of them, and those that are left over these. */
+/** Returns all attractors, and on top of them those that are left. */
 function attractors(river: FullRiver): string[][] {
   return [[river.shapes(SHAPES.attractors)], [river.shapes(SHAPES.left)]];
 }
@@ -141,7 +144,7 @@ function sizeOf(river: FullRiver | undefined): [width: number, height: number] {
   return [width, height];
 }
 
-/** The streams of an order, a path each. */
+/** Returns the streams of an order, each as a path. */
 function streams(inspector: Inspector, order: number): string[] {
   return inspector
     .lines(order)
@@ -149,7 +152,7 @@ function streams(inspector: Inspector, order: number): string[] {
     .filter((stream) => stream !== "");
 }
 
-/** The streams of all orders. */
+/** Returns the streams of all orders. */
 function orders(inspector: Inspector): string[][] {
   const all: string[][] = [];
   for (let order = 1; ; order++) {
@@ -159,14 +162,14 @@ function orders(inspector: Inspector): string[][] {
   }
 }
 
-/** The land of the rivers that reach the sea, each in one of some kinds. */
+/** Returns the basins of the rivers that reach the sea, distributed over `BASIN_KINDS` kinds. */
 function basins(inspector: Inspector): string[][] {
   const kinds: string[][] = Array.from({ length: BASIN_KINDS }, () => []);
   for (const [i, mark] of inspector.mouths().entries()) kinds[i % BASIN_KINDS]?.push(inspector.of(mark)?.basin ?? "");
   return kinds;
 }
 
-/** Makes some of a relief, by which basins are known. Returns whether there is more to do. */
+/** Makes a part of the relief, which determines basins. Returns whether there is more to do. */
 function riseFor(river: FullRiver | undefined, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   let isLeft = river?.raiseRelief() ?? false;

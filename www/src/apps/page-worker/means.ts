@@ -1,4 +1,4 @@
-/** The means by which the page's renderer makes rivers, and answers questions about them. */
+/** The means by which the page's renderer makes rivers and answers questions about them. */
 
 import type { FullCore, FullRiver, Measure } from "../../engine/full.ts";
 import { fileOf } from "../../files/formats.ts";
@@ -13,14 +13,14 @@ import { Timelines } from "./timelines.ts";
 
 type Player = RiverPlayer<FullRiver>;
 
-/** A step that takes long is announced. */
+/** Returns the means of a renderer. `holdOn` is called before a long step. */
 export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<FullRiver, Question, Answer> {
   const maker = { ...core, loadCharts };
   const inspections = new Inspections(loadCharts);
   const timelines = new Timelines();
   return {
     maker,
-    // There is one river only.
+    // There is only one river.
     shareMs: Number.POSITIVE_INFINITY,
     clock: new SharedClock(),
     async answer(question, playerOf) {
@@ -57,13 +57,13 @@ function playerIn(of: number | undefined, playerOf: (id: number) => Player | und
   return of === undefined ? undefined : playerOf(of);
 }
 
-/** Most maps have no names. */
+/** Loads the charts module, only when it is needed: most maps have no names. */
 async function loadCharts() {
   const charts = await import("../../engine/charts.ts");
   return charts.loadCharts();
 }
 
-/** A river of a link, for a file: as far as the one on show has come, and with a future of its own. */
+/** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */
 function copyFor(link: string, player: Player | undefined, { engine }: FullCore): FullRiver {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
@@ -88,7 +88,7 @@ function measuresOf(player: Player | undefined): readonly Measure[] | undefined 
   return player?.state === "finished" ? player.river?.measures() : undefined;
 }
 
-/** While they are made, the river on show comes first. */
+/** Makes thumbnails in slices, so that the river on show comes first. */
 async function thumbnailsOf(
   player: Player | undefined,
   { memory }: FullCore,

@@ -1,4 +1,4 @@
-/** The page's renderer on the page itself, in slices, where workers are refused. */
+/** The page's renderer on the page itself, in slices, for browsers that refuse workers. */
 
 import type { FullCore } from "../../engine/full.ts";
 import type { Backend, Report } from "../../host/protocol.ts";
@@ -8,6 +8,6 @@ import type { Answer, Question } from "./protocol.ts";
 
 export function open(core: FullCore, tell: (report: Report<Answer>) => void): Backend<Question> {
   const renderer = new Renderer(meansOf(core), tell);
-  // The engine is the page's own: it stays.
+  // The engine belongs to the page, and stays.
   return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

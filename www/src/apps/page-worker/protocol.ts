@@ -1,22 +1,25 @@
-/** What the page and its renderer say to each other besides what everybody does who shows a river: questions, each with an answer. */
+/** The page's part of the messages with its renderer: questions, each with an answer. */
 
 import type { Measure, RiverFacts } from "../../engine/full.ts";
 import type { Format } from "../../files/format-names.ts";
 import type { Thumbnail } from "../../player/thumbnails.ts";
 
-/** The names on a map, as the engine tells them, three texts each. */
+/** The names on a map, as the engine lists them, three texts each. */
 export interface Names {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   texts: readonly string[];
 }
 
-/** Where a river is: at a point in shares of the map, or as near as in widths of it; or by the mark of its name. */
+/**
+ * A river's place: within `reach`, in widths of the map, of a point in shares of the map's sides; or the mark of its
+ * name.
+ */
 export type RiverPlace = { x: number; y: number; reach: number } | { mark: string };
 
-/** A river that was pointed at, with names in the place of marks; empty where something has none. */
+/** A river that was pointed at, with names in place of marks; empty for those without a name. */
 export interface PointedRiver extends Omit<RiverFacts, "mark" | "into"> {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   /** Width and height of the map, in units. */
   size: readonly [width: number, height: number];
@@ -31,51 +34,60 @@ export interface Moment {
   step: number;
 }
 
-/** How far a map has come, and what there is of its making. */
+/** The progress of a map, and the lengths of its making. */
 export interface Making {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   at: Moment;
-  /** How far the part has come, from 0 to 1. */
+  /** The progress of the part, from 0 to 1. */
   progress: number;
-  /** How many ticks it grows, and the last round of meandering after which it is not finished; unknown until it was finished once. */
+  /**
+   * The number of ticks it grows, and the last round of meandering before it is finished; unknown until it has been
+   * finished once.
+   */
   lengths: { ticks: number; rounds: number } | undefined;
 }
 
-/** What can be laid over a map at any moment of its making, and what over a finished one. */
+/** The overlays of a map at any moment of its making; below, those of a finished map as well. */
 export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures";
 export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held" | "curvature";
 
-/** Something laid over a map: paths of SVG, in units, some for each kind of thing that it tells apart. */
+/** An overlay of a map: SVG paths in units, a list for each kind of thing it shows. */
 export interface Overlay {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   size: readonly [width: number, height: number];
   kinds: readonly (readonly string[])[];
-  /** Of attractors: how many there are, and how many of them are left. */
+  /** The numbers of attractors in all and of those that are left. */
   counts?: { all: number; left: number };
-  /** How far an attractor pulls, and how near a river comes that uses it up, in units. */
+  /** The distances in units within which an attractor pulls a river, and is used up by one. */
   reaches?: readonly [reach: number, kill: number];
 }
 
 interface Questions {
-  /** A link's finished rivers as a file; begun from the river of a number, as far as that has come, if there is one. */
+  /** Makes a file of a link's finished rivers, starting from the river of `of`, if there is one. */
   file: { of: number | undefined; link: string; format: Format };
-  /** The greatest names of a river's finished map; none while it is not finished. */
+  /** Asks for the greatest names of a river's finished map; none while it is not finished. */
   names: { of: number | undefined; count: number };
-  /** The parameter `names` with another name for something, or its usual one. */
+  /** Asks for the parameter `names` with another name for something, or its usual one. */
   renamed: { names: string; mark: string; name: string | undefined };
-  /** Small pictures of a river's finished map, in their own pixels; none while it is not finished, or if it does not stay until they are made. */
+  /**
+   * Asks for thumbnails of a river's finished map, with `size` in device pixels; none while it is not finished, or if
+   * it changes before they are made.
+   */
   thumbnails: { of: number | undefined; styles: readonly string[]; size: { width: number; height: number } };
-  /** What is measured of a river's finished map; none while it is not finished. */
+  /** Asks for the measures of a river's finished map; none while it is not finished. */
   measures: { of: number | undefined };
-  /** The river at a place of a river's finished map; none where there is none, and while it is not finished. */
+  /** Asks for the river at a place of a finished map; none where there is none, and while it is not finished. */
   river: { of: number | undefined; place: RiverPlace };
-  /** What can be laid over a river's map; none while there is none, as of most while that is not finished. */
+  /** Asks for an overlay of a river's map. Most have none while the map is not finished. */
   overlay: { of: number | undefined; name: OverlayName };
-  /** How far a map has come; if a moment is given, once it has gone there, back or forth, or as far as it came before it was sent elsewhere. */
+  /**
+   * Asks for the progress of a map. If a moment is given, it goes there first, unless another question sends it
+   * elsewhere meanwhile.
+   */
   making: { of: number | undefined; to: Moment | undefined };
-  /** Nothing: what was said to a river before has been done. */
+  /** Asks for nothing. The answer means that all earlier commands have been carried out. */
   now: { of: number };
 }
 

@@ -1,4 +1,4 @@
-/** Back and forth through the making of a map, where it is made. */
+/** Goes back and forth through the making of a map, in the renderer. */
 
 import type { FullRiver, Timeline } from "../../engine/full.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
@@ -7,7 +7,7 @@ import type { Making, Moment } from "./protocol.ts";
 type Player = RiverPlayer<FullRiver>;
 
 const PARTS = ["growth", "bends", "map"] as const;
-/** The time for steps before others are heard again. */
+/** The time for steps before other messages are handled. */
 const SLICE_MS = 8;
 
 interface Kept {
@@ -18,7 +18,7 @@ interface Kept {
 
 export class Timelines {
   #kept: Kept | undefined;
-  /** Counts the wishes to go elsewhere. */
+  /** Counts the requests to go somewhere. */
   #wishes = 0;
 
   async making(player: Player | undefined, to: Moment | undefined): Promise<Making | undefined> {
@@ -33,7 +33,7 @@ export class Timelines {
     return { link, at, progress: river.progress, lengths: kept ? { ticks, rounds } : undefined };
   }
 
-  /** Returns the timeline kept of a map, from when it was finished first until there is another. */
+  /** Returns the timeline of a map, which is kept from when the map is first finished until there is another map. */
   #keptFor(player: Player): Kept | undefined {
     const kept = this.#kept;
     if (kept?.player === player && kept.link === player.link) return kept;
@@ -44,7 +44,7 @@ export class Timelines {
     return this.#kept;
   }
 
-  /** Shows what there is on the way, as often as there is time to. */
+  /** Goes to a moment, and shows the map on the way as often as time allows. */
   async #go(kept: Kept, { part, step }: Moment): Promise<void> {
     const wish = ++this.#wishes;
     const { player, link, timeline } = kept;

@@ -1,4 +1,4 @@
-/** The two places that the page's renderer can run in: a worker, and the page itself. */
+/** Opens the page's renderer: in a worker, or on the page itself. */
 
 import { PageError } from "../../engine/errors.ts";
 import { type FullCore, loadFull } from "../../engine/full.ts";
@@ -11,36 +11,38 @@ import type { Answer, Init, Question } from "../page-worker/protocol.ts";
 export type PageRenderHost = RenderHost<Question, Answer>;
 
 export interface Engines {
-  /** The page's own engine, for what is asked of it at once. */
+  /** The page's own engine, for questions with an immediate answer. */
   readonly core: Promise<FullCore>;
-  /** Where the rivers are grown and painted. */
+  /** The host of the renderer that grows and paints the rivers. */
   readonly renderHost: PageRenderHost;
 }
 
-/** After so many workers that did not answer, the page itself takes over: the next would hardly do better. */
+/** After this many workers that did not answer, the page itself takes over. */
 const MOST_LOST = 2;
 
 const NOBODY = { hear: () => {}, moved: () => {} };
 
 /**
- * Loads the engine, and opens a renderer meanwhile. The engine is fetched and compiled once: the worker, whose script is asked for at
- * once, is handed what the page has compiled.
+ * Loads the engine, and opens a renderer meanwhile. The engine is fetched and compiled once: the worker's script is
+ * requested at once, and the worker gets the module that the page has compiled.
  */
 export function openEngines(): Engines {
   const module = new Promise<WebAssembly.Module>((done, failed) => {
     loadFull(undefined, done).catch(failed);
   });
-  // The same as above: it is loaded once.
+  // This does not load it again.
   const core = loadFull();
   const renderHost = new RenderHost(opener(core, module));
-  // Somebody enters before there is a river, so that there is a renderer by then. Whoever brings the river is told what went wrong.
+  // A client without a river enters, so that a renderer is opened now. A failure is reported to the client with the
+  // first river.
   renderHost.enter(NOBODY).catch(() => {});
   return { core, renderHost };
 }
 
 /**
- * Opens a worker as long as there is hope, and does not wait until that says that it is open: the first picture would wait as well. One
- * that is refused later is as good as one that answers no more: the river is handed over again, with another canvas.
+ * Returns a function that opens a worker, or after too many failures a renderer on the page. It does not wait until the
+ * worker is open, since the first picture would have to wait as well. A worker that is refused later counts as lost:
+ * the river is handed over again, with another canvas.
  */
 function opener(
   core: Promise<FullCore>,
@@ -58,7 +60,9 @@ function opener(
   };
 }
 
-/** A worker, as soon as there is something to hand over. One that is refused says so by an error, which may come before that. */
+/**
+ * Starts a worker, and returns it when the module to hand over is compiled; nothing if the worker was refused by then.
+ */
 async function begin(module: Promise<WebAssembly.Module>): Promise<Worker | undefined> {
   let worker: Worker | undefined;
   try {
@@ -77,12 +81,12 @@ async function begin(module: Promise<WebAssembly.Module>): Promise<Worker | unde
   }
 }
 
-/** A worker that a script in the built page has begun, before this one had come: build/preload.ts. */
+/** A worker that build/preload.ts started from the built page before this script was loaded. */
 interface EarlyWorker extends Worker {
   isRefused?: boolean;
 }
 
-/** The first time. */
+/** Takes the early worker, which is there only the first time. */
 function earlyWorker(): EarlyWorker | undefined {
   const place = globalThis as { earlyWorker?: EarlyWorker | undefined } & typeof globalThis;
   const worker = place.earlyWorker;
@@ -108,13 +112,16 @@ function handOver(
   });
 }
 
-/** What most visitors never need. */
+/** Opens the renderer on the page itself, whose script most visitors never need. */
 async function openPageBackend({ tell }: Listener<Answer>, core: FullCore): Promise<Backend<Question>> {
   const { open } = await limited(SCRIPT_MS, "its script", importPageBackend);
   return open(core, tell);
 }
 
-/** Comes after the page's script and its engine have arrived: if it does not, the server has most likely replaced it. */
+/**
+ * Imports the script. The page's script and engine have arrived before, so if this one fails the server has most likely
+ * replaced it.
+ */
 async function importPageBackend(): Promise<typeof import("../page-worker/page-backend.ts")> {
   try {
     return await import("../page-worker/page-backend.ts");

@@ -1,4 +1,4 @@
-/** The elements that index.html gives the page to fill. */
+/** The elements of index.html that the page fills. */
 
 import { find } from "../../browser/dom.ts";
 

@@ -1,8 +1,11 @@
-/** The page without a connection: what keeps it is installed once there is a map, of whose time it takes nothing. */
+/**
+ * Keeps the page for use without a connection. The service worker is installed after the first map, so that it does not
+ * delay it.
+ */
 
 let isAsked = false;
 
-/** Where there is nothing that could keep it, or nowhere, the page is as ever. */
+/** Installs the service worker, once. If that is impossible the page works as before. */
 export async function keepForOffline(): Promise<void> {
   if (isAsked || !import.meta.env.PROD) return;
   isAsked = true;

@@ -1,4 +1,4 @@
-/** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
+/** Puts the parts of the page together. The recipe decides what is shown, and everything else follows it. */
 
 import "../../style/page.css";
 import { AddressBar, addressOf, linkOf } from "../../browser/address.ts";
@@ -134,13 +134,13 @@ class Page {
     this.#listen();
   }
 
-  /** Goes with the first river. */
+  /** Enables the controls and shows the first river. */
   start(): void {
     this.#transport.enable();
     const { dice, land, download, copy, reset, sharing, drawing, panel, zoom } = elements;
     for (const button of [dice, land, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
       button.disabled = false;
-    // First, so that the address goes on saying so.
+    // First, so that the address keeps asking for them.
     if (this.#six.areAskedFor) this.#six.open();
     this.#showRecipe();
     this.#viewport.listen({
@@ -167,12 +167,12 @@ class Page {
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
     new ShareDialog(elements.sharing, this.#recipe, downloads);
     elements.copy.addEventListener("click", () => void this.#copyLink());
-    // What stands over the bar begins where it ends.
+    // Elements above the bar are placed by its height.
     new ResizeObserver(() => {
       document.documentElement.style.setProperty("--bar-height", `${elements.bar.offsetHeight}px`);
       this.#viewport.refit();
     }).observe(elements.bar);
-    // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
+    // Without hashchange, which follows the popstate of another fragment: the link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
     prefersDark.addEventListener("change", () => this.#followScheme());
     window.addEventListener("pagehide", () => this.#address.flush());
@@ -184,19 +184,22 @@ class Page {
     this.#showNotices();
   }
 
-  /** The map rests while six others lie over it, and the address says which are seen. */
+  /** Rests the map while six others cover it, and updates the address, which tells which are shown. */
   #cover(isCovered: boolean): void {
     this.#viewport.isCovered = isCovered;
     this.#address.show(this.#recipe.link);
   }
 
-  /** Back to the recipe from before the presets. */
+  /** Goes back to the recipe from before the presets. */
   #undoPresets(link: string): void {
     this.#open(link);
     this.#choices.focusPreset();
   }
 
-  /** Changes some values of what is shown: a step that can be undone, or a part of one if they change little by little. */
+  /**
+   * Changes some values of the recipe on show. That is a step that can be undone, or part of one if it is a gradual
+   * change.
+   */
   #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode, isGradual = how === "settle"): void {
     this.#attempt(() => {
       const changes = [...values];
@@ -206,7 +209,10 @@ class Page {
     });
   }
 
-  /** Shows another link in place of everything; as a step that can be undone, unless it is where one led. */
+  /**
+   * Opens another link instead of the recipe on show. `isStep` is false if the link comes from undoing or redoing a
+   * step.
+   */
   #open(link: string, isStep = true): void {
     this.#attempt(() => {
       this.#presetNote.forget();
@@ -216,7 +222,7 @@ class Page {
     });
   }
 
-  /** Runs what asks the engine for something in answer to a person, and shows its failure. */
+  /** Runs some work that uses the engine, and shows its failure. */
   #attempt(work: () => void): void {
     try {
       work();
@@ -225,7 +231,7 @@ class Page {
     }
   }
 
-  /** The address changed under the page: somebody pasted a link over it, or went back to one. */
+  /** Follows a change of the address: a link was pasted into it, or the visitor went back to one. */
   #followAddress(): void {
     const link = linkOf(location);
     const areAskedFor = this.#six.areAskedFor;
@@ -237,7 +243,7 @@ class Page {
     this.#address.show(this.#recipe.link);
   }
 
-  /** The reader's pages have become dark, or light. */
+  /** Follows the visitor's colour scheme, which has become dark or light. */
   #followScheme(): void {
     this.#attempt(() => {
       this.#recipe.refresh();
@@ -269,7 +275,7 @@ class Page {
     });
   }
 
-  /** The viewport changed: the caption, the text alternative and the announcement follow. */
+  /** Follows a change of the viewport with the controls, the caption, the text alternative and the announcement. */
   #follow(state: State, phase: Phase, summary: Summary): void {
     elements.facade.hidden = true;
     this.#transport.show(state);
@@ -284,7 +290,7 @@ class Page {
   }
 
   async #finished(phase: Phase, summary: Summary): Promise<void> {
-    // Nobody asked for them: the map is as good without.
+    // Their failure is only logged: nobody asked for them, and the map is complete without them.
     this.#refreshThumbnails().catch(warn);
     void this.#measures.refresh(remainderOf(summary));
     void keepForOffline();
@@ -299,12 +305,12 @@ class Page {
     );
   }
 
-  /** The river that was to be shown cannot be. */
+  /** Shows why a river cannot be shown. */
   #fail(thrown: unknown): void {
     const error = named(thrown);
     if (error.code === "no-chart") this.#note(error.message);
     else if (isRecoverable(error) && this.#viewport.link !== "") {
-      // The core kept the river it had, so the page goes back to that one's values.
+      // The core kept its river, so the page goes back to the values of that one.
       this.#recipe.restore(this.#viewport.link);
       this.#showRecipe();
       this.#note(error.message);
@@ -314,7 +320,7 @@ class Page {
     }
   }
 
-  /** Something else failed than the river on show, which goes on unless the engine has stopped. */
+  /** Shows a failure of something other than the river on show, which goes on unless the engine has stopped. */
   #failBeside(thrown: unknown): void {
     const error = named(thrown);
     if (error.code === "panic") this.#fail(error);
@@ -333,7 +339,7 @@ class Page {
     elements.shared.textContent = await this.#copiedAddress();
   }
 
-  /** Copies the address of what is seen; what is said of that. */
+  /** Copies the address of what is on show, and returns a message about it. */
   async #copiedAddress(): Promise<string> {
     this.#address.flush();
     const address = addressOf(this.#six.inAddress(this.#recipe.link), location.href);
@@ -341,12 +347,12 @@ class Page {
   }
 }
 
-/** The middle of what nothing covers of the window, which the map fills. */
+/** Returns the middle of the part of the window that nothing covers. */
 function middleOf({ left, top, right, bottom }: Insets): Point {
   return { x: (left + innerWidth - right) / 2, y: (top + innerHeight - bottom) / 2 };
 }
 
-/** The map that a recipe shows. */
+/** Returns the map that a recipe shows. */
 function mapOf({ shown, aspect }: Recipe): MapLink {
   return { link: shown, aspect };
 }
@@ -355,21 +361,24 @@ function forTheCurious(): HTMLElement {
   return el("summary", {}, el("h2", {}, "For the curious"));
 }
 
-/** A failure that leaves no picture: shown in its place, and once on the console. */
+/** Shows a failure that leaves no picture, in the picture's place and on the console. */
 function fail(thrown: unknown): void {
   const error = warn(thrown);
   elements.facade.hidden = true;
   showFailure(elements.failure, error);
 }
 
-/** On the console, for the owner of the site. */
+/** Logs a failure on the console, for the owner of the site. */
 function warn(thrown: unknown): PageError {
   const error = named(thrown);
   console.warn(`riverseed: ${error.code}: ${error.message}`);
   return error;
 }
 
-/** Where a poster stands for the map, that is painted before the engine is asked for: the visitor sees it a moment sooner. */
+/**
+ * Waits until the poster, if there is one, has been painted. The engine is fetched after that, so that the visitor sees
+ * the poster sooner.
+ */
 async function posterIsSeen(): Promise<void> {
   const isLinked = "linked" in document.documentElement.dataset;
   if (isLinked || document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return;
@@ -378,7 +387,7 @@ async function posterIsSeen(): Promise<void> {
   });
 }
 
-/** The first river is on its way before the page is made, which takes as long as its first picture does. */
+/** Starts the first river, then makes the page, which takes as long as the river's first picture. */
 async function begin({ core, renderHost }: Engines): Promise<void> {
   const own = await core;
   const recipe = new Recipe(
@@ -394,7 +403,10 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   page.start();
 }
 
-/** What scripts in the built page's HTML leave to this one as soon as it runs: build/preload.ts and build/changed.ts. */
+/**
+ * The globals that this script takes over from the scripts in the built page's HTML: build/preload.ts and
+ * build/changed.ts.
+ */
 const early = globalThis as { engineTimer?: number; hasPageBegun?: boolean };
 clearTimeout(early.engineTimer);
 early.hasPageBegun = true;

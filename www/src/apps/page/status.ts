@@ -1,10 +1,10 @@
-/** How the page says things: the announcement, notes and failures. */
+/** The page's messages: announcements, notes and failures. */
 
 import { el } from "../../browser/dom.ts";
 import { advice } from "../../engine/advice.ts";
 import type { PageError } from "../../engine/errors.ts";
 
-/** Dragging a slider finishes many rivers; only the one that is left standing is announced. */
+/** The delay of announcements. Dragging a slider finishes many rivers, and only the last one is announced. */
 const ANNOUNCE_AFTER_MS = 1000;
 
 export class Announcer {
@@ -19,7 +19,7 @@ export class Announcer {
     }, ANNOUNCE_AFTER_MS);
   }
 
-  /** Drops what was about to be announced: it is out of date. */
+  /** Drops a waiting announcement, which is out of date. */
   hush(): void {
     clearTimeout(this.#timer);
   }
@@ -34,14 +34,14 @@ export function showNotices(box: HTMLElement, notices: readonly (string | Node)[
   box.replaceChildren(...(notices.length > 0 ? [list, close] : []));
 }
 
-/** A note with the way back from what it reports. */
+/** Makes a note with a button that undoes the reported change. */
 export function undoable(message: string, name: string, undo: () => void): HTMLElement {
   const button = el("button", { type: "button", class: "quiet" }, name);
   button.addEventListener("click", undo);
   return el("span", {}, message, " ", button);
 }
 
-/** Shows a failure in the picture's place. The way out never carries the link along: it may be the cause. */
+/** Shows a failure in the picture's place. Its link to a fresh river leaves out the recipe, which may be the cause. */
 export function showFailure(box: HTMLElement, error: PageError): void {
   const { title, text, reload } = advice(error);
   const again = el("button", { type: "button" }, "Load again");

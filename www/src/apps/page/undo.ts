@@ -1,14 +1,14 @@
-/** Undo and redo, which are the browser's own Back and Forward: each step of a person is an entry of its history. */
+/** Undo and redo by the browser's Back and Forward: each step of the visitor is an entry of the history. */
 
 import { addressOf } from "../../browser/address.ts";
 import { isTaken } from "../../browser/keys.ts";
 
-/** Changes of the same thing belong to one step, until the hand has rested so long. */
+/** Changes of the same values belong to one step until the hand has rested this long. */
 const REST_MS = 1000;
 
-/** What an entry of the browser's history says of itself. */
+/** The state of an entry of the browser's history. */
 interface Entry {
-  /** How many steps led to it. */
+  /** The number of steps that led to it. */
   step: number;
 }
 
@@ -24,9 +24,9 @@ export class Undo {
 
   constructor(
     private readonly elements: UndoElements,
-    /** Something is about to be taken back: what is still to be written down has to be now. */
+    /** Called before a step is undone or redone, to write what is still waiting. */
     private readonly leaving: () => void,
-    /** Whether something open has an undo of its own. */
+    /** Returns whether something that is open has its own undo. */
     private readonly isElsewhere: () => boolean,
   ) {
     elements.undo.addEventListener("click", () => this.undo());
@@ -45,7 +45,7 @@ export class Undo {
     if (this.#step < this.#last) history.forward();
   }
 
-  /** Something changes, little by little if it has a name: whether that is a step of its own. */
+  /** Returns whether a change is a new step. `what` names a gradual change, which may continue the last step. */
   isStep(what?: string): boolean {
     const before = this.#changed;
     const at = performance.now();
@@ -53,7 +53,7 @@ export class Undo {
     return before === undefined || before.what !== what || at - before.at > REST_MS;
   }
 
-  /** Writes the link of what is shown into the address: of a step as another entry, otherwise in place of the last. */
+  /** Writes the link on show into the address: a step as a new entry, anything else in place of the current one. */
   write(link: string, isStep: boolean): void {
     const step = isStep ? this.#step + 1 : this.#step;
     try {
@@ -63,12 +63,15 @@ export class Undo {
       if (isStep) this.#last = step;
       this.#step = step;
     } catch {
-      // A sandboxed frame may not touch its address; the picture is no worse for it, and "Copy link" still works.
+      // A sandboxed frame may not change its address. The picture is not affected, and "Copy link" still works.
     }
     this.#show();
   }
 
-  /** The browser went to another entry. One that nobody has written yet, as a link makes that is pasted over the address, is the last. */
+  /**
+   * Follows the browser to another entry. One that the page has not written, such as a link pasted into the address,
+   * becomes the last.
+   */
   arrived(): void {
     this.#changed = undefined;
     const step = stepOf(history.state);

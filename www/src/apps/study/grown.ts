@@ -1,17 +1,17 @@
-/** Pieces of rivers that are grown for the occasion, each of another map. */
+/** Grows pieces of rivers for the study, each from another map. */
 
 import { turn } from "../../browser/turn.ts";
 import type { FullCore } from "../../engine/full.ts";
 import { isWellCovered, type Piece, SIDE } from "./piece.ts";
 import { thin } from "./thin.ts";
 
-/** White lines of one pixel on black, on a map that is all land: no coast tells it. */
+/** The recipe: white lines of one pixel on black, on a map that is all land, so that no coast gives it away. */
 const RECIPE = "land=rectangle&aspect=1&sides=nesw&attractors=20000&channel-area=20&trim=60&style=skeleton&edition=1";
 
-/** Pixels of a map's side, from the least to the most: pieces of it have as much river as those of the world's maps. */
+/** The range of a map's side in pixels. Pieces of such maps contain as much river as those of the world's maps. */
 const SIDES = [210, 300] as const;
 
-/** How many pieces of a map are tried before another is grown. */
+/** The number of pieces of a map that are tried before another map is grown. */
 const TRIES = 30;
 
 export interface Grown {
@@ -19,7 +19,7 @@ export interface Grown {
   piece: Piece;
 }
 
-/** Grows maps, a little at a time, until a piece of one will do. */
+/** Grows maps in slices until one has a suitable piece. */
 export async function grownPiece(core: FullCore, chance: (below: number) => number): Promise<Grown> {
   for (;;) {
     const seed = core.engine.freshSeed();
@@ -32,24 +32,24 @@ export async function grownPiece(core: FullCore, chance: (below: number) => numb
   }
 }
 
-/** How long the page may be kept from answering. */
+/** The longest time for which the page may not answer. */
 const BUDGET_MS = 10;
 
-/** Where a finished map has rivers. */
+/** Grows and paints a map, and returns its pixels: 1 where there is a river. */
 async function drawn({ engine, memory }: FullCore, link: string, side: number): Promise<Uint8Array> {
   const river = new engine.River(link);
   river.resize(side, side);
   await bitByBit(() => river.advance(1));
   await bitByBit(() => river.paint());
   const rgba = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
-  // Rivers are light.
+  // Rivers are light pixels.
   const pixels = Uint8Array.from({ length: side * side }, (_, at) => Number((rgba[4 * at] ?? 0) > 127));
   river.free();
   thin(pixels, side);
   return pixels;
 }
 
-/** Does steps of a work, as long as one says that there is more to do. */
+/** Repeats a step until it returns false, and lets the page answer in between. */
 async function bitByBit(step: () => boolean): Promise<void> {
   let end = performance.now() + BUDGET_MS;
   while (step()) {

@@ -1,25 +1,25 @@
-/** A piece of a river network, as both the world's and ours are drawn: lines of one pixel in a square. */
+/** Pieces of river networks, real or grown: lines of one pixel in a square. */
 
 export const SIDE = 100;
 
-/** Row by row, 1 where there is river. */
+/** The pixels of a piece, row by row: 1 where there is a river. */
 export type Piece = Uint8Array;
 
-/** What can be measured of a piece, each in a way that reads as a cause. */
+/** The measures of a piece, each of which can be given as a reason. */
 export interface Measured {
-  /** Pixels of river. */
+  /** The number of river pixels. */
   length: number;
-  /** Confluences and ends on a hundred pixels of river. */
+  /** The numbers of confluences and of ends per hundred river pixels. */
   confluences: number;
   ends: number;
-  /** The straight line over the way along the river, over a way of 24 pixels. */
+  /** The straight distance over the distance along the river, for stretches of 24 pixels. */
   straightness: number;
 }
 
-/** How far the way along a river goes for its straightness. */
+/** The length in pixels of a stretch that is measured for straightness. */
 const WAY = 24;
 
-/** The pixels around one, in turn. */
+/** The steps to the pixels around one, clockwise. */
 const AROUND = [-SIDE, 1 - SIDE, 1, SIDE + 1, SIDE, SIDE - 1, -1, -SIDE - 1];
 
 export function measure(piece: Piece): Measured {
@@ -43,7 +43,9 @@ export function measure(piece: Piece): Measured {
   };
 }
 
-/** Whether there is enough river everywhere in a piece, and no large empty place: as those of the world were chosen. */
+/**
+ * Returns whether a piece has enough river everywhere and no large gap. The real pieces were chosen by the same rules.
+ */
 export function isWellCovered(piece: Piece): boolean {
   let inside = 0;
   const quarters = [0, 0, 0, 0];
@@ -63,7 +65,7 @@ const LEAST_IN_QUARTER = 25;
 /** The radius of the largest empty disc, in pixels. */
 const WIDEST_GAP = 27;
 
-/** How far from any river a place inside is, at most; looked for at every fourth pixel. */
+/** Returns the largest distance from any river inside a piece, sampled at every fourth pixel. */
 function largestGap(piece: Piece): number {
   const rivers: [x: number, y: number][] = [];
   piece.forEach((is, at) => {
@@ -79,7 +81,7 @@ function largestGap(piece: Piece): number {
   return largest;
 }
 
-/** Pixels of river that are not on the edge, where rivers go on. */
+/** Visits the river pixels that are not on the edge, beyond which rivers continue. */
 function forEachInside(piece: Piece, visit: (at: number) => void): void {
   for (let y = 1; y < SIDE - 1; y++) {
     for (let x = 1; x < SIDE - 1; x++) {
@@ -89,12 +91,12 @@ function forEachInside(piece: Piece, visit: (at: number) => void): void {
   }
 }
 
-/** How many rivers leave a pixel: as often as river follows on none around it. */
+/** Counts the rivers that leave a pixel: the changes from empty to river around it. */
 function branchesAt(piece: Piece, at: number): number {
   return AROUND.filter((step, i) => piece[at + step] && !piece[at + (AROUND[(i + 7) % 8] ?? 0)]).length;
 }
 
-/** Of ways that follow on each other from an end to the next confluence. */
+/** Measures the straightness of successive stretches from an end to the next confluence. */
 function straightnessFrom(piece: Piece, end: number): number[] {
   const found: number[] = [];
   const seen = new Set([end]);
@@ -120,6 +122,6 @@ function isInside(at: number): boolean {
 
 function distance(one: number, other: number): number {
   const [dx, dy] = [(one % SIDE) - (other % SIDE), Math.floor(one / SIDE) - Math.floor(other / SIDE)];
-  // Steps to a corner are longer than those to a side; both count as one.
+  // Diagonal steps are longer than straight ones, but both count as one.
   return Math.max(Math.abs(dx), Math.abs(dy));
 }

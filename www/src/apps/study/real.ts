@@ -1,14 +1,14 @@
-/** Pieces of the world's rivers. */
+/** Loads pieces of the world's rivers. */
 
 import { type Piece, SIDE } from "./piece.ts";
 import rivers from "./real.json";
 import sprite from "./real.png";
 
-/** How many lie side by side in the picture. */
+/** The number of pieces side by side in the picture. */
 const COLUMNS = 11;
 
 export interface Real {
-  /** The greatest river on it; empty if it has no name there. */
+  /** The name of its greatest river; empty if it has none. */
   river: string;
   kilometresPerPixel: number;
   piece: Piece;

@@ -1,4 +1,7 @@
-/** Real or grown? The user study of the river paper as a game of a minute: pieces of rivers, and a guess for each. */
+/**
+ * The page “Real or grown?”: the user study of the river paper as a short game, in which one guesses for pieces of
+ * rivers.
+ */
 
 import "./study.css";
 import { count } from "../../browser/count.ts";
@@ -24,7 +27,7 @@ const elements = {
 
 type Shown = ({ is: "real" } & Real) | ({ is: "grown" } & Grown);
 
-/** What somebody said of a piece. */
+/** An answer for a piece. */
 interface Answered {
   shown: Shown;
   isRight: boolean;
@@ -33,7 +36,7 @@ interface Answered {
 class Study {
   #answered: Answered[] = [];
   #shown: Shown | undefined;
-  /** Real ones that were not shown yet. */
+  /** Real pieces that have not been shown yet. */
   readonly #left: Real[];
   readonly #nature: readonly Measured[];
 
@@ -55,7 +58,7 @@ class Study {
     this.#enable(true);
   }
 
-  /** Each is as likely as the other, whatever came before: nobody can count. */
+  /** Draws a real or a grown piece with equal chances, whatever came before, so that counting does not help. */
   async #draw(): Promise<Shown> {
     if (chance(2) === 1) return { is: "grown", ...(await grownPiece(this.core, chance)) };
     const [one] = this.#left.splice(chance(this.#left.length), 1);
@@ -95,7 +98,7 @@ class Study {
     again.focus();
   }
 
-  /** By what ours were known. */
+  /** Lists the reasons by which grown pieces could be recognized. */
   #givenAway(): HTMLElement[] {
     const known = this.#answered.flatMap(({ shown, isRight }) => (shown.is === "grown" && isRight ? [shown] : []));
     if (known.length === 0) return [el("p", {}, "None of ours gave itself away.")];
@@ -114,7 +117,7 @@ class Study {
   }
 }
 
-/** Below any below: each as likely as the others, but for what nobody can see. */
+/** Returns a random whole number below `below`. All are equally likely, apart from a negligible bias. */
 function chance(below: number): number {
   return Math.floor(((crypto.getRandomValues(new Uint32Array(1))[0] ?? 0) / 2 ** 32) * below);
 }

@@ -1,4 +1,4 @@
-/** What a reader has answered in all, kept on the reader's own device and nowhere else. */
+/** The visitor's total score, which is kept on the visitor's device and nowhere else. */
 
 export interface Tally {
   asked: number;
@@ -7,14 +7,14 @@ export interface Tally {
 
 const KEPT = "riverseed study";
 
-/** Nothing, where nothing may be kept or what was is not ours. */
+/** Reads the tally. It is zero if storage is not allowed or contains something else. */
 export function tallyIn(storage: () => Storage): Tally {
   try {
     const { asked, right } = JSON.parse(storage().getItem(KEPT) ?? "") as Tally;
     if (Number.isSafeInteger(asked) && Number.isSafeInteger(right) && right >= 0 && right <= asked)
       return { asked, right };
   } catch {
-    // As good as none.
+    // The same as no tally.
   }
   return { asked: 0, right: 0 };
 }
@@ -23,6 +23,6 @@ export function keepTally(tally: Tally, storage: () => Storage): void {
   try {
     storage().setItem(KEPT, JSON.stringify(tally));
   } catch {
-    // It counts from nothing the next time.
+    // The next visit starts from zero.
   }
 }

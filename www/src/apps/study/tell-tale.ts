@@ -1,14 +1,14 @@
-/** What gives a grown piece of river away: the measure by which it differs most from pieces of the world's rivers. */
+/** Finds the measure that gives a grown piece away: the one that differs most from pieces of the world's rivers. */
 
 import type { Measured } from "./piece.ts";
 
-/** In words, for a piece that has more and one that has less of something. */
+/** The words for a piece with more, and for one with less, of each measure. */
 const WORDS: Record<keyof Measured, [more: string, less: string]> = {
   length: [
     "there was more river in it than in most of the world’s",
     "there was less river in it than in most of the world’s",
   ],
-  confluences: ["its rivers met more often than real ones", "its rivers met more seldom than real ones"],
+  confluences: ["its rivers met more often than real ones", "its rivers met less often than real ones"],
   ends: [
     "it had more short streams than the world’s maps show",
     "it had fewer short streams than the world’s maps show",
@@ -16,7 +16,7 @@ const WORDS: Record<keyof Measured, [more: string, less: string]> = {
   straightness: ["its rivers ran straighter than real ones", "its rivers wound more than real ones"],
 };
 
-/** How many standard deviations off a measure is told. */
+/** The number of standard deviations from which on a measure is mentioned. */
 const TELLING = 1.25;
 
 export function tellTale(measured: Measured, real: readonly Measured[]): string | undefined {
@@ -33,7 +33,7 @@ export function tellTale(measured: Measured, real: readonly Measured[]): string 
   return WORDS[name][off > 0 ? 0 : 1];
 }
 
-/** How many standard deviations a value is off those of others. */
+/** Returns the deviation of a value from the mean of others, in standard deviations. */
 function offOf(value: number, others: readonly number[]): number {
   const known = others.filter(Number.isFinite);
   const mean = known.reduce((sum, one) => sum + one, 0) / known.length;

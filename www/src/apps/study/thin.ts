@@ -1,9 +1,12 @@
-/** Thins lines to one pixel, as those of the world's maps were: Zhang and Suen 1984, "A fast parallel algorithm for thinning digital patterns". */
+/**
+ * Thins lines to one pixel, as for the world's maps: Zhang and Suen 1984, "A fast parallel algorithm for thinning
+ * digital patterns".
+ */
 
-/** Works on pixels that are 1 where there is a line, row by row, in place. The outermost stay. */
+/** Thins lines in place. Pixels are given row by row, 1 where there is a line; those on the border stay. */
 export function thin(pixels: Uint8Array, width: number): void {
   const around = [-width, 1 - width, 1, width + 1, width, width - 1, -1, -width - 1];
-  // First, since stairs would be eaten from their ends.
+  // Stairs first, since otherwise they would be eroded from their ends.
   straighten(pixels, width);
   let changed = true;
   while (changed) {
@@ -17,7 +20,7 @@ export function thin(pixels: Uint8Array, width: number): void {
   straighten(pixels, width);
 }
 
-/** Takes the corners out of stairs: their neighbours touch each other. */
+/** Removes the corners of stairs, whose neighbours touch each other. */
 function straighten(pixels: Uint8Array, width: number): void {
   const sides = [-width, 1, width, -1];
   for (let at = width + 1; at < pixels.length - width - 1; at++) {
@@ -48,7 +51,7 @@ function removable(pixels: Uint8Array, width: number, around: readonly number[],
   return gone;
 }
 
-/** By the eight neighbours, from north, clockwise. */
+/** Returns whether a pixel may be removed, by its eight neighbours clockwise from north. */
 function isRemovable(neighbours: readonly number[], pass: number): boolean {
   const [north = 0, , east = 0, , south = 0, , west = 0] = neighbours;
   const count = neighbours.reduce((sum, one) => sum + one, 0);

@@ -3,18 +3,18 @@
 import { attributeOf, NUMBERS, TEXTS } from "../../engine/attribute-names.ts";
 import { linkText } from "../../engine/link-text.ts";
 
-/** How the element behaves, which is no part of the recipe. */
+/** Attributes about the element's behaviour, which are not part of the recipe. */
 const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "wasm-url"] as const;
 
-/** Attributes that are there or not. */
+/** Boolean attributes. */
 const FLAGS = ["still", "controls"] as const;
 
-/** The shapes a river may have, and the one it has by default: the box has it before the engine is there. */
+/** The range and the default of the aspect. The box has its shape before the engine is loaded. */
 export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
 
 export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, ...FLAGS, "aria-label", "lang"];
 
-/** What an element asks for, as link text for the core to read: its recipe, with its attributes in place of what that says. */
+/** Returns the link that an element asks for: its recipe, with its attributes taking precedence. */
 export function linkOf(element: Element): string {
   const link = new URLSearchParams(element.getAttribute("recipe")?.replace(/^[?#]/, ""));
   for (const key of [...NUMBERS, ...TEXTS]) {
@@ -24,21 +24,21 @@ export function linkOf(element: Element): string {
   return linkText(link);
 }
 
-/** The shape that a link asks for, until the core has read it. */
+/** Returns the aspect that a link asks for, for use until the core has read it. */
 export function aspectOf(link: string): number {
   const text = new URLSearchParams(link).get("aspect")?.trim();
   const aspect = text ? Number(text) : Number.NaN;
   return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
 }
 
-/** Gives a class the properties: text and numbers (null without the attribute), and what is there or not. */
+/** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */
 export function reflect(prototype: HTMLElement): void {
   for (const name of NUMBERS.map(attributeOf)) define(prototype, name, numberIn);
   for (const name of [...TEXTS.map(attributeOf), ...BEHAVIOUR]) define(prototype, name, textIn);
   for (const name of FLAGS) define(prototype, name, flagIn);
 }
 
-/** Properties that a script set before the class was known: they would hide the class's own. */
+/** Sets the properties again that a script set before the class was defined: they would hide the class's own. */
 export function upgrade(element: HTMLElement): void {
   for (const name of [...OBSERVED.map(camelCase), "i18n"]) {
     if (!Object.hasOwn(element, name)) continue;
@@ -85,7 +85,7 @@ function camelCase(attribute: string): string {
 type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${Capitalize<CamelCase<Rest>>}` : Name;
 type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
 
-/** The properties, by type. Null without the attribute, or, of one that is there or not, false. */
+/** The properties by type. Without the attribute they are null, or false if Boolean. */
 export type Properties = { [Key in (typeof NUMBERS)[number] as Property<Key>]: number | null } & {
   [Key in (typeof TEXTS | typeof BEHAVIOUR)[number] as Property<Key>]: string | null;
 } & { [Key in (typeof FLAGS)[number]]: boolean };

@@ -1,4 +1,4 @@
-/** The two places that the renderer of widgets can run in: a worker, and the page itself. */
+/** Opens the renderer of widgets: in a worker, or on the page itself. */
 
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
 import type { Backend } from "../../host/protocol.ts";
@@ -18,7 +18,7 @@ async function openPageBackend({ tell }: Listener<Blob>, wasmUrl: string | undef
   return open(tell, wasmUrl);
 }
 
-/** What most pages never need. */
+/** Imports the renderer for the page itself, which most pages never need. */
 export function importPageBackend(): Promise<typeof import("./page-backend.ts")> {
   return limited(SCRIPT_MS, "its script", () => import("./page-backend.ts"));
 }
@@ -31,7 +31,7 @@ function begin(): Worker {
   }
 }
 
-/** A worker has to come from the page's own origin, so one of two lines does, and imports the real one. */
+/** Starts a worker whose script is on another origin: a small worker on the page's origin imports it. */
 function beginFromElsewhere(): Worker {
   const address = new URL(/* @vite-ignore */ "./worker.js", import.meta.url).href;
   const lines = new Blob([`import ${JSON.stringify(address)}`], { type: "text/javascript" });

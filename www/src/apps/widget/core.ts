@@ -1,4 +1,4 @@
-/** The river engine without the element, for programs that draw rivers in a way of their own. */
+/** The river engine without the element, for programs that draw rivers in their own way. */
 
 export { named, PageError } from "../../engine/errors.ts";
 export type * from "../../engine/types.ts";

@@ -1,4 +1,4 @@
-/** Registers `<river-seed>`. For bundlers; on a server it does nothing. */
+/** Registers `<river-seed>`, for use with bundlers. On a server it does nothing. */
 
 import { register } from "./register.ts";
 

@@ -1,6 +1,6 @@
 /**
- * `<river-seed>`: a river in a page that is about something else. This is the class; `define.ts` gives it its name. Importing
- * it does nothing, on a server as well.
+ * The class of `<river-seed>`, a river in a page about something else; `define.ts` registers it. Importing it has no
+ * effect, even on a server.
  */
 
 import { RESIZE_PAUSE_MS } from "../../browser/canvas.ts";
@@ -20,54 +20,54 @@ import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
 import { watch } from "./visibility.ts";
 
-/** What stands in for the browser's class where there is none. */
+/** The browser's class, or a stand-in where there is none. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 const STILL = "(prefers-reduced-motion: reduce)";
 
-/** What the button does in each state. */
+/** The action of the button in each state. */
 const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
 
 export interface BlobOptions {
-  /** Pixels on the picture's long side; as many as are shown if left out. */
+  /** Pixels on the picture's long side; by default as many as are shown. */
   longSide?: number;
 }
 
-// The interface of the same name, below, has the properties that `reflect` adds.
+// The interface of the same name below declares the properties that `reflect` adds.
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: every one of them is there
 export class RiverSeed extends Base {
   static readonly observedAttributes: readonly string[] = OBSERVED;
 
   #strings: Strings = ENGLISH;
-  /** Its number at the render host, while it has a river there. */
+  /** Its client number at the render host, while it has a river there. */
   #id: number | undefined;
-  /** From coming into a document to leaving it. */
+  /** Defined while the element is in a document, and aborted when it leaves. */
   #life: AbortController | undefined;
   #isNear = false;
-  /** Attributes have changed in this turn. */
+  /** True if attributes have changed in this turn. */
   #isChanging = false;
-  /** It does not begin again by itself. */
+  /** True once it has begun: it does not begin again by itself. */
   #hasBegun = false;
   #hasFailed = false;
   #isShown = false;
-  /** What was asked, until the river shows it: it may be asked before there is one, or of a worker that no longer answers. */
+  /** The last request, until the river follows it: there may be no river yet, or a worker that no longer answers. */
   #asked: "play" | "pause" | "still" | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
   #link: ReturnType<typeof linkToRead> | undefined;
   #reading: Reading | undefined;
-  /** Of what is on the canvas. */
+  /** The status of the river on the canvas. */
   #status: Status | undefined;
-  /** Of what is asked for; nothing until the engine has read that. */
+  /** The status of the requested rivers; undefined until the engine has read their link. */
   #present: Present | undefined;
   #outcome = new Outcome();
-  /** How many links it has asked the engine to show after the first, as `Reading` counts them. */
+  /** The number of links it has asked the engine to show after the first, as `Reading` counts them. */
   #links = 0;
   readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
   readonly #client: Client<Blob> = { hear: (report) => this.#hear(report), moved: () => this.#move() };
 
   connectedCallback(): void {
-    // Somebody moved it.
+    // It was only moved.
     if (this.#life) return;
     upgrade(this);
     this.#life = new AbortController();
@@ -76,7 +76,7 @@ export class RiverSeed extends Base {
   }
 
   disconnectedCallback(): void {
-    // A move takes it out and puts it in again in one turn.
+    // Moving removes and inserts it in one turn.
     queueMicrotask(() => {
       if (!this.isConnected) this.#leave();
     });
@@ -86,7 +86,7 @@ export class RiverSeed extends Base {
     if (before !== now) this.#followSoon();
   }
 
-  /** Its strings; those that are set replace the English ones. */
+  /** The element's strings. Those that are set replace the English ones. */
   get i18n(): Partial<Strings> {
     return this.#strings;
   }
@@ -96,32 +96,33 @@ export class RiverSeed extends Base {
     this.#followSoon();
   }
 
-  /** The link of the rivers that the attributes ask for: canonical as soon as the engine has read it. */
+  /** The link of the requested rivers, canonical once the engine has read it. */
   get link(): string {
     return this.#now?.link ?? linkOf(this);
   }
 
-  /** The numbers of these rivers, as far as they have grown; null before they begin. */
+  /** The numbers of the requested rivers as they are now; null before they begin. */
   get summary(): Summary | null {
     return this.#now?.summary ?? null;
   }
 
-  /** How far these rivers are. */
+  /** The phase of the requested rivers. */
   get phase(): RiverSeedPhase {
     const phase = this.#now?.phase ?? (this.#hasBegun ? "loading" : "idle");
     return this.#present === "failed" ? "failed" : phase;
   }
 
   /**
-   * Resolves when these rivers are finished, and rejects with the error if they cannot be. There is a new promise when the attributes ask
-   * for other rivers, the element leaves the document, or finished rivers grow again; one that was waiting rejects with an `AbortError`.
+   * A promise that resolves when the requested rivers are finished, and rejects with the error if they fail. There is a
+   * new promise when the attributes ask for other rivers, the element leaves the document, or finished rivers grow
+   * again; a pending one rejects with an `AbortError`.
    */
   get finished(): Promise<CompleteDetail> {
     this.#catchUp();
     return this.#outcome.promise;
   }
 
-  /** Goes on; a finished river grows again. One that waits to be seen begins. */
+  /** Continues growing. A finished river grows again, and one that waits until it is seen begins. */
   play(): void {
     this.#ask("play");
   }
@@ -130,7 +131,7 @@ export class RiverSeed extends Base {
     this.#ask("pause");
   }
 
-  /** From the mouths again; after a failure, a new try. */
+  /** Grows the river again from the mouths. After a failure it tries again. */
   restart(): void {
     if (this.#id === undefined) {
       if (this.#hasFailed) {
@@ -146,13 +147,13 @@ export class RiverSeed extends Base {
     }
   }
 
-  /** A PNG of the finished river. */
+  /** Makes a PNG of the finished river. */
   async toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
     const { width, height } = this.#view.size;
     return this.#file({ format: "png", longSide: Number(longSide ?? Math.max(width, height, 1)) });
   }
 
-  /** The finished rivers as the text of an SVG. */
+  /** Returns the finished rivers as the text of an SVG. */
   async toSVG(): Promise<string> {
     return (await this.#file({ format: "svg", longSide: 0 })).text();
   }
@@ -164,7 +165,7 @@ export class RiverSeed extends Base {
     else renderHost.send(this.#id, { do: what });
   }
 
-  // ---- what it is asked for
+  // ---- attributes
 
   get #wasmUrl(): string | undefined {
     const url = this.getAttribute("wasm-url");
@@ -175,7 +176,7 @@ export class RiverSeed extends Base {
     return this.hasAttribute("still") || matchMedia(STILL).matches;
   }
 
-  /** Of the author's choice, or as the page says that it is, or as the reader likes pages. */
+  /** True for a dark page: by the `theme`, or else the page's colour scheme, or else the reader's preference. */
   get #isDark(): boolean {
     const theme = this.getAttribute("theme");
     if (theme === "light" || theme === "dark") return theme === "dark";
@@ -188,7 +189,7 @@ export class RiverSeed extends Base {
     return linkToRead(linkOf(this), this.#isDark);
   }
 
-  /** A river that has been seen to its end is not grown before the reader's eyes again. */
+  /** The way to show a river. One whose growth has been seen to the end is not animated again. */
   get #how(): ShowMode {
     return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
   }
@@ -199,20 +200,20 @@ export class RiverSeed extends Base {
     return renderHost.ask({ ...file, link: this.#linkNow, wasmUrl }, wasmUrl);
   }
 
-  // ---- how far it is
+  // ---- state
 
-  /** How the rivers stand that are asked for now. */
+  /** The status of the requested rivers, if they have begun and not failed. */
   get #now(): Exclude<Present, "failed"> | undefined {
     this.#catchUp();
     return this.#present === "failed" ? undefined : this.#present;
   }
 
-  /** A script that has just changed attributes reads of the new rivers. */
+  /** Follows changed attributes now, so that a script that has just changed them reads the new state. */
   #catchUp(): void {
     if (this.#isChanging && this.#life) this.#follow();
   }
 
-  /** From here on other rivers are asked for, or the same ones again; whoever waits for the last ones is told why they do not come. */
+  /** Begins anew with other rivers or the same ones. The pending promise rejects with `why` as its reason. */
   #renew(why = ""): void {
     this.#present = undefined;
     this.#outcome.failed(new DOMException(why, "AbortError"));
@@ -229,7 +230,7 @@ export class RiverSeed extends Base {
     if (status.state === "finished") this.#outcome.done({ link, summary: status.summary });
   }
 
-  // ---- its life
+  // ---- lifecycle
 
   #listen(signal: AbortSignal): void {
     const on = (target: EventTarget, type: string, listener: () => void): void =>
@@ -245,7 +246,7 @@ export class RiverSeed extends Base {
     watch(this, { near, resized: () => this.#resized(signal) }, signal);
   }
 
-  /** What several attributes change in one turn, changes once. */
+  /** Follows the attributes at the end of this turn, so that several changes count as one. */
   #followSoon(): void {
     if (this.#isChanging || !this.#life) return;
     this.#isChanging = true;
@@ -255,18 +256,18 @@ export class RiverSeed extends Base {
     });
   }
 
-  /** Brings everything in line with the attributes. */
+  /** Updates everything by the attributes. */
   #follow(isArriving = false): void {
     const before = this.#link;
     const link = this.#linkNow;
     const isNew = link.text !== before?.text || link.options.dark !== before.options.dark;
     this.#link = link;
-    if (isNew && !isArriving) this.#renew("other rivers are asked for");
-    // What failed with one recipe may do with another.
+    if (isNew && !isArriving) this.#renew("the attributes ask for other rivers");
+    // Another recipe may succeed after a failure.
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
     if (isNew) this.#shape(aspectOf(link.text));
     this.#describe();
-    // What stood there before is of another river.
+    // The old status belongs to another river.
     if (isNew && this.#id === undefined) this.#status = undefined;
     if (isNew && this.#id !== undefined) {
       this.#links++;
@@ -310,8 +311,8 @@ export class RiverSeed extends Base {
   }
 
   /**
-   * The engine stopped in another river, or answers no more, and there is a new one: here it goes on with the same river, as far
-   * as it was. Its canvas is the old engine's: it is seen until the new one has something on another.
+   * Moves to a new engine, since the old one stopped in another river or no longer answers. The same river goes on
+   * there. The old canvas is shown until the new one has a picture.
    */
   #move(): void {
     this.#id = undefined;
@@ -328,7 +329,7 @@ export class RiverSeed extends Base {
     this.#renew("the river-seed was removed");
   }
 
-  /** Gives up the river and its canvas. */
+  /** Closes the river and removes its canvas. */
   #close(): void {
     if (this.#id !== undefined) renderHost.leave(this.#id);
     this.#id = undefined;
@@ -337,7 +338,7 @@ export class RiverSeed extends Base {
     this.#view.clear();
   }
 
-  /** Off the screen and in a hidden tab nothing grows. */
+  /** Rests while the element is off the screen or the tab is hidden. */
   #rest(): void {
     if (this.#id === undefined) return;
     renderHost.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
@@ -359,7 +360,7 @@ export class RiverSeed extends Base {
     }, RESIZE_PAUSE_MS);
   }
 
-  // ---- what it hears
+  // ---- reports
 
   #hear(report: Report): void {
     if (report.is === "failed") this.#fail(new PageError(report.code, report.message), report.links);
@@ -373,7 +374,7 @@ export class RiverSeed extends Base {
     if (reading.links === this.#links) this.#advance(reading, this.#status);
     this.#asked = undefined;
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
-    // Of a river that is not to be seen growing nothing is seen before it is finished.
+    // A river without animation is not shown before it is finished.
     if (state !== "settling" || phase === "finished") this.#reveal(reading);
     this.#describe();
     if (state !== "finished") this.#emit("progress", { phase, summary });
@@ -391,9 +392,9 @@ export class RiverSeed extends Base {
     this.#emit("ready", { link, notices });
   }
 
-  /** Something failed after so many links had been asked for. */
+  /** Handles a failure. `links` is the number of links that had been requested by then. */
   #fail(error: PageError, links = this.#links): void {
-    // Without names a map is a map, though the word of that may come before it.
+    // A map without names is still shown, though this failure may be reported before it.
     const isMap = error.code === "no-chart";
     if (!isMap && (!isRecoverable(error) || !this.#isShown)) {
       this.#hasFailed = true;
@@ -402,7 +403,7 @@ export class RiverSeed extends Base {
       this.#shape(this.#aspect);
       this.#view.note(this.#strings.failed);
     }
-    // Of an earlier link, and its rivers stay: those that are asked for are yet to come.
+    // If an earlier link failed, the requested rivers are still to come.
     if (!isMap && (this.#hasFailed || links === this.#links)) {
       this.#present = "failed";
       this.#outcome.failed(error);
@@ -410,10 +411,10 @@ export class RiverSeed extends Base {
     void this.#report(error);
   }
 
-  /** Reports it once: as an event, and on the console unless a listener prevents that. */
+  /** Reports a failure: as an event, and on the console unless a listener prevents that. */
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
-    // Fetched when it is needed; if it does not arrive either, the name has to do.
+    // The advice is fetched when it is needed. If that fails too, the code has to suffice.
     const advice = await importPageBackend().then(
       ({ advice }) => advice(error).text,
       () => "",
@@ -421,9 +422,9 @@ export class RiverSeed extends Base {
     if (this.#emit("error", { code, message, advice })) console.warn(`river-seed: ${code}: ${message}. ${advice}`);
   }
 
-  // ---- what it says
+  // ---- texts and events
 
-  /** The picture's name and the button. */
+  /** Updates the picture's name and the button. */
   #describe(): void {
     const status = this.#status;
     const reading = this.#reading;
@@ -458,7 +459,7 @@ export type * from "./events.ts";
 export type { RiverSeedPhase } from "./state.ts";
 export type { Strings } from "./strings.ts";
 
-/** The events of every element, and those that this one has of its own. */
+/** The events of every element, and those of this one. */
 type Events = Omit<HTMLElementEventMap, keyof RiverSeedEventMap> & RiverSeedEventMap;
 
 export interface RiverSeed extends Properties {

@@ -1,34 +1,34 @@
-/** The element's events. None bubbles: they are about this element and nothing around it. */
+/** The element's events. They do not bubble, since they are only about this element. */
 
 import type { Code } from "../../engine/errors.ts";
 import type { Notice, Phase, Summary } from "../../engine/types.ts";
 
-/** The river is seen for the first time. */
+/** The detail of `ready`: the river is shown for the first time. */
 export interface ReadyDetail {
-  /** Its canonical link: what is shown, defaults left out. */
+  /** Its canonical link, without defaults. */
   link: string;
-  /** What in the attributes and the recipe had to be corrected. */
+  /** Corrections of the attributes and the recipe. */
   notices: readonly Notice[];
 }
 
-/** It goes on; dispatched a few times a second. */
+/** The detail of `progress`, which is dispatched a few times a second while the river grows. */
 export interface ProgressDetail {
   phase: Phase;
   summary: Summary;
 }
 
-/** It is finished. */
+/** The detail of `complete`: the river is finished. */
 export interface CompleteDetail {
   link: string;
   summary: Summary;
 }
 
-/** There is no river to be seen, or no other than before. */
+/** The detail of `error`: there is no river to show, or only the previous one. */
 export interface ErrorDetail {
   code: Code;
-  /** What happened, for the owner of the page. */
+  /** A description of the failure for the owner of the page. */
   message: string;
-  /** What can be done about it. */
+  /** A sentence that says what can be done. */
   advice: string;
 }
 

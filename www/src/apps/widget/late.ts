@@ -1,15 +1,18 @@
-/** What most readers never need, and is fetched when somebody does: what writes files, and what names rivers. */
+/** Loads the modules that most readers never need, when they are needed: those that write files and name rivers. */
 
 import type { Charts } from "../../engine/charts.ts";
 import { named, PageError } from "../../engine/errors.ts";
 import type { FullCore } from "../../engine/full.ts";
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
 
-/** The wasm modules, as the package has them. */
+/** The wasm modules' names in the package. */
 const FULL = "riverseed_full_bg.wasm";
 const CHARTS = "riverseed_chart_bg.wasm";
 
-/** The address is that of the lean engine, if it is not beside the script: the others lie beside it. */
+/**
+ * Loads the full engine. `wasmUrl` is the address of the lean engine if that is not beside the script; the full one is
+ * beside it.
+ */
 export async function loadFull(wasmUrl: string | undefined): Promise<FullCore> {
   try {
     const full = await limited(SCRIPT_MS, "its script", () => import("../../engine/full.ts"));
@@ -23,7 +26,7 @@ export async function loadFull(wasmUrl: string | undefined): Promise<FullCore> {
   }
 }
 
-/** The same of what makes charts. */
+/** Loads the charts module, also from beside the lean engine. */
 export async function loadCharts(wasmUrl: string | undefined): Promise<Charts> {
   const charts = await limited(SCRIPT_MS, "its script", () => import("../../engine/charts.ts"));
   return charts.loadCharts(beside(wasmUrl, CHARTS));

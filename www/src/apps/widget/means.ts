@@ -1,4 +1,4 @@
-/** What a renderer of widgets makes rivers with, and how it makes their files. */
+/** The means by which a renderer of widgets makes rivers and their files. */
 
 import type { River } from "../../engine/types.ts";
 import type { Core } from "../../engine/wasm.ts";
@@ -7,7 +7,10 @@ import type { Means } from "../../host/renderer.ts";
 import { loadCharts, loadFull } from "./late.ts";
 import type { Question } from "./protocol.ts";
 
-/** The address is that of the engine, if it is not beside the script; a step that takes long is announced. */
+/**
+ * Returns the means. `wasmUrl` is the engine's address if it is not beside the script; `holdOn` is called before a long
+ * step.
+ */
 export function meansOf(
   { engine, memory }: Core,
   wasmUrl: string | undefined,
@@ -18,7 +21,7 @@ export function meansOf(
     maker,
     async answer({ link: { text, options }, format, longSide, wasmUrl }) {
       if (format === "png") return pngOf(new engine.River(text, options), { ...maker, holdOn }, longSide);
-      // The lean engine writes no files.
+      // The lean engine cannot write files.
       const full = await loadFull(wasmUrl);
       return svgOf(new full.engine.River(text, options), { ...maker, holdOn });
     },

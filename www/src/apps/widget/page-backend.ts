@@ -1,6 +1,6 @@
 /**
- * What most pages never need: the renderer on the page itself, in slices, where workers are refused; and what to do when there is
- * none at all.
+ * Code that most pages never need: the renderer on the page itself, in slices, for browsers that refuse workers; and
+ * the advice after a failure.
  */
 
 import { load } from "../../engine/wasm.ts";
@@ -13,6 +13,6 @@ export { advice } from "../../engine/advice.ts";
 
 export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend<Question>> {
   const renderer = new Renderer(meansOf(await load(wasmUrl), wasmUrl), tell);
-  // The engine is the one that the page's script holds: it stays.
+  // The engine belongs to the page's script, and stays.
   return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

@@ -1,4 +1,4 @@
-/** Gives the element its name. A page that includes it twice has it once. */
+/** Registers the element, once even if a page includes it twice. */
 
 import { RiverSeed } from "./element.ts";
 

@@ -1,4 +1,4 @@
-/** `<script type="module" src=".../river-seed.js">`: all that a page needs. */
+/** The script for `<script type="module" src=".../river-seed.js">`, which is all that a page needs. */
 
 import { register } from "./register.ts";
 

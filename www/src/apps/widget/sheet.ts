@@ -1,4 +1,6 @@
-/** The style sheet of all widgets: a constructed one, so that a page's policy against inline styles does not concern it. */
+/**
+ * The style sheet of all widgets. It is constructed, so that a page's policy against inline styles does not affect it.
+ */
 
 import css from "./sheet.css?inline";
 

@@ -1,13 +1,16 @@
-/** How far an element is with the rivers that its attributes ask for, as scripts can read it. */
+/** The state of an element's requested rivers, as scripts can read it. */
 
 import type { Phase } from "../../engine/types.ts";
 import type { Status } from "../../host/protocol.ts";
 import type { CompleteDetail } from "./events.ts";
 
-/** `idle` until the element begins, `loading` until the engine has read the link; then the engine's phases, or `failed`. */
+/**
+ * The phase of an element: `idle` until it begins, `loading` until the engine has read the link, then the engine's
+ * phases, or `failed`.
+ */
 export type RiverSeedPhase = "idle" | "loading" | Phase | "failed";
 
-/** The rivers that are asked for: how they stand under their canonical link, or that they failed. */
+/** The requested rivers: their status and canonical link, or that they failed. */
 export type Present = (Status & { link: string }) | "failed";
 
 /** A promise that is settled from outside. */
@@ -20,7 +23,7 @@ export class Outcome {
   });
 
   constructor() {
-    // Nobody has to wait for it: the browser is not to report what the event `error` has reported.
+    // Nobody has to wait for the promise: the browser should not report a failure that the event `error` has reported.
     this.promise.catch(() => {});
   }
 }

@@ -1,10 +1,10 @@
-/** What a widget says, in English until its author says otherwise. */
+/** The texts of a widget, in English unless its author replaces them. */
 
 import type { Count } from "../../browser/count.ts";
 import type { Status } from "../../host/protocol.ts";
 import { alternative, sizeOf } from "../../player/summary-text.ts";
 
-/** A river as it stands, for a sentence about it. */
+/** A river's present status, for a sentence about it. */
 export interface Told extends Status {
   seed: string;
   /** Writes a number as the element's language does. */
@@ -15,11 +15,11 @@ export interface Strings {
   pause: string;
   play: string;
   replay: string;
-  /** The name of the picture, unless its author gave one. */
+  /** The text alternative of the picture, unless its author gave one. */
   alternative: (told: Told) => string;
   /** Announced once when the river is finished. */
   finished: (told: Told) => string;
-  /** What stands in the place of a picture that failed and has no fallback. */
+  /** The text in place of a picture that failed and has no fallback. */
   failed: string;
 }
 
@@ -32,14 +32,14 @@ export const ENGLISH: Strings = {
   failed: "This river cannot be shown.",
 };
 
-/** Writes numbers as people do where an element's text is read. */
+/** Returns a way to write numbers in the language of an element. */
 export function countIn(element: Element): Count {
   const language = element.closest("[lang]")?.getAttribute("lang") || undefined;
   return (value) => {
     try {
       return value.toLocaleString(language);
     } catch {
-      // Not a language that anybody knows.
+      // An unknown language.
       return String(value);
     }
   };

@@ -1,25 +1,28 @@
-/** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and announcements. */
+/**
+ * The visible parts of a widget: the author's content until there is a river, the canvas, the button, and
+ * announcements.
+ */
 
 import { type CanvasSize, type Fit, fitOf, type Size } from "../../browser/canvas.ts";
 import { el, setText } from "../../browser/dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
-/** What the button does next. */
+/** The next action of the button. */
 export type Does = "pause" | "play" | "replay";
 
 export class View {
   readonly #own = new CSSStyleSheet();
   readonly #note = el("p", { part: "note", hidden: true });
   readonly #slot = el("slot", {}, this.#note);
-  /** What the canvas covers. */
+  /** The element that the canvas covers. */
   readonly #frame = el("div");
   readonly #button = el("button", { type: "button", part: "button", hidden: true });
   readonly #status = el("span", { part: "status", role: "status" });
   #canvas: HTMLCanvasElement | undefined;
-  /** Not seen before there is something on it. */
+  /** A new canvas, hidden until it has a picture. */
   #next: HTMLCanvasElement | undefined;
   #label = "";
-  /** Its own rules: the element's shape, and how the canvas is laid out. */
+  /** The style rules of this element: its shape, and the layout of the canvas. */
   #shape = "";
   #layout = "";
 
@@ -30,21 +33,21 @@ export class View {
   }
 
   /**
-   * Gives the element its shape, which its author's own style sheet may overrule. After a failure it is as high as what is left,
-   * also where its author reserved the river's room: nothing is to come into it.
+   * Gives the element its shape, which the author's style sheet may override. After a failure it is only as high as its
+   * remaining content, even if the author reserved space for the river, since none will come.
    */
   shape(aspect: number, hasFailed: boolean): void {
     this.#shape = `:host { ${hasFailed ? "aspect-ratio: auto !important" : `aspect-ratio: ${aspect}`} }`;
     this.#applyRules();
   }
 
-  /** Lays the canvas over the whole frame, whatever its pixels: until it is painted again. */
+  /** Stretches the canvas over the whole frame, until it is painted again. */
   stretch(): void {
     this.#layout = "";
     this.#applyRules();
   }
 
-  /** Lays the canvas out so that it shows pixel for pixel, and says how many it is to have. */
+  /** Lays the canvas out so that its pixels are the screen's, and returns the size that it should have. */
   fit(): CanvasSize {
     const { pixels, css } = this.#measure();
     this.#layout = `canvas { width: ${css.width}px; height: ${css.height}px }`;
@@ -52,7 +55,7 @@ export class View {
     return { ...pixels, ratio: css.width > 0 ? pixels.width / css.width : 1 };
   }
 
-  /** A canvas for another river, unseen as yet. */
+  /** Returns a new canvas for another river, which is hidden until `reveal`. */
   prepare(): HTMLCanvasElement {
     this.#next?.remove();
     this.#next = el("canvas", { part: "canvas", class: "waits" });
@@ -68,7 +71,7 @@ export class View {
     this.#canvas = this.#next;
     this.#next = undefined;
     this.#canvas.classList.remove("waits");
-    // A worker's word can be here before its picture: what was there stays under it for as long.
+    // A worker's report may arrive before its picture, so the old content stays under the canvas for two frames.
     requestAnimationFrame(() =>
       requestAnimationFrame(() => {
         this.#slot.hidden = this.#canvas !== undefined;
@@ -76,7 +79,7 @@ export class View {
     );
   }
 
-  /** Takes the canvas away: what the author put in its place is there again. */
+  /** Removes the canvas, so that the author's content is shown again. */
   clear(): void {
     this.#canvas?.remove();
     this.#next?.remove();
@@ -86,13 +89,13 @@ export class View {
     this.button(undefined, "", {});
   }
 
-  /** Says why there is nothing, where the author put nothing in the picture's place. */
+  /** Shows a text in place of the picture, if the author has provided no content. */
   note(text: string): void {
     setText(this.#note, text);
     this.#note.hidden = text === "";
   }
 
-  /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
+  /** The size of the picture in pixels; 0 while the element is not laid out. The map covers a box of another shape. */
   get size(): Size {
     return this.#measure().pixels;
   }
@@ -105,7 +108,7 @@ export class View {
     return fitOf(this.#frame, window.devicePixelRatio);
   }
 
-  /** Names the picture; an empty name makes it an ornament. */
+  /** Sets the picture's text alternative. An empty one makes it decorative. */
   name(label: string): void {
     this.#label = label;
     for (const canvas of [this.#canvas, this.#next]) {
@@ -115,7 +118,7 @@ export class View {
     }
   }
 
-  /** Shows the button, or none. */
+  /** Shows the button, or hides it if there is nothing to do. */
   button(does: Does | undefined, label: string, { isQuiet = false, isDark = false }): void {
     this.#button.hidden = does === undefined;
     if (does === undefined) return;

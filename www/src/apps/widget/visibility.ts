@@ -1,14 +1,14 @@
-/** What all widgets of a page watch together: which of them are near the window, and which change their size. */
+/** Observers that all widgets of a page share: for those near the window, and for changes of their size. */
 
 import { observeSize } from "../../browser/canvas.ts";
 
 /**
- * How near a widget is when its river begins: about one turn of a wheel, so that the engine has arrived when it is seen, and
- * no more, so that its growth is seen from the beginning.
+ * The distance from the window at which a widget's river begins: about one turn of a wheel, so that the engine has
+ * arrived when it is seen, and no more, so that its growth is seen from the beginning.
  */
 const MARGIN_PX = 150;
 
-/** What a watched element is notified of. */
+/** The notifications of a watched element. */
 export interface Watcher {
   near(isNear: boolean): void;
   resized(): void;
@@ -16,11 +16,11 @@ export interface Watcher {
 
 const watchers = new WeakMap<Element, Watcher>();
 
-/** One observer of each kind: made for the first element, gone with the last. */
+/** One observer of each kind, made for the first element and dropped with the last. */
 let observers: { near: IntersectionObserver; size: ResizeObserver } | undefined;
 let watched = 0;
 
-/** Watches an element until the signal. */
+/** Watches an element until the signal is aborted. */
 export function watch(element: Element, watcher: Watcher, signal: AbortSignal): void {
   observers ??= observe();
   const { near, size } = observers;

@@ -1,4 +1,4 @@
-/** The sheet of keys: what the page is, and what each key does. The same list answers the keys that stand for a button. */
+/** The help sheet, which lists what each key does. The same list handles the keys that press a button. */
 
 import { el } from "../../../browser/dom.ts";
 import { isCombined, isTaken } from "../../../browser/keys.ts";
@@ -10,26 +10,26 @@ export interface HelpElements {
   list: HTMLElement;
 }
 
-/** A key for what a button does. */
+/** A key that presses a button. */
 export interface Shortcut {
   key: string;
   says: string;
   button: HTMLButtonElement;
 }
 
-/** Keys that other parts of the page answer. */
+/** Keys that other parts of the page handle. */
 const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ["Space", "play or pause, when no control has the focus"],
   ["+ − 0", "zoom in, out, all of the map, which arrow keys move when it has the focus"],
   [
     "A T K M X",
-    "look inside a map, while it grows, too: attractors, tips, reach and kill, masks, captured streams; again: away",
+    "look inside a map, even while it grows: attractors, tips, reach and kill, masks, captured streams; again to hide",
   ],
   ["O B D C F", "inside a finished map: orders, basins, flow, curvature, frozen courses"],
-  [", .", "a step back in the making of a finished map, a step on"],
-  ["N", "on the map: the next of its greatest rivers, its way to the sea and its basin; with Shift, the one before"],
-  ["W", "the map alone, over the whole screen, as two taps of a finger on it do; again, or Esc: back"],
-  ["Ctrl Z", "undo; with Shift, redo; while drawing, take the last line back"],
+  [", .", "one step back or forward in the making of a finished map"],
+  ["N", "on the map: the next great river, its way to the sea and its basin; with Shift, the previous one"],
+  ["W", "the map alone, over the whole screen, as a double tap on it does; again, or Esc, to go back"],
+  ["Ctrl Z", "undo; with Shift, redo; while drawing, remove the last line"],
   ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
   ["Enter", "in the seed box: grow at once"],
   ["Esc", "close what is open, one thing at a time; while drawing: done"],

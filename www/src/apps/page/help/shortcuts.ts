@@ -1,4 +1,4 @@
-/** The keys that stand for a button of the page. */
+/** The keys that press a button of the page. */
 
 import { elements } from "../elements.ts";
 import type { Shortcut } from "./help.ts";

@@ -8,7 +8,7 @@ import type { Traced } from "../../../engine/tracing.ts";
 import { showLines } from "./overlay.ts";
 import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 
-/** What the core knows of outlines. */
+/** The core's functions for outlines. */
 export interface Outliner {
   outlineOf(coasts: Float32Array[], ridges: Float32Array[], rivers: Float32Array[]): string;
   outlineLines(text: string): Lines;
@@ -29,7 +29,7 @@ export interface DrawingElements {
 }
 
 export interface DrawingEvents {
-  /** Another outline is drawn. */
+  /** Called when another outline is drawn. */
   drawn(outline: string): void;
   failed(error: unknown): void;
 }
@@ -38,10 +38,10 @@ const NOTHING: Lines = { coasts: [], ridges: [], rivers: [] };
 const HINTS: Record<LineKind, string> = {
   coast: "Draw a coast: it closes when you lift the pen. Within land it makes a lake.",
   ridge: "Draw a ridge across the land: no river will cross it.",
-  river: "Draw a river from its mouth inland, or touch the coast where one shall begin.",
+  river: "Draw a river from its mouth inland, or touch the coast where one should begin.",
 };
 
-const LONGER = " It is longer than a map can be: what is at its long sides goes on beyond them.";
+const LONGER = " It is longer than a map can be: land and water at its long sides continue beyond them.";
 
 export class Drawing {
   readonly #sketch = new Sketch();
@@ -71,7 +71,7 @@ export class Drawing {
     return this.#isOpen;
   }
 
-  /** Opens the tool on the outline that is on show. */
+  /** Opens the tool with the outline on show. */
   open(): void {
     if (this.#isOpen) return;
     this.#switch(true);
@@ -95,7 +95,7 @@ export class Drawing {
     this.#tell();
   }
 
-  /** Takes a traced outline in the place of the drawing, and shows what tracing kept. */
+  /** Replaces the drawing by a traced outline, and shows what the tracing kept. */
   take(traced: Traced): void {
     const lines = this.core.outlineLines(traced.outline);
     this.open();
@@ -146,7 +146,7 @@ export class Drawing {
 
   #penMoves(event: PointerEvent): void {
     if (event.pointerId !== this.#pointer) return;
-    // Between two frames a pen reports many places; browsers without that give the last.
+    // A pen reports many places between two frames; some browsers give only the last.
     const events = event.getCoalescedEvents?.() ?? [];
     let isFarther = false;
     for (const one of events.length > 0 ? events : [event]) {
@@ -166,7 +166,7 @@ export class Drawing {
     return [(clientX - left) / width, (clientY - top) / height];
   }
 
-  /** While the pen moves the land follows, once a frame. */
+  /** Updates the land in the next frame, while the pen moves. */
   #soon(): void {
     this.#frame ||= requestAnimationFrame(() => this.#follow());
   }
@@ -200,7 +200,7 @@ export class Drawing {
     } catch (thrown) {
       const error = named(thrown);
       if (error.code !== "no-land") throw thrown;
-      // A line that has just begun is no land yet: until it is, all stays as it was.
+      // A line that has just begun makes no land yet: until it does, everything stays as it was.
       if (isLive) this.#tell();
       else this.#becomeNothing(`Not shown yet: ${error.message}.`);
     }
@@ -219,7 +219,7 @@ export class Drawing {
     if (isNew) this.events.drawn(outline);
   }
 
-  /** A button that has nothing left to do gives the focus to the tool in hand; it would be lost otherwise. */
+  /** Moves the focus from a button that has become disabled to the tool in use, so that it is not lost. */
   #keepFocus(): void {
     const { undo, clear } = this.elements;
     const isLost = [undo, clear].some((button) => button.disabled && button === document.activeElement);
@@ -230,7 +230,7 @@ export class Drawing {
     setText(this.elements.status, text);
   }
 
-  /** Shows the lines, and which buttons have something to do. */
+  /** Shows the lines, and enables the buttons that have something to do. */
   #tell(): void {
     const { sketch, undo, clear } = this.elements;
     const { lines, isLive, canUndo } = this.#sketch;

@@ -1,4 +1,4 @@
-/** The ways in which a picture comes to the page: chosen, dropped onto the map, or pasted. */
+/** Listens for pictures that are chosen, dropped onto the map, or pasted. */
 
 export interface ImageDropElements {
   import: HTMLButtonElement;
@@ -16,7 +16,7 @@ export function listenForImages(elements: ImageDropElements, found: (file: File)
   picture.addEventListener("change", () => {
     const [file] = picture.files ?? [];
     if (file) found(file);
-    // The same file may be chosen again, after a change.
+    // So that the same file can be chosen again.
     picture.value = "";
   });
   stage.addEventListener("dragover", (event) => {
@@ -29,7 +29,10 @@ export function listenForImages(elements: ImageDropElements, found: (file: File)
   document.addEventListener("paste", (event) => foundIn(event.clipboardData));
 }
 
-/** The first picture among what was dropped or pasted; if there is none, any file there is, to be refused by name. */
+/**
+ * Returns the first picture among dropped or pasted files, or else the first file, so that it is refused with a
+ * message.
+ */
 function pictureAmong(data: DataTransfer | null): File | undefined {
   const files = [...(data?.files ?? [])];
   return files.find(({ type }) => type.startsWith("image/")) ?? files[0];

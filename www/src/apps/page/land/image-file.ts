@@ -1,18 +1,18 @@
-/** Pictures that people bring: from a file to pixels, never more of them than the core takes. */
+/** Reads the pixels of a visitor's picture file, within the size that the core accepts. */
 
 import { PageError } from "../../../engine/errors.ts";
 
-/** A larger file is no picture of a coast. */
+/** The largest file in bytes. A picture of a coast is never larger. */
 const LARGEST_FILE = 64 * 1024 * 1024;
 
 export interface Pixels {
-  /** Four bytes a pixel. */
+  /** RGBA, four bytes per pixel. */
   rgba: Uint8Array;
   width: number;
   height: number;
 }
 
-/** The pixels of a picture in a file. Its size is known before it is unpacked if it is a PNG. */
+/** Returns the pixels of a picture in a file. The size of a PNG is checked before it is decoded. */
 export async function pixelsOf(file: Blob, longestSide: number): Promise<Pixels> {
   if (file.size > LARGEST_FILE) throw new PageError("bad-image", "This file is too large: over 64 MB.");
   checkSize(pngSize(new Uint8Array(await file.slice(0, 24).arrayBuffer())), longestSide);
@@ -29,7 +29,7 @@ async function decode(file: Blob): Promise<ImageBitmap> {
   try {
     return await createImageBitmap(file, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
   } catch {
-    throw new PageError("bad-image", "This is no picture that the browser can read: a PNG is best.");
+    throw new PageError("bad-image", "The browser cannot read this file as a picture: a PNG is best.");
   }
 }
 
@@ -48,13 +48,13 @@ function read(bitmap: ImageBitmap): Pixels {
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new PageError("bad-image", "The browser gives no room to read this picture.");
+  if (!context) throw new PageError("bad-image", "The browser has no memory left to read this picture.");
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, width, height);
   return { rgba: new Uint8Array(data.buffer), width, height };
 }
 
-/** The size in the head of a PNG; nothing for other files. */
+/** Reads the size from the header of a PNG; returns nothing for other files. */
 export function pngSize(head: Uint8Array): { width: number; height: number } | undefined {
   const signature = [137, 80, 78, 71, 13, 10, 26, 10];
   if (head.length < 24 || signature.some((byte, i) => head[i] !== byte)) return undefined;

@@ -1,10 +1,10 @@
-/** Lines over the picture, in fractions of its width and height. */
+/** Draws lines over the picture, in fractions of its width and height. */
 
 import { svg } from "../../../browser/dom.ts";
 import type { Lines } from "../../../engine/full.ts";
 import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
 
-/** Shows what is kept of a drawing, and lines as the pen left them. */
+/** Shows the lines that are kept of a drawing, and lines as the pen left them. */
 export function showLines(sheet: SVGSVGElement, kept: Lines, raw: readonly Line[]): void {
   sheet.replaceChildren(
     ...kept.coasts.map((line) => path(line, "coast", true)),
@@ -22,7 +22,7 @@ function path(points: Float32Array, name: string, isClosed: boolean): SVGPathEle
 export function pathText(points: Float32Array, isClosed: boolean): string {
   const places: string[] = [];
   for (let i = 0; i + 1 < points.length; i += 2) places.push(`${fraction(points[i])} ${fraction(points[i + 1])}`);
-  // A line of one point, the mouth of a river, is a dot.
+  // A line of one point, such as the mouth of a river, is a dot.
   if (places.length === 1) places.push(...places);
   return places.length === 0 ? "" : `M${places.join("L")}${isClosed ? "Z" : ""}`;
 }

@@ -1,4 +1,4 @@
-/** A land of the visitor's own: drawn, or traced from a picture that is chosen, dropped or pasted. */
+/** The visitor's own land: drawn, or traced from a picture that is chosen, dropped or pasted. */
 
 import { isRecoverable, named } from "../../../engine/errors.ts";
 import { loadTracing } from "../../../engine/tracing.ts";
@@ -8,11 +8,11 @@ import { listenForImages } from "./image-drop.ts";
 import { pixelsOf } from "./image-file.ts";
 
 export interface OwnLandEvents {
-  /** The values of the map on show. */
+  /** Returns the values of the map on show. */
   values(): ReadonlyMap<string, string>;
-  /** It changes some of them. */
+  /** Called to change some of them. */
   changed(values: readonly (readonly [key: string, value: string])[]): void;
-  /** A picture cannot be a land, as a sentence says. */
+  /** Called when a picture cannot be a land, with a sentence that says why. */
   refused(message: string): void;
   failed(error: unknown): void;
 }
@@ -48,12 +48,12 @@ export class OwnLand {
     this.#drawing.show(values.get("outline") ?? "");
   }
 
-  /** A drawn land was chosen: whoever has drawn none has to draw one. */
+  /** Opens the tool when a drawn land was chosen and none has been drawn. */
   ask(): void {
     if (this.events.values().get("outline") === "") this.#drawing.open();
   }
 
-  /** A land that was drawn before is there again when the tool is opened. */
+  /** Shows a land that was drawn before again, when the tool is opened. */
   #showDrawn(): void {
     const values = this.events.values();
     const outline = values.get("outline") ?? "";

@@ -1,18 +1,18 @@
-/** The lines that a person draws, as many points as the pen gave: what undo goes back over. */
+/** The lines that a visitor draws, with all points of the pen, and their undo history. */
 
 import type { Lines } from "../../../engine/full.ts";
 
-/** In the order of their tools. */
+/** The kinds of lines, in the order of their tools. */
 export const LINE_KINDS = ["coast", "ridge", "river"] as const;
 export type LineKind = (typeof LINE_KINDS)[number];
 
 export interface Line {
   readonly kind: LineKind;
-  /** x and y in turn, in fractions of the map's width and height. */
+  /** Alternating x and y, in fractions of the map's width and height. */
   readonly points: readonly number[];
 }
 
-/** Points nearer than this add nothing but work. */
+/** The least distance of two points, below which more points add nothing. */
 const NEAREST = 0.001;
 
 export class Sketch {
@@ -20,7 +20,7 @@ export class Sketch {
   #past: (readonly Line[])[] = [];
   #live: { kind: LineKind; points: number[] } | undefined;
 
-  /** All lines, the one under the pen included. */
+  /** All lines, including the one under the pen. */
   get lines(): readonly Line[] {
     return this.#live ? [...this.#lines, this.#live] : this.#lines;
   }
@@ -30,7 +30,7 @@ export class Sketch {
     return { coasts: of("coast"), ridges: of("ridge"), rivers: of("river") };
   }
 
-  /** Whether the pen is down. */
+  /** True while the pen is down. */
   get isLive(): boolean {
     return this.#live !== undefined;
   }
@@ -39,7 +39,7 @@ export class Sketch {
     return this.#past.length > 0;
   }
 
-  /** Takes lines over from elsewhere; undo takes them back one by one. */
+  /** Takes lines over from elsewhere; undo removes them one by one. */
   open({ coasts, ridges, rivers }: Lines): void {
     const line = (kind: LineKind) => (points: Float32Array) => ({ kind, points: [...points] });
     const lines = [...coasts.map(line("coast")), ...ridges.map(line("ridge")), ...rivers.map(line("river"))];
@@ -48,7 +48,7 @@ export class Sketch {
     this.#lines = lines;
   }
 
-  /** Puts other lines in the place of all; undo brings the old ones back. */
+  /** Replaces all lines; undo brings the old ones back. */
   replace(lines: Lines): void {
     const before = this.#lines;
     const past = this.#past;
@@ -60,7 +60,7 @@ export class Sketch {
     this.#live = { kind, points: [inside(x), inside(y)] };
   }
 
-  /** Draws on to a place. Returns whether that is far enough from the last to matter. */
+  /** Extends the line to a place. Returns whether that is far enough from the last point to matter. */
   extend(x: number, y: number): boolean {
     const points = this.#live?.points;
     if (!points) return false;
@@ -71,7 +71,7 @@ export class Sketch {
     return true;
   }
 
-  /** Lifts the pen. A mere touch is no line, but the mouth of a river. */
+  /** Lifts the pen. A mere touch is dropped, except as the mouth of a river. */
   end(): void {
     const live = this.#live;
     this.#live = undefined;
@@ -99,25 +99,25 @@ export class Sketch {
   }
 }
 
-/** The points of all lines of a kind, for the core. */
+/** Returns the points of all lines of a kind, for the core. */
 export function pointsOf(lines: readonly Line[], kind: LineKind): Float32Array[] {
   return lines.filter((line) => line.kind === kind).map((line) => Float32Array.from(line.points));
 }
 
-/** A pen that leaves the map draws along its border: land that does so runs on beyond. */
+/** Clamps a coordinate to the map. Land along the border continues beyond it. */
 function inside(x: number): number {
   return Math.min(1, Math.max(0, x));
 }
 
-/** How many lines there are. */
+/** The number of lines of each kind. */
 export interface Counts {
   readonly coasts: number;
   readonly ridges: number;
-  /** A picture shows none. */
+  /** Undefined for a traced picture, which has none. */
   readonly rivers?: number;
 }
 
-/** How many of all lines were kept, in words. */
+/** Says in words how many of all lines were kept. */
 export function tally({ coasts, ridges, rivers }: Lines, all: Counts): string {
   const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? "" : "s"}`;
   const share = (kept: number, of: number, one: string) => (kept < of ? `${kept} of ` : "") + counted(of, one);

@@ -1,6 +1,6 @@
 /**
- * Looking inside: what a map is made of, laid over it by a button or a key, with a sentence on what one sees. Some of it is there while the map
- * grows, and at any moment of its making.
+ * Looking inside: overlays that show how a map is made, each with a button, a key and a sentence that explains it. Some
+ * are available while the map grows, and at any moment of its making.
  */
 
 import { el, mapLayer, setText, svg } from "../../../browser/dom.ts";
@@ -11,18 +11,18 @@ import { LOOKS, type Look, MOST_KINDS } from "./looks.ts";
 import { ReachCircles } from "./reach-circles.ts";
 
 export interface InsideElements {
-  /** Lies where the map does. */
+  /** The element in the map's place. */
   mapPlace: HTMLElement;
   /** The picture's place. */
   frame: HTMLElement;
-  /** The place of its buttons in the panel. */
+  /** The place of the buttons in the panel. */
   inside: HTMLElement;
 }
 
 export interface InsideEvents {
-  /** What there is to be laid over the map; none while there is nothing of the kind. */
+  /** Returns an overlay of the map, if there is one of this name. */
   overlay(name: OverlayName): Promise<Overlay | undefined>;
-  /** The middle of the part of the map that is seen, on the page. */
+  /** Returns the middle of the visible part of the map, on the page. */
   middle(): Point;
 }
 
@@ -31,7 +31,7 @@ export class LookInside {
   readonly #name = el("p", { class: "inside-name" });
   readonly #sentence = el("p");
   readonly #legend = el("div");
-  /** Numbers that change all the time are not read aloud. */
+  /** The card. Its legend is outside of the status, since numbers that change all the time are not to be read aloud. */
   readonly #card = el(
     "div",
     { class: "inside-card", hidden: true },
@@ -44,7 +44,7 @@ export class LookInside {
   #isFinished = false;
   #look: Look | undefined;
   #shown: Look | undefined;
-  /** Whether there is an answer to come, and whether to ask again after it. */
+  /** True while an answer is due; below, true if to ask again after it. */
   #isAsking = false;
   #isStale = false;
 
@@ -59,7 +59,9 @@ export class LookInside {
     document.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
-  /** The map has come to something else. What is not there while it grows comes back with its end. */
+  /**
+   * Follows a change of the map's state. Overlays of finished maps are hidden while it grows, and come back at its end.
+   */
   follow(state: string, growth: string): void {
     this.#isFinished = state === "finished";
     this.#growth = growth;
@@ -67,12 +69,12 @@ export class LookInside {
       const button = this.#buttons.get(name);
       if (!button) continue;
       button.disabled = of?.includes(growth) === false;
-      button.title = button.disabled ? "Rivers that grow as these do have none." : "";
+      button.title = button.disabled ? "This way of growing has none." : "";
     }
     this.refresh();
   }
 
-  /** The map may stand at another moment. */
+  /** Updates the overlay, since the map may be at another moment. */
   refresh(): void {
     void this.#lay();
   }
@@ -102,7 +104,7 @@ export class LookInside {
     this.#toggle(look);
   }
 
-  /** Takes away what is laid over the map. */
+  /** Removes the overlay. */
   escape(): boolean {
     if (!this.#look) return false;
     this.#toggle(this.#look);
@@ -115,13 +117,15 @@ export class LookInside {
     void this.#lay();
   }
 
-  /** What is to be seen as the map is now, if anything is. */
+  /** The look that should be shown on the map in its present state, if any. */
   get #meant(): Look | undefined {
     const look = this.#look;
     return look && (look.isLive || this.#isFinished) && !this.#buttons.get(look.name)?.disabled ? look : undefined;
   }
 
-  /** One question at a time, so that while a map grows there are answers, and the last of them counts. */
+  /**
+   * Asks for the overlay and shows it. It asks one question at a time, so that answers keep coming while a map grows.
+   */
   async #lay(): Promise<void> {
     this.#isStale = this.#isAsking;
     if (this.#isAsking) return;
@@ -158,7 +162,7 @@ export class LookInside {
     this.#svg.removeAttribute("hidden");
     this.#svg.dataset["look"] = name;
     const groups = kinds.map((paths, i) => {
-      // Arrows belong to each stream; all else of a kind is one path, which is drawn much faster.
+      // Every stream has an arrow. Otherwise a kind is one path, which is drawn much faster.
       const data = name === "flow" || name === "basins" ? paths : [paths.join("")];
       const lines = data.filter((d) => d !== "").map((d) => svg("path", { d: withFrame(name, i, d, size) }));
       return svg("g", { "data-kind": Math.min(i + 1, MOST_KINDS) }, ...lines);
@@ -177,14 +181,14 @@ export class LookInside {
   }
 }
 
-/** Water is all that is not land, the sea beyond the map too, as far as it is seen. */
+/** Adds a frame far around the map to the mask of water, which covers everything but land. */
 function withFrame(name: OverlayName, kind: number, path: string, [width, height]: Overlay["size"]): string {
   return name === "masks" && kind === 0
     ? `M${-9 * width} ${-9 * height}H${10 * width}V${10 * height}H${-9 * width}z${path}`
     : path;
 }
 
-/** The head of an arrow, in units: so it grows with the map. */
+/** Makes the head of an arrow. Its size is in units, so that it grows with the map. */
 function arrow(): SVGElement {
   const place = { viewBox: "0 0 10 10", refX: 9, refY: 5, orient: "auto" };
   const size = { markerUnits: "userSpaceOnUse", markerWidth: 15, markerHeight: 15 };

@@ -1,4 +1,4 @@
-/** What there is to be seen inside a map: by which key, and the sentence and the legend that explain it. */
+/** The looks inside a map: the key of each, and the sentence and legend that explain it. */
 
 import { count } from "../../../browser/count.ts";
 import { el } from "../../../browser/dom.ts";
@@ -8,16 +8,16 @@ export interface Look {
   name: OverlayName;
   key: string;
   label: string;
-  /** Whether it is there while the map grows, too. */
+  /** True if it is available while the map grows, too. */
   isLive?: boolean;
-  /** The ways of growing that have it, if not all do. */
+  /** The growths that have it; all if undefined. */
   of?: readonly string[];
-  /** What one sees, of rivers that grew by a method. */
+  /** Explains what one sees, for rivers of a growth. */
   sentence(growth: string): string;
   legend?(overlay: Overlay, growth: string): HTMLElement[];
 }
 
-/** Orders from here on have one colour. */
+/** The number of colours. Streams of this order and higher ones share the last. */
 export const MOST_KINDS = 6;
 
 export const LOOKS: readonly Look[] = [
@@ -118,7 +118,7 @@ function ordersLegend(counts: readonly number[]): HTMLElement[] {
   return [legendOf("swatch", ...counts.map(row))];
 }
 
-/** Rows of words, each beside what the kind that it is of looks like. */
+/** Makes a legend: rows of words, each with a sample of its kind. */
 function legendOf(mark: string, ...rows: readonly (readonly [words: string, kind: number])[]): HTMLElement {
   const row = ([words, kind]: readonly [string, number]): HTMLElement =>
     el("li", {}, el("span", { class: mark, "data-kind": kind, "aria-hidden": "true" }), words);

@@ -1,11 +1,14 @@
-/** How far an attractor pulls and how near uses it up, as circles around a place: the one that is pointed at, or the middle of what is seen. */
+/**
+ * Shows the reach and kill distances as circles around a place: the one that is pointed at, or the middle of the
+ * visible part.
+ */
 
 import { svg } from "../../../browser/dom.ts";
 import type { Overlay } from "../../page-worker/protocol.ts";
 import type { Point } from "../map/camera.ts";
 
 export interface ReachElements {
-  /** Lies where the map does. */
+  /** The element in the map's place. */
   mapPlace: HTMLElement;
   /** The picture's place. */
   frame: HTMLElement;
@@ -16,25 +19,25 @@ export class ReachCircles {
   readonly #kill = svg("circle", { class: "kill" });
   readonly #spot = svg("path", { class: "reach-spot" });
   readonly element = svg("g", { class: "reaches" }, this.#reach, this.#kill, this.#spot);
-  /** Of the map, in units; nothing while none are shown. */
+  /** The map's size in units; undefined while no circles are shown. */
   #size: Overlay["size"] | undefined;
-  /** Where the pointer is on the page, if it was over the map last. */
+  /** The place of the pointer on the page, if it was over the map last. */
   #pointed: Point | undefined;
 
   constructor(
     private readonly elements: ReachElements,
-    /** The middle of the part of the map that is seen, on the page. */
+    /** Returns the middle of the visible part of the map, on the page. */
     private readonly middle: () => Point,
   ) {
     const { frame, mapPlace } = elements;
     for (const event of ["pointermove", "pointerdown"] as const)
       frame.addEventListener(event, ({ clientX: x, clientY: y }) => this.#follow({ x, y }));
     frame.addEventListener("pointerleave", ({ pointerType }) => {
-      // A finger leaves where it was lifted.
+      // A finger also leaves when it is lifted; the circles stay there.
       if (pointerType !== "touch") this.#follow(undefined);
     });
     frame.addEventListener("keydown", () => this.#follow(undefined));
-    // The map is moved under them.
+    // The map may move under the circles.
     new MutationObserver(() => this.#place()).observe(mapPlace, { attributeFilter: ["style"] });
   }
 

@@ -1,6 +1,6 @@
 /**
- * The river under the hand: its way to the sea drawn bold, its basin lit up, and a card that says what it is like. It is pointed at with
- * a mouse, tapped, walked to with keys from the map, or has its name focused in the panel.
+ * Shows a river: its way to the sea in bold, its basin highlighted, and a card that describes it. The river is pointed
+ * at with a mouse, tapped, reached with keys on the map, or has its name focused in the panel.
  */
 
 import { el, mapLayer, setText, svg } from "../../../browser/dom.ts";
@@ -13,25 +13,25 @@ export interface RiverPointerElements {
   stage: HTMLElement;
   /** The picture's place. */
   frame: HTMLElement;
-  /** Lies where the map does. */
+  /** The element in the map's place. */
   mapPlace: HTMLElement;
 }
 
 export interface RiverPointerEvents {
-  /** The river at a place of the finished map; none if there is none. */
+  /** Returns the river at a place of the finished map, if there is one. */
   river(place: RiverPlace): Promise<PointedRiver | undefined>;
-  /** The marks of the greatest rivers. */
+  /** Returns the marks of the greatest rivers. */
   greatest(): Promise<readonly string[]>;
   /** Measures how much of the picture's place other things cover. */
   covered(): Insets;
 }
 
-/** How near a pointer must come, in CSS pixels: a finger is thicker. */
+/** The distance in CSS pixels at which a river is hit; larger for a finger. */
 const REACH_PX = { mouse: 9, touch: 22 };
-/** A finger that moves less, and is lifted sooner, taps. */
+/** The limits of a tap in movement and time. */
 const TAP_PX = 10;
 const TAP_MS = 600;
-/** Between the card and the place that it is of; and below which width of what is free that place is all that is lit up. */
+/** The gap between the card and its place; below, the width under which the card avoids the whole highlighted part. */
 const CARD_GAP_PX = 16;
 const NARROW_PX = 600;
 
@@ -63,11 +63,11 @@ export class RiverPointer {
     frame.addEventListener("pointerup", (event) => this.#onUp(event));
     frame.addEventListener("keydown", (event) => void this.#onFrameKey(event));
     this.#listenToNames();
-    // The card goes with its place, however that is moved.
+    // The card follows its place, however that is moved.
     new MutationObserver(() => this.#placeCard()).observe(mapPlace, { attributeFilter: ["style"] });
   }
 
-  /** Only of a finished map anything is shown. */
+  /** Follows the map's state. A river is shown only on a finished map. */
   follow(state: string): void {
     this.#isFinished = state === "finished";
     this.#walkedTo = -1;
@@ -95,7 +95,7 @@ export class RiverPointer {
 
   #onMove(event: PointerEvent): void {
     if (event.pointerType === "touch") return;
-    // A drag moves the map.
+    // Dragging moves the map.
     if (event.buttons !== 0 || !isOnMap(event)) this.#leave();
     else this.#ask(this.#placeOf(event, REACH_PX.mouse), "pointer");
   }
@@ -125,7 +125,7 @@ export class RiverPointer {
 
   // ---- keys
 
-  /** N walks through the greatest rivers, Shift N back. */
+  /** Walks through the greatest rivers with N, and back with Shift+N. */
   async #onFrameKey(event: KeyboardEvent): Promise<void> {
     const isPlain = !(event.ctrlKey || event.metaKey || event.altKey);
     if (event.key.toLowerCase() !== "n" || !isPlain || event.target !== this.elements.frame) return;
@@ -140,7 +140,7 @@ export class RiverPointer {
     if (mark !== undefined) this.#ask({ mark }, "key");
   }
 
-  /** The name of a river that has the focus, in the panel, shows it. */
+  /** Shows a river while its name in the panel has the focus. */
   #listenToNames(): void {
     const markOf = ({ target }: Event): string | undefined =>
       target instanceof Element ? target.closest<HTMLElement>(".names [data-mark]")?.dataset["mark"] : undefined;
@@ -153,7 +153,7 @@ export class RiverPointer {
     });
   }
 
-  // ---- asking, once a frame at most, and only for the last place
+  // ---- questions, at most one per frame, for the last place only
 
   #ask(place: RiverPlace, how: How): void {
     if (!this.#isFinished || this.elements.stage.hasAttribute("data-drawing")) return;
@@ -184,7 +184,7 @@ export class RiverPointer {
     this.#lines.show(river);
     this.#card.show(river);
     this.#placeCard();
-    // What moves with a mouse is not read aloud all the time.
+    // Rivers under a moving mouse are not read aloud.
     if (how === "key") this.#announcement.textContent = this.#card.text;
   }
 
@@ -204,7 +204,7 @@ export class RiverPointer {
 /** The edges of a part of the page, in CSS pixels. */
 type Edges = Insets;
 
-/** The way to the sea and the basin. */
+/** The drawing of the way to the sea and of the basin. */
 class Lines {
   readonly element = mapLayer("river-pointer");
   readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => svg("path", { class: name }));
@@ -226,17 +226,17 @@ class Lines {
     this.element.setAttribute("hidden", "");
   }
 
-  /** How far down on the page it begins and ends. */
+  /** Its top and bottom on the page. */
   get extent(): { top: number; bottom: number } {
     const [basin, way] = this.#paths.map((path) => path.getBoundingClientRect());
     if (!basin || !way) return { top: 0, bottom: 0 };
-    // A river may have no cell of its own to drain.
+    // The basin of a river may be empty.
     const boxes = basin.height > 0 ? [basin, way] : [way];
     return { top: Math.min(...boxes.map(({ top }) => top)), bottom: Math.max(...boxes.map(({ bottom }) => bottom)) };
   }
 }
 
-/** What a river is like, in words. */
+/** The card that describes a river in words. */
 class Card {
   readonly #title = el("p", { class: "river-name", dir: "auto" });
   readonly #measures = el("p");
@@ -258,7 +258,10 @@ class Card {
     this.element.hidden = true;
   }
 
-  /** Beside a spot where there is room; on narrow screens, where it would cover half of the map, below or above what is lit up. */
+  /**
+   * Puts the card beside a spot if there is room. On narrow screens, where it would cover half the map, it goes below
+   * or above the highlighted part.
+   */
   place(spot: Point, lit: Pick<Edges, "top" | "bottom">, free: Edges): void {
     const { offsetWidth: width, offsetHeight: height } = this.element;
     const isNarrow = free.right - free.left < NARROW_PX;
@@ -272,7 +275,7 @@ class Card {
   }
 }
 
-/** Seas, lakes, islands, stretches and the map have letters in their marks. */
+/** Returns whether a mark is a river's. Marks of seas, lakes, islands, meanders and the map begin with a letter. */
 export function isRiver(mark: string): boolean {
   return /^\d/.test(mark);
 }

@@ -1,4 +1,7 @@
-/** The camera: which part of the map the picture shows, and where on the page the map lies. Lengths on the page are CSS pixels. */
+/**
+ * The camera: the part of the map that the picture shows, and the map's place on the page. Lengths on the page are in
+ * CSS pixels.
+ */
 
 import type { Box, Framing, Size } from "../../../browser/canvas.ts";
 
@@ -10,7 +13,7 @@ export interface Insets {
   bottom: number;
 }
 
-/** A picture's place: how large it is, how much of it is covered, and the map's width over its height. */
+/** A picture's place: its size, the part that is covered, and the map's width over its height. */
 export interface Stage extends Size {
   insets: Insets;
   aspect: number;
@@ -21,17 +24,17 @@ export interface Point {
   y: number;
 }
 
-/** At 1 all of the map is seen; at the most a stream is as wide as a hand. */
+/** The closest zoom. At 1 the whole map is seen; at the closest a stream is as wide as a hand. */
 const MOST_ZOOM = 16;
-/** However much is covered, the map is no smaller than this share of its place. */
+/** The smallest width of the map as a share of its place, however much is covered. */
 const LEAST_SHARE = 1 / 18;
 
 export class Camera {
   #zoom = 1;
-  /** The point of the map in the middle of what is free, in shares of its sides. */
+  /** The point of the map in the middle of the free part, in shares of its sides. */
   #at: Point = { x: 0.5, y: 0.5 };
 
-  /** True while all of the map is seen. */
+  /** True while the whole map is seen. */
   get showsAll(): boolean {
     return this.#zoom === 1;
   }
@@ -40,13 +43,13 @@ export class Camera {
     return this.#zoom === MOST_ZOOM;
   }
 
-  /** All of the map. */
+  /** Shows the whole map. */
   reset(): void {
     this.#zoom = 1;
     this.#at = { x: 0.5, y: 0.5 };
   }
 
-  /** Where the map lies on the page. */
+  /** Returns the place of the map on the page. */
   boxOn(stage: Stage): Box {
     const width = widthOf(stage) * this.#zoom;
     const height = width / stage.aspect;
@@ -54,7 +57,7 @@ export class Camera {
     return { x: x - this.#at.x * width, y: y - this.#at.y * height, width, height };
   }
 
-  /** The part of the map that the picture shows. */
+  /** Returns the part of the map that the picture shows. */
   framingOn(stage: Stage): Framing {
     const { x, y, width } = this.boxOn(stage);
     const { left, top, right, bottom } = stage.insets;
@@ -62,7 +65,7 @@ export class Camera {
     return [-x / width, -y / width, stage.width / width, ...covered];
   }
 
-  /** Closer or farther, about a point of the page that stays where it is. */
+  /** Zooms in or out about a point of the page, which stays where it is. */
   zoomBy(factor: number, about: Point | undefined, stage: Stage): void {
     const { x, y } = about ?? middleOf(stage);
     const before = this.boxOn(stage);
@@ -78,7 +81,10 @@ export class Camera {
     this.#put({ x: x + dx, y: y + dy }, stage);
   }
 
-  /** Puts the map's corner at a point of the page, as far as some of the map stays in the middle; all of it has but one place. */
+  /**
+   * Puts the map's corner at a point of the page, but keeps some of the map in the middle. A map that is seen whole has
+   * only one place.
+   */
   #put(corner: Point, stage: Stage): void {
     if (this.showsAll) {
       this.reset();
@@ -91,7 +97,7 @@ export class Camera {
   }
 }
 
-/** Returns the width of the map when all of it is seen. */
+/** Returns the width of the map when the whole map is seen. */
 function widthOf({ width, height, insets, aspect }: Stage): number {
   const free = { across: width - insets.left - insets.right, down: height - insets.top - insets.bottom };
   return Math.max(Math.min(free.across, free.down * aspect), width * LEAST_SHARE);
@@ -101,7 +107,7 @@ function middleOf({ width, height, insets }: Stage): Point {
   return { x: (width + insets.left - insets.right) / 2, y: (height + insets.top - insets.bottom) / 2 };
 }
 
-/** Returns the transform by which a picture with one framing stands for another, on a place of this width. */
+/** Returns the transform that makes a picture with one framing stand in for another, in a place of this width. */
 export function transformBetween(shown: Framing, wanted: Framing, width: number): string {
   const scale = shown[2] / wanted[2];
   const [x, y] = [0, 1].map((axis) => (((shown[axis] ?? 0) - (wanted[axis] ?? 0)) / wanted[2]) * width);

@@ -1,4 +1,4 @@
-/** Measures how much of the picture's place other things cover: the map lies in the rest. */
+/** Measures how much of the picture's place other things cover. The map is in the rest. */
 
 import { elements } from "../elements.ts";
 import type { Insets } from "./camera.ts";
@@ -6,7 +6,7 @@ import type { Insets } from "./camera.ts";
 /** The margin around the map, in CSS pixels. */
 const MARGIN_PX = 16;
 
-/** Measures what the name of the page, the bar, the styles and the panel cover. */
+/** Measures the parts that the page's name, the bar, the styles and the panel cover. */
 export function covered(): Insets {
   const { bar, styles, panel, masthead } = elements;
   const edge = (element: HTMLElement): DOMRect | undefined =>
@@ -20,7 +20,7 @@ export function covered(): Insets {
   const below = (box: DOMRect): void => {
     insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
   };
-  // What is wider than half of the window lies below the map, as the bar does; the rest beside it, on either side.
+  // An element wider than half the window is below the map, as the bar is; others are beside it, on either side.
   const beside = (box: DOMRect): void => {
     if (box.width > innerWidth / 2) below(box);
     else if (box.left > innerWidth / 2) insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);

@@ -1,11 +1,11 @@
-/** Moving and zooming the map: by mouse, wheel, fingers and keys. */
+/** Moves and zooms the map by mouse, wheel, fingers and keys. */
 
 import type { Point } from "./camera.ts";
 
 export interface GestureEvents {
-  /** Both in CSS pixels. */
+  /** Moves the map, in CSS pixels. */
   move(dx: number, dy: number): void;
-  /** About a point of the page; about the middle, without one. */
+  /** Zooms about a point of the page, or about the middle without one. */
   zoom(factor: number, about?: Point): void;
   all(): void;
 }
@@ -13,7 +13,7 @@ export interface GestureEvents {
 /** The step of an arrow key, in CSS pixels, and the factor of a zoom key. */
 const KEY_STEP = 60;
 export const KEY_ZOOM = 1.5;
-/** The factor of a pixel of the wheel; fingers on a pad report much smaller steps. */
+/** The exponent of zoom per pixel of the wheel; below, of a pinch on a touch pad, which reports much smaller steps. */
 const WHEEL_ZOOM = 0.0015;
 const PAD_ZOOM = 0.01;
 const LINE_PX = 16;
@@ -26,9 +26,9 @@ const ARROWS: Record<string, [dx: number, dy: number]> = {
 };
 
 export class Gestures {
-  /** Where the fingers are, or the mouse. */
+  /** The places of the fingers or the mouse. */
   readonly #pointers = new Map<number, Point>();
-  /** The kind of the last one: a mouse, a finger, a pen. */
+  /** The type of the last pointer: a mouse, a finger or a pen. */
   #kind = "";
 
   constructor(
@@ -41,7 +41,7 @@ export class Gestures {
       place.addEventListener(end, ({ pointerId }) => this.#pointers.delete(pointerId));
     place.addEventListener("wheel", (event) => this.#turn(event), { passive: false });
     place.addEventListener("dblclick", (event) => {
-      // Two taps of a finger are for the whole screen: it has a pinch for zooming.
+      // A double tap is for the whole screen: fingers zoom by pinching.
       if (isOnMap(event) && this.#kind !== "touch") events.zoom(2, pointOf(event));
     });
     place.addEventListener("keydown", (event) => this.#onKey(event));
@@ -64,7 +64,7 @@ export class Gestures {
       this.events.move(now.x - before.x, now.y - before.y);
       return;
     }
-    // Each of two fingers moves the map by half of its own way.
+    // Each of two fingers moves the map by half its way.
     this.events.move((now.x - before.x) / 2, (now.y - before.y) / 2);
     const spread = distance(before, other);
     if (spread > 0) this.events.zoom(distance(now, other) / spread, between(now, other));
@@ -89,7 +89,10 @@ export class Gestures {
   }
 }
 
-/** Things that lie over the map keep their own gestures: the pen, links and buttons. */
+/**
+ * Returns whether a gesture is on the map itself. Things over the map keep their own gestures: the pen, links and
+ * buttons.
+ */
 export function isOnMap({ target }: Event): boolean {
   return target instanceof Element && target.closest("a, button, .sketch, .failure") === null;
 }

@@ -1,6 +1,6 @@
 /**
- * The map alone: all that lies over it is put away, and the window fills the screen where the browser lets it, which that of an iPhone
- * does not. Two taps of a finger on the map do it, or a key, and undo it.
+ * The map alone: everything over it is hidden, and the window fills the screen if the browser allows it (an iPhone's
+ * does not). A double tap on the map or a key turns it on and off.
  */
 
 import { isCombined, isTaken } from "../../../browser/keys.ts";
@@ -8,9 +8,9 @@ import { isOnMap } from "./gestures.ts";
 import { DoubleTap } from "./taps.ts";
 
 export interface MapAloneElements {
-  /** Has the mark that style sheets go by. */
+  /** The element with the attribute that style sheets use. */
   root: HTMLElement;
-  /** Seen while the map is alone. */
+  /** The button that is shown while the map is alone. */
   leave: HTMLButtonElement;
   /** The map's place. */
   frame: HTMLElement;
@@ -21,7 +21,7 @@ export class MapAlone {
 
   constructor(
     private readonly elements: MapAloneElements,
-    /** Other things cover the map, or none do any more. */
+    /** Called when other things cover the map, or no longer do. */
     private readonly changed: () => void,
   ) {
     const { frame, leave } = elements;
@@ -34,7 +34,7 @@ export class MapAlone {
       if (this.#taps.up(event)) this.#toggle();
     });
     frame.addEventListener("pointercancel", () => this.#taps.cancel());
-    // The browser has a way out of its own.
+    // The browser may leave full screen by itself.
     document.addEventListener("fullscreenchange", () => {
       if (!document.fullscreenElement) this.#show(false);
     });
@@ -45,13 +45,13 @@ export class MapAlone {
     else this.#enter();
   }
 
-  /** W, for the whole window. */
+  /** Toggles by the key W, for the whole window. */
   #onKey(event: KeyboardEvent): void {
     if (isTaken(event) || isCombined(event) || event.repeat) return;
     if (event.key.toLowerCase() === "w") this.#toggle();
   }
 
-  /** Back, if the map is alone. */
+  /** Leaves, if the map is alone. */
   escape(): boolean {
     const wasOn = this.#isOn;
     if (wasOn) this.#leave();
@@ -64,7 +64,7 @@ export class MapAlone {
 
   #enter(): void {
     this.#show(true);
-    // Some browsers have no such thing, and some refuse it: the map is alone all the same.
+    // Some browsers have no full screen, and some refuse it: the map is alone all the same.
     this.elements.root.requestFullscreen?.({ navigationUI: "hide" }).catch(() => {});
   }
 
@@ -78,7 +78,7 @@ export class MapAlone {
     const { root, leave, frame } = this.elements;
     root.toggleAttribute("data-map-alone", isOn);
     leave.hidden = !isOn;
-    // What had the focus may be gone.
+    // The element that had the focus may be hidden now.
     frame.focus({ preventScroll: true });
     this.changed();
   }

@@ -1,4 +1,7 @@
-/** The map on show in words: the caption below it, the picture's text alternative, and the announcement of its end. */
+/**
+ * Describes the map on show in words: the caption below it, the picture's text alternative, and the announcement when
+ * it is finished.
+ */
 
 import { count } from "../../../browser/count.ts";
 import { setText } from "../../../browser/dom.ts";
@@ -23,12 +26,12 @@ export class MapWords {
   /** The caption's words about the greatest river, once its name is known. */
   #greatest = "";
 
-  /** The canvas may be replaced by another. */
+  /** `elements.canvas` may be replaced later. */
   constructor(private readonly elements: MapWordsElements) {
     this.#announcer = new Announcer(elements.announcement);
   }
 
-  /** The map has come to something else, or is another one. */
+  /** Follows a change of the map or its state. */
   follow(seed: string, state: State, phase: Phase, summary: Summary): void {
     if (state !== "finished") this.#greatest = "";
     caption(state, phase, summary).forEach((line, i) => {
@@ -39,7 +42,7 @@ export class MapWords {
     else this.#announcer.hush();
   }
 
-  /** The names on the finished map are known: whoever does not see the labels is told the greatest rivers. */
+  /** Adds the greatest rivers to the caption and the text alternative, once the names on the finished map are known. */
   tell(names: readonly Named[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;

@@ -1,14 +1,14 @@
-/** Two taps of a finger on one spot: a double tap. Two fingers, a drag, or a finger that stays make none. */
+/** Recognizes double taps: two taps of one finger on the same spot. Two fingers, a drag, or a long press are no tap. */
 
 import type { Point } from "./camera.ts";
 
-/** The longest time of a tap, and the latest time and the farthest place at which the second may end, in ms and CSS pixels. */
+/** The limits of a tap in time and movement, and of the second tap after the first, in ms and CSS pixels. */
 const TAP_MS = 300;
 const PAUSE_MS = 350;
 const TAP_PX = 12;
 const APART_PX = 40;
 
-/** The part of a pointer's event that it reads. */
+/** The part of a pointer event that is used here. */
 export interface Touch {
   readonly pointerType: string;
   readonly isPrimary: boolean;
@@ -27,12 +27,12 @@ export class DoubleTap {
 
   down(touch: Touch): void {
     if (!isFinger(touch)) return;
-    // A second finger makes a pinch of it.
+    // A second finger makes it a pinch.
     this.#down = touch.isPrimary ? spotOf(touch) : undefined;
     if (!touch.isPrimary) this.#first = undefined;
   }
 
-  /** A finger is lifted: whether that ends a double tap. */
+  /** Takes the lifting of a finger. Returns whether that ends a double tap. */
   up(touch: Touch): boolean {
     const [down, first] = [this.#down, this.#first];
     this.#down = this.#first = undefined;
@@ -44,7 +44,7 @@ export class DoubleTap {
     return false;
   }
 
-  /** The browser has taken the finger. */
+  /** Forgets a finger that the browser has taken over. */
   cancel(): void {
     this.#down = this.#first = undefined;
   }

@@ -1,6 +1,7 @@
 /**
- * The viewport: the picture's place on the page, which is the whole window, and the part of the map that is seen in it. The river itself
- * is in the renderer: commands go there, and reports come back. The viewport remembers what was asked for last, and what was reported last.
+ * The viewport: the picture's place on the page, which is the whole window, and the part of the map that is seen in it.
+ * The river itself is in the renderer: commands go there, and reports come back. The viewport remembers the last
+ * request and the last report.
  */
 
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../../../browser/canvas.ts";
@@ -32,20 +33,20 @@ import { Gestures, KEY_ZOOM } from "./gestures.ts";
 export interface ViewportElements {
   /** The picture's place. */
   frame: HTMLElement;
-  /** Another one, after the renderer had to be replaced: a canvas that is handed over does not come back. */
+  /** The canvas. It is replaced with the renderer, since a canvas that was handed over does not come back. */
   canvas: HTMLCanvasElement;
-  /** Lies where the map does. */
+  /** The element in the map's place. */
   mapPlace: HTMLElement;
   zoom: { closer: HTMLButtonElement; farther: HTMLButtonElement; all: HTMLButtonElement };
 }
 
 export interface ViewportEvents {
-  /** Something on the viewport changed: the state, or in it the river. It is of the link that was shown last. */
+  /** Called when the state or the river changed. It belongs to the link that was shown last. */
   changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: PageError): void;
 }
 
-/** The way another renderer takes over a river in a state: not at the same step, but to the same end. */
+/** The way in which a new renderer shows a river by its state: not from the same step, but to the same end. */
 const HOW: Record<State, ShowMode> = { growing: "watch", paused: "watch", settling: "settle", finished: "still" };
 
 /** A map to be shown: its canonical link, and its width over its height. */
@@ -57,9 +58,9 @@ export interface MapLink {
 /** The map that was asked for last. */
 interface Wanted extends MapLink {
   how: ShowMode;
-  /** Its number among the links since the renderer has the canvas; only reports of it count, or of later ones. */
+  /** Its number among the links that this renderer was sent. Only reports of it or of later links count. */
   number: number;
-  /** The part of the map that its picture will show, until it does. */
+  /** The part of the map that its picture will show; undefined once it does. */
   framing?: Framing | undefined;
 }
 
@@ -71,19 +72,19 @@ interface Shown extends MapLink {
 type SceneReport = Exclude<Report<Answer>, { is: "answer" }>;
 
 export class RiverViewport {
-  /** Its number at the render host, while it has a river there. */
+  /** Its client number at the render host, while it has a river there. */
   #id: number | undefined;
   #wanted: Wanted;
   #shown: Shown | undefined;
   #speed = 1;
-  /** The state that was asked for, until it is reported: there may be no river yet, or a worker that no longer answers. */
+  /** The requested state, until it is reported: there may be no river yet, or a worker that no longer answers. */
   #asked: State | undefined;
   #events: ViewportEvents | undefined;
-  /** Reports from before anybody listened. */
+  /** Reports that came before there was a listener. */
   readonly #untold: ((events: ViewportEvents) => void)[] = [];
-  /** Counts the links that were shown since the renderer has the canvas. */
+  /** The number of links that this renderer was sent after the first. */
   #links = 0;
-  /** The canvas that is not seen before there is something on it. */
+  /** A new canvas, which is shown once it has a picture. */
   #next: HTMLCanvasElement | undefined;
   #isOver = false;
   #isCovered = false;
@@ -107,13 +108,13 @@ export class RiverViewport {
     document.addEventListener("visibilitychange", () => this.#rest());
   }
 
-  /** Tells somebody how it goes from now on, and how it went until now. */
+  /** Registers the listener, and tells it everything that was reported before. */
   listen(events: ViewportEvents): void {
     this.#events = events;
     for (const tell of this.#untold.splice(0)) tell(events);
   }
 
-  /** The link of the river that is on the viewport; empty while there is none. */
+  /** The link of the river on show; empty while there is none. */
   get link(): string {
     return this.#shown?.link ?? "";
   }
@@ -127,7 +128,7 @@ export class RiverViewport {
     this.#send({ do: "speed", speed });
   }
 
-  /** Something lies over all of it: it need not go on meanwhile. */
+  /** True while something covers the whole viewport: then the river rests. */
   set isCovered(isCovered: boolean) {
     this.#isCovered = isCovered;
     this.#rest();
@@ -156,12 +157,15 @@ export class RiverViewport {
     this.#send({ do: "show", link: { text: link }, how, size });
   }
 
-  /** Other things cover more or less of the picture's place. */
+  /** Moves the map after other things have come to cover more or less of the picture's place. */
   refit(): void {
     this.#followCamera();
   }
 
-  /** Small pictures of the finished map on show in some styles, in their own pixels; none if another is shown before all are made. */
+  /**
+   * Makes thumbnails of the finished map on show in some styles; `size` is in device pixels. Returns none if another
+   * map is shown before all are made.
+   */
   async thumbnails(styles: readonly string[], size: { width: number; height: number }): Promise<readonly Thumbnail[]> {
     return (await this.#ask({ about: "thumbnails", of: this.#id, styles, size })) ?? [];
   }
@@ -171,44 +175,50 @@ export class RiverViewport {
     return (await this.#ask({ about: "measures", of: this.#id })) ?? [];
   }
 
-  /** A link's finished rivers as a file, made from the river on show as far as that has come. */
+  /** Makes a file of a link's finished rivers, starting from the river on show. */
   file(link: string, format: Format): Promise<Blob> {
     return this.#ask({ about: "file", of: this.#id, link, format });
   }
 
-  /** The greatest names on the map, three texts each; none while it is not finished, or not the one that was shown last. */
+  /**
+   * Returns the greatest names on the map, three texts each; none while it is not finished, or not the one that was
+   * shown last.
+   */
   async names(count: number): Promise<readonly string[]> {
     const names = await this.#ask({ about: "names", of: this.#id, count });
     return names?.link === this.#wanted.link ? names.texts : [];
   }
 
-  /** The river at a place of the finished map; none if there is none, or the map is not the one that was shown last. */
+  /** Returns the river at a place of the finished map, if there is one and the map is the one that was shown last. */
   async river(place: RiverPlace): Promise<PointedRiver | undefined> {
     const river = await this.#ask({ about: "river", of: this.#id, place });
     return river?.link === this.#wanted.link ? river : undefined;
   }
 
-  /** Returns something to lay over the map; none while there is nothing of the kind, or if it is not the one that was shown last. */
+  /**
+   * Returns an overlay of the map; none while there is none of this name, or if the map is not the one that was shown
+   * last.
+   */
   async overlay(name: OverlayName): Promise<Overlay | undefined> {
     const overlay = await this.#ask({ about: "overlay", of: this.#id, name });
     return overlay?.link === this.#wanted.link ? overlay : undefined;
   }
 
-  /** Tells how far the map has come, if it is the one that was shown last; if a moment is given, after going there. */
+  /** Returns the progress of the map, if it is the one that was shown last. If a moment is given, goes there first. */
   async making(to?: Moment): Promise<Making | undefined> {
     const making = await this.#ask({ about: "making", of: this.#id, to });
     return making?.link === this.#wanted.link ? making : undefined;
   }
 
-  /** The parameter `names`, as it is now, with another name for something, or its usual one. */
+  /** Returns the parameter `names`, as `now` gives it, with another name for something, or with its usual one. */
   async renamed(now: () => string, mark: string, name: string | undefined): Promise<string> {
     const names = now();
     const renamed = await this.#ask({ about: "renamed", names, mark, name });
-    // Something else may have been given a name meanwhile.
+    // Something else may have been renamed meanwhile.
     return names === now() ? renamed : this.renamed(now, mark, name);
   }
 
-  /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */
+  /** Closes the viewport for good, after a failure that leaves the engine in an unknown state. */
   close(): void {
     this.#isOver = true;
     if (this.#id !== undefined) this.renderHost.leave(this.#id);
@@ -217,14 +227,14 @@ export class RiverViewport {
     clearTimeout(this.#resizing);
   }
 
-  // ---- what it says
+  // ---- commands and questions
 
   #send(command: Parameters<PageRenderHost["send"]>[1]): void {
     if (this.#id !== undefined) this.renderHost.send(this.#id, command);
   }
 
   async #ask<Key extends About>(question: QuestionAbout<Key>): Promise<Answers[Key]> {
-    // An answer is of the kind of its question.
+    // An answer has the type that belongs to its question.
     return (await this.renderHost.ask(question as Question)) as Answers[Key];
   }
 
@@ -252,7 +262,9 @@ export class RiverViewport {
     if (this.#isUnseen) this.#rest();
   }
 
-  /** The renderer answers no more, and there is a new one: there it goes on with the same river. The old picture stays until then. */
+  /**
+   * Moves to a new renderer, since the old one no longer answers. The old picture stays until the new one is painted.
+   */
   #move(): void {
     this.#id = undefined;
     if (this.#isOver) return;
@@ -260,7 +272,7 @@ export class RiverViewport {
     void this.#enter();
   }
 
-  // ---- what it hears
+  // ---- reports
 
   #hear(report: Report<Answer>): void {
     if (report.is === "shown") this.#show(report);
@@ -282,9 +294,9 @@ export class RiverViewport {
   #fail({ code, message, links = 0 }: Extract<SceneReport, { is: "failed" }>): void {
     const error = new PageError(code, message);
     if (isRecoverable(error) && code !== "no-chart") {
-      // Another link is on its way, which may do; but without a first river nothing follows.
+      // Another link is on its way and may succeed. Without a first river none does.
       if (links < this.#links && this.#shown) return;
-      // The river that was there stays, in its own shape.
+      // The old river stays, in its own shape.
       const { aspect } = this.#shown ?? this.#wanted;
       this.#wanted = { ...this.#wanted, link: this.link, aspect, number: 0 };
       void this.#resize();
@@ -306,7 +318,7 @@ export class RiverViewport {
     this.elements.canvas = next;
   }
 
-  // ---- its place, and the part of the map that is seen there
+  // ---- the place, and the part of the map that is seen there
 
   #listenToHand(): void {
     const { frame, zoom } = this.elements;
@@ -318,7 +330,7 @@ export class RiverViewport {
       follow((stage) => this.#camera.zoomBy(factor, about, stage));
     const all = (): void => follow(() => this.#camera.reset());
     const move = (dx: number, dy: number): void => follow((stage) => this.#camera.moveBy(dx, dy, stage));
-    // Keys move the map where the focus is on it.
+    // Keys move the map while it has the focus.
     frame.tabIndex = 0;
     new Gestures(frame, { move, zoom: zoomBy, all });
     zoom.closer.addEventListener("click", () => zoomBy(KEY_ZOOM));
@@ -326,13 +338,13 @@ export class RiverViewport {
     zoom.all.addEventListener("click", all);
   }
 
-  /** The picture's place for the map that was asked for last. */
+  /** Returns the picture's place for the map that was requested last. */
   #stage(): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
     return { width, height, insets: this.covered(), aspect: this.#wanted.aspect };
   }
 
-  /** The picture is moved at once, and painted anew when the hand rests. */
+  /** Moves the picture at once, and has it painted again when the hand rests. */
   #followCamera(): void {
     const stage = this.#stage();
     this.#placeMap(stage);
@@ -349,14 +361,14 @@ export class RiverViewport {
     zoom.farther.disabled = zoom.all.disabled = this.#camera.showsAll;
   }
 
-  /** Until it is painted for what is to be seen, the picture stands where that will be. */
+  /** Moves the old picture to the place of the new one, until that is painted. */
   #movePicture(stage: Stage): void {
     if (!this.#framing) return;
     const transform = transformBetween(this.#framing, this.#camera.framingOn(stage), stage.width);
     this.elements.canvas.style.transform = transform;
   }
 
-  /** The picture has been painted for something else. */
+  /** Takes note of the part of the map that the picture shows now. */
   #becomeFramed(framing: Framing | undefined): void {
     if (!framing || this.#isOver) return;
     this.#framing = framing;
@@ -382,10 +394,10 @@ export class RiverViewport {
     const of = this.#id;
     const size = this.#size();
     if (of === undefined || size.width === 0) return;
-    // The map that was asked for last, not there yet, is painted at this size, too.
+    // The map that was requested last and is still on its way is painted at this size, too.
     if (this.#wanted.framing) this.#wanted.framing = size.framing;
     this.#send({ do: "resize", size });
-    // Answered once that is done.
+    // The answer comes when the resizing is done.
     await this.#ask({ about: "now", of }).catch(() => {});
     if (!this.#wanted.framing) this.#becomeFramed(size.framing);
   }

@@ -1,4 +1,4 @@
-/** All that a visitor chooses a map by: seed, kind of country and of land, style, presets, and the panel's controls. */
+/** The controls by which a visitor chooses a map: seed, country, land, style, presets, and the panel's controls. */
 
 import type { Control } from "../../../controls/control.ts";
 import { type Controls, controls } from "../../../controls/controls.ts";
@@ -17,16 +17,19 @@ import { StyleStrip } from "./style-strip.ts";
 type Values = readonly (readonly [key: string, value: string])[];
 
 export interface ChoicesEvents {
-  /** Some values are to be others, in a step that can be undone, or little by little in one: what settles does, unless something else is said. */
+  /**
+   * Sets some values. A gradual change may continue the last undoable step; by default changes with "settle" are
+   * gradual.
+   */
   set(values: Values, how: ShowMode, isGradual?: boolean): void;
-  /** A preset of links is pressed. */
+  /** Called when a preset is pressed. */
   press(preset: Preset): void;
-  /** A land is to be drawn. */
+  /** Opens the tool for drawing a land. */
   draw(): void;
   failed(error: unknown): void;
 }
 
-/** What build/countries.ts draws, beside the page. */
+/** The folder of the pictures that build/countries.ts draws, beside the page. */
 const COUNTRY_PICTURES = "./countries";
 
 export class Choices {
@@ -68,17 +71,17 @@ export class Choices {
     elements.countries.replaceChildren(this.#countries.element);
   }
 
-  /** The presets of links, for their place in the panel. */
+  /** The preset buttons, for their place in the panel. */
   get presets(): HTMLElement {
     return this.#presets.element;
   }
 
-  /** The parameters that presets may not change. */
+  /** The keys that presets may not change. */
   get kept(): ReadonlySet<string> {
     return this.#padlocks.kept;
   }
 
-  /** What a preset sets, but for what is kept as it is. */
+  /** Returns the values of a preset without those that are kept. */
   unkept({ values }: Preset): Preset["values"] {
     return values.filter(([key]) => !this.kept.has(key));
   }
@@ -93,7 +96,7 @@ export class Choices {
     this.#land.show(values.get("land") ?? "");
   }
 
-  /** The seed is another, whatever is typed in its box. */
+  /** Replaces the seed in its box, whatever is typed there. */
   replaceSeed(seed: string): void {
     this.#seedBox.replace(seed);
   }
@@ -103,7 +106,7 @@ export class Choices {
     this.#presets.focus();
   }
 
-  /** A control has other values. Whoever chooses a drawn land has to draw one. */
+  /** Takes other values from a control. For a drawn land it also opens the drawing tool. */
   #choose(values: Values): void {
     this.events.set(values, "settle");
     if (values.some(([key, text]) => key === "land" && text === "drawn")) this.events.draw();
@@ -123,7 +126,7 @@ export class Choices {
   }
 }
 
-/** What the table says of the seed, for the box that index.html has. */
+/** Gives the seed box of index.html the length and help text from the table. */
 function describeSeed(seed: Parameter | undefined): void {
   if (!seed) return;
   if (seed.maxLength !== undefined) elements.seed.maxLength = seed.maxLength;

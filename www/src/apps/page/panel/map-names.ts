@@ -1,4 +1,4 @@
-/** The names on the map, between the viewport, which makes them, and their list in the panel, which changes them. */
+/** Connects the names on the map, which the viewport provides, with their list in the panel, which changes them. */
 
 import { named } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
@@ -7,13 +7,13 @@ import type { RiverViewport } from "../map/viewport.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
 
 export interface MapNamesEvents {
-  /** Names of the visitor's own, as a link has them. */
+  /** Called with the parameter `names` when the visitor has renamed something. */
   changed(names: string): void;
-  /** Something cannot be a name, as a sentence says. */
+  /** Called when a text cannot be a name, with a sentence that says why. */
   refused(message: string): void;
 }
 
-/** How many rivers have their names in the panel. */
+/** The number of rivers in the panel's list. */
 const NAMED_RIVERS = 12;
 
 export class MapNames {
@@ -28,12 +28,14 @@ export class MapNames {
     private readonly events: MapNamesEvents,
   ) {}
 
-  /** The marks of great rivers, the greatest first. */
+  /** Returns the marks of the greatest rivers, the greatest first. */
   async greatest(): Promise<string[]> {
     return (await this.#all()).map(({ mark }) => mark).filter(isRiver);
   }
 
-  /** The map is finished: its names go into the list. The answer is what its labels say, if it has any and is still the one on show. */
+  /**
+   * Puts the names of the finished map into the list. Returns them if the map has labels and is still the one on show.
+   */
   async refresh(): Promise<readonly Named[]> {
     const isLabelled = this.recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.list.isShown) return [];
@@ -44,7 +46,10 @@ export class MapNames {
     return isLabelled ? names : [];
   }
 
-  /** Those of the finished map, great rivers first; none if they cannot be had, as the viewport then says. */
+  /**
+   * Returns the names of the finished map, great rivers first; none if they cannot be loaded, which the viewport
+   * reports.
+   */
   async #all(): Promise<Named[]> {
     try {
       return namedOf(await this.viewport.names(NAMED_RIVERS));
@@ -53,7 +58,7 @@ export class MapNames {
     }
   }
 
-  /** A name of the visitor's own for something on the map, or its usual one. */
+  /** Gives something on the map another name, or its usual one. */
   async #rename(mark: string, name: string | undefined): Promise<void> {
     try {
       this.events.changed(await this.viewport.renamed(() => this.recipe.values.get("names") ?? "", mark, name));

@@ -1,14 +1,14 @@
-/** How river-like the rivers on show are: what is measured of them, in plain words, beside what rivers of the world have. Never one score. */
+/** Compares measures of the rivers on show with rivers of the world, in plain words. There is never a single score. */
 
 import { el, setText } from "../../../browser/dom.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
 import type { Measure } from "../../../engine/full.ts";
 
-/** What a measure says to whoever is no hydrologist. */
+/** A measure in words for people who are not hydrologists. */
 interface Plain {
   name: string;
   label: string;
-  /** What is said of a value below and above what nature has. */
+  /** The words for a value below and above the range in nature. */
   below: string;
   above: string;
 }
@@ -29,15 +29,15 @@ const PLAIN: readonly Plain[] = [
 const NATURAL = "as in nature";
 const TOO_SMALL = "too few rivers to tell";
 
-/** A row, as it is shown and copied. */
+/** A row as it is shown and copied. */
 export interface Told {
   label: string;
   help: string;
   value: string;
-  /** Beside nature, if that can be told. */
+  /** The comparison with nature; empty if there is none. */
   verdict: string;
   nature: string;
-  /** Where on its bar the value lies, and the range of nature, from 0 to 1. */
+  /** The places of the value and of nature's range on the bar, from 0 to 1. */
   bar?: { value: number; least: number; most: number } | undefined;
 }
 
@@ -55,20 +55,20 @@ function toldOf({ help, unit, places, value, nature }: Measure, { label, below, 
   const row = { label, help, value: written(value), verdict: "", nature: range };
   if (!nature) return row;
   const { least, most } = nature;
-  // Judged as it is written: who reads 45 is not told that it is less than 45.
+  // Judged as it is written: nobody should read that 45 is less than 45.
   const shown = Number(value.toFixed(places));
   const verdict = shown < least ? `${below} than in nature` : shown > most ? `${above} than in nature` : NATURAL;
   return { ...row, verdict, bar: barOf(value, least, most) };
 }
 
-/** A bar on which nature takes the middle third; what lies far off stands at its end. */
+/** Places a value on a bar on which nature's range is the middle third. Values far off are at its ends. */
 function barOf(value: number, least: number, most: number): Told["bar"] {
   const from = least - (most - least);
   const share = (value - from) / (3 * (most - least));
   return { value: Math.min(1, Math.max(0, share)), least: 1 / 3, most: 2 / 3 };
 }
 
-/** All that is told in one sentence. */
+/** Sums up all rows in one sentence. */
 export function summed(rows: readonly Told[]): string {
   const off = rows.filter(({ verdict }) => verdict.endsWith(" than in nature"));
   if (!rows.some(({ verdict }) => verdict === NATURAL || off.length > 0)) return "Too few rivers to measure.";
@@ -77,7 +77,7 @@ export function summed(rows: readonly Told[]): string {
   return `As in nature, but for these: ${words.join("; ")}.`;
 }
 
-/** The rows as lines of text. */
+/** Writes the rows as lines of text. */
 export function asText(rows: readonly Told[]): string {
   const line = ({ label, value, verdict, nature }: Told): string =>
     [`${label}: ${value === "" ? verdict : value}`, value === "" ? "" : verdict, nature && `nature: ${nature}`]
@@ -87,7 +87,7 @@ export function asText(rows: readonly Told[]): string {
 }
 
 export interface MeasuresEvents {
-  /** Of the finished map on show; none while there is none. */
+  /** Returns the measures of the finished map on show; none while there is no such map. */
   measures(): Promise<readonly Measure[]>;
   copy(text: string): Promise<void>;
 }
@@ -113,7 +113,7 @@ export class MeasuresView {
     this.#show([]);
   }
 
-  /** Another river is finished. To measure takes time, so only while somebody looks. */
+  /** Measures the finished map again. Only while the view is open, since measuring takes time. */
   async refresh(rest?: string): Promise<void> {
     if (rest !== undefined) setText(this.#rest, rest);
     if (!this.element.open) return;
@@ -138,7 +138,7 @@ function rowOf({ label, help, value, verdict, nature, bar }: Told): HTMLElement 
   return el("div", { title: help }, el("dt", {}, label), el("dd", { class: "measure" }, ...said), ...source);
 }
 
-/** Says no more than the words beside it. */
+/** Makes the bar. It is hidden from screen readers, since the words beside it say the same. */
 function barElement({ value, least, most }: NonNullable<Told["bar"]>): HTMLElement {
   const tick = el("i");
   tick.style.insetInlineStart = `${100 * value}%`;

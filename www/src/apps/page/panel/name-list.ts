@@ -1,9 +1,9 @@
-/** The names of the map on show, each in a field of its own: whoever types over one has it in the link. */
+/** The list of names on the map, each in its own field. A changed name becomes part of the link. */
 
 import { el, setValue } from "../../../browser/dom.ts";
 import type { Control } from "../../../controls/control.ts";
 
-/** What has a name: its mark in links, the name, and whether that is the visitor's own. */
+/** Something with a name: its mark in links, the name, and whether the visitor gave it. */
 export interface Named {
   mark: string;
   name: string;
@@ -11,7 +11,7 @@ export interface Named {
 }
 
 export interface NameListEvents {
-  /** The names on the map; none while there is no finished one. */
+  /** Returns the names on the map; none while it is not finished. */
   names(): Promise<readonly Named[]>;
   /** Gives something another name, or its usual one. */
   rename(mark: string, name: string | undefined): void;
@@ -23,7 +23,7 @@ const HELP = "help-names";
 interface Row {
   readonly element: HTMLElement;
   readonly field: HTMLInputElement;
-  /** Shows a name; a field in which somebody types keeps what is typed. */
+  /** Shows a name, unless somebody is typing in the field. */
   show(named: Named, kind: string): void;
   restore(): void;
 }
@@ -35,32 +35,32 @@ export class NameList implements Control {
   #isSeen = false;
 
   constructor(private readonly events: NameListEvents) {
-    const help = "Type over a name to give one of your own; empty, it is not shown.";
+    const help = "Type over a name to change it. An empty name is not shown.";
     this.element = el("div", { class: "control", "data-key": "names", role: "group", "aria-label": "Names" });
     this.element.append(this.#list, el("p", { class: "help", id: HELP }, help));
-    // Names are made each time, so not while nobody looks.
+    // Names are made each time, so only while the list is visible.
     new IntersectionObserver((entries) => {
       this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
       if (this.#isSeen) void this.#ask();
     }).observe(this.element);
   }
 
-  /** Whether anybody can look at it. */
+  /** True while the list is visible. */
   get isShown(): boolean {
     return this.#isSeen;
   }
 
-  /** The recipe has other values: its names follow when its rivers are finished. */
+  /** Does nothing: the names follow when the rivers of the new recipe are finished. */
   show(): void {}
 
-  /** Rivers are on their way: until they are there, names stay as they are. */
+  /** Makes the names read-only until the rivers are finished. */
   hold(): void {
     for (const { field } of this.#rows.values()) field.readOnly = true;
   }
 
-  /** The rivers are finished. */
+  /** Shows the names of finished rivers. */
   refresh(names: readonly Named[]): void {
-    // The map has a name always: without it, nothing is known.
+    // The map itself always has a name, so no names at all means that none are known.
     if (names.length === 0) return;
     for (const [mark, { element }] of this.#rows) {
       if (names.some((named) => named.mark === mark)) continue;
@@ -72,12 +72,12 @@ export class NameList implements Control {
       const row = this.#rows.get(named.mark) ?? this.#row(named.mark);
       this.#rows.set(named.mark, row);
       row.show(named, KINDS[named.mark.charAt(0)] ?? `River ${++rivers}`);
-      // Moved only if it must be: that would take the focus.
+      // Moved only if necessary, since moving takes the focus.
       if (this.#list.children[i] !== row.element) this.#list.insertBefore(row.element, this.#list.children[i] ?? null);
     });
   }
 
-  /** What is typed cannot be a name: back to what is one. */
+  /** Restores the names in all fields, since a typed text cannot be a name. */
   restore(): void {
     for (const row of this.#rows.values()) row.restore();
   }
@@ -91,7 +91,7 @@ export class NameList implements Control {
     const field = el("input", { type: "text", maxlength: 40, spellcheck: "false", "aria-describedby": HELP });
     const reset = el("button", { type: "button", class: "reset" }, "reset");
     let name = "";
-    // What the field had when it was last shown, or said.
+    // The field's text when it was last shown or reported.
     let said = "";
     const restore = (): void => {
       said = name;
@@ -103,7 +103,7 @@ export class NameList implements Control {
     });
     field.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || field.value === said) return;
-      // It takes back what is typed, and closes nothing.
+      // Escape restores the name, and closes nothing.
       event.preventDefault();
       restore();
     });
@@ -129,7 +129,7 @@ export class NameList implements Control {
   }
 }
 
-/** What the engine says of names, three texts each. */
+/** Reads the engine's list of names, three texts each. */
 export function namedOf(texts: readonly string[]): Named[] {
   return texts.flatMap((mark, i) =>
     i % 3 === 0 ? [{ mark, name: texts[i + 1] ?? "", isOwn: texts[i + 2] === "own" }] : [],

@@ -1,4 +1,4 @@
-/** The panel: opened and closed by a button, and remembered. It lies beside the map, not over it. */
+/** The panel, beside the map and not over it. Buttons open and close it, and its state is remembered. */
 
 import type { Disclosures } from "../../../controls/disclosure.ts";
 
@@ -14,7 +14,7 @@ export class Panel {
   constructor(
     private readonly elements: PanelElements,
     private readonly disclosures: Disclosures,
-    /** It covers more or less of the page. */
+    /** Called when it covers more or less of the page. */
     private readonly changed: () => void,
   ) {
     elements.open.addEventListener("click", () => this.#become(Boolean(elements.panel.hidden)));
@@ -22,7 +22,7 @@ export class Panel {
     this.#show(disclosures.isOpen(NAME, false));
   }
 
-  /** Closes it, if the focus is in it. */
+  /** Closes the panel, if the focus is in it. */
   escape(): boolean {
     const hasFocus = this.elements.panel.contains(document.activeElement);
     if (hasFocus) this.#leave();

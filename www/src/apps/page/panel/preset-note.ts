@@ -1,13 +1,13 @@
 /**
- * What presets changed unasked: a note says it, with the way back to before the preset, or to before the first of several. Any other change
- * makes it out of date.
+ * The note on values that presets changed unasked, with a button that goes back to before the preset, or before the
+ * first of several. Any other change removes it.
  */
 
 import { unaskedChanges } from "../../../controls/presets.ts";
 import type { Parameter, Preset } from "../../../engine/full.ts";
 import { undoable } from "../status.ts";
 
-/** A recipe as it was. */
+/** The recipe from before a preset. */
 interface Before {
   link: string;
   values: ReadonlyMap<string, string>;
@@ -18,11 +18,11 @@ export class PresetNote {
 
   constructor(
     private readonly table: readonly Parameter[],
-    /** Leads back to a link. */
+    /** Goes back to a link. */
     private readonly undo: (link: string) => void,
   ) {}
 
-  /** One of some presets is pressed, and `set` changes the recipe to it from what it was before. */
+  /** Takes the pressing of a preset out of `all`. `set` changes the recipe, which is given as it was before. */
   press(preset: Preset, all: readonly Preset[], { link, values }: Before, set: () => void): void {
     const before = this.#last ?? { link, values };
     const message = unaskedChanges(preset, all, this.table, before.values);
@@ -34,7 +34,7 @@ export class PresetNote {
     this.#last = undefined;
   }
 
-  /** The note, if there is anything to tell. */
+  /** The note, if there is one. */
   get notes(): HTMLElement[] {
     if (!this.#last) return [];
     const { message, link } = this.#last;

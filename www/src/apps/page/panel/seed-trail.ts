@@ -1,4 +1,4 @@
-/** The seeds that were on show, one after the other, to go back and forth between. */
+/** The trail of seeds that were on show, along which one can go back and forth. */
 
 export interface TrailElements {
   previous: HTMLButtonElement;
@@ -17,7 +17,7 @@ export class SeedTrail {
     elements.next.addEventListener("click", () => this.#go(1));
   }
 
-  /** A seed is on show. One that is not where the trail leads begins another way on. */
+  /** Takes the seed on show. One that is not next to the current place on the trail replaces the rest of it. */
   show(seed: string): void {
     const step = [0, -1, 1].find((step) => this.#seeds[this.#at + step] === seed);
     if (step === undefined) this.#seeds = [...this.#seeds.slice(0, this.#at + 1), seed];

@@ -1,16 +1,16 @@
-/** The strip of styles: a small picture of the map on show in each of them. */
+/** The strip of styles: a thumbnail of the map on show in each style. */
 
 import { el } from "../../../browser/dom.ts";
 import type { Parameter } from "../../../engine/full.ts";
 import type { Thumbnail } from "../../../player/thumbnails.ts";
 
-/** The small pictures, in CSS pixels. */
+/** The size of a thumbnail in CSS pixels. */
 const SIZE = { width: 112, height: 64 };
 
-/** In the order in which they are offered; what is not here follows. */
+/** The first styles in their order on the strip; the others follow. */
 const FIRST = ["atlas", "night", "survey", "parchment", "basins", "past-courses", "ink-wash", "orbit", "blueprint"];
 
-/** Makes pictures of the map on show, in its own pixels; none if it is another by then. */
+/** Makes thumbnails of the map on show, with `size` in device pixels; none if another map is shown by then. */
 export type MakeThumbnails = (
   styles: readonly string[],
   size: { width: number; height: number },
@@ -18,7 +18,7 @@ export type MakeThumbnails = (
 
 export class StyleStrip {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; canvas: HTMLCanvasElement }>();
-  /** The map that the small pictures are of. */
+  /** The link, without a style, of the map in the thumbnails. */
   #map: string | undefined;
   readonly #ratio = Math.min(2, Math.max(1, Math.ceil(window.devicePixelRatio)));
 
@@ -39,19 +39,19 @@ export class StyleStrip {
         el("span", {}, nameOf(value)),
       );
       button.addEventListener("click", () => choose(value));
-      // Browsers leave what is seen in part where it is.
+      // Browsers do not scroll to an element that is partly visible.
       button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
       this.#buttons.set(value, { button, canvas });
       place.append(button);
     }
   }
 
-  /** The map of a link is finished: pictures of it are made, unless there are some of these very rivers, whose style alone has changed. */
+  /** Makes thumbnails of a finished map, unless only its style has changed since the last ones. */
   async refresh(link: () => string, make: MakeThumbnails): Promise<void> {
     const map = unstyled(link());
     if (map === this.#map || this.place.getClientRects().length === 0) return;
     const made = await make([...this.#buttons.keys()], this.#size).catch((thrown: unknown) => {
-      // It would fail again.
+      // Not tried again for this map, since it would fail again.
       this.#map = map;
       throw thrown;
     });
@@ -60,7 +60,7 @@ export class StyleStrip {
     for (const thumbnail of made) this.#draw(thumbnail);
   }
 
-  /** Of a picture, in its own pixels. */
+  /** The size of a thumbnail in device pixels. */
   get #size(): { width: number; height: number } {
     return { width: SIZE.width * this.#ratio, height: SIZE.height * this.#ratio };
   }
@@ -75,14 +75,14 @@ export class StyleStrip {
   }
 }
 
-/** A link but for its style. */
+/** Returns a link without its style. */
 function unstyled(link: string): string {
   const values = new URLSearchParams(link);
   values.delete("style");
   return values.toString();
 }
 
-/** A style's name: its word, as people write it. */
+/** Returns the name of a style as people write it. */
 function nameOf(value: string): string {
   const words = value.replaceAll("-", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);

@@ -1,4 +1,4 @@
-/** Files of the rivers on show, one at a time, and word of how it goes. */
+/** Saves files of the rivers on show, one at a time, and reports their progress. */
 
 import { named, type PageError } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
@@ -12,18 +12,18 @@ import { type Choices, type Kind, longerSideOf } from "./save-choices.ts";
 export interface DownloadEvents {
   /** Makes a file of a link's finished rivers. */
   make(link: string, format: Format): Promise<Blob>;
-  /** The engine has stopped. */
+  /** Called when the engine has stopped. */
   failed(error: PageError): void;
 }
 
-/** Whoever asked for a file. */
+/** The part of the page that asked for a file. */
 export interface Asker {
   say(text: string): void;
-  /** How far the file is, from 0 to 1; nothing while that is not known. */
+  /** Shows the progress of the file, from 0 to 1; undefined while it is not known. */
   at(share: number | undefined): void;
 }
 
-/** How names of files go on after the seed, and how they end. */
+/** The details after the seed in the names of files, and their extension. */
 const NAMES: Record<Kind, { ending: string; details(style: string, choices: Choices): (string | number)[] }> = {
   png: { ending: "png", details: (style, choices) => [style, longerSideOf(choices)] },
   svg: { ending: "svg", details: (style) => [style] },
@@ -31,11 +31,11 @@ const NAMES: Record<Kind, { ending: string; details(style: string, choices: Choi
   json: { ending: "json", details: () => [] },
   zip: { ending: "zip", details: (style) => [style] },
   card: { ending: "png", details: (style) => [style, "card"] },
-  // As what, the browser's encoder says when it is made.
+  // The extension depends on the browser's encoder, and is corrected when the file is made.
   animation: { ending: "mp4", details: (style) => [style] },
 };
 
-/** How files of a type end, where that is not known beforehand. */
+/** The extensions of types that are not known beforehand. */
 const ENDINGS: Readonly<Record<string, string>> = { "video/webm": "webm" };
 
 export class Downloads {
@@ -46,13 +46,15 @@ export class Downloads {
     private readonly events: DownloadEvents,
   ) {}
 
-  /** What a file of the rivers on show is called. */
+  /** Returns the name of a file of the rivers on show. */
   nameOf(choices: Choices): string {
     const { ending, details } = NAMES[choices.kind];
     return fileName(this.recipe.seed, ending, ...details(this.recipe.values.get("style") ?? "", choices));
   }
 
-  /** Saves what is shown, unless another file is still being made. Returns when that is over. */
+  /**
+   * Saves a file of the rivers on show, unless another one is still being made. Returns when it is saved or has failed.
+   */
   async save(choices: Choices, asker: Asker): Promise<void> {
     if (this.#making) {
       asker.say("Another file is still being made.");
@@ -76,7 +78,7 @@ export class Downloads {
     }
   }
 
-  /** Stops what is being made, if anything is. */
+  /** Cancels the file that is being made, if any. */
   cancel(): void {
     this.#making?.cancel();
   }
@@ -99,7 +101,7 @@ export class Downloads {
     }
   }
 
-  /** Of the very rivers on show, which need not grow again: it takes a moment. */
+  /** Makes a file in the renderer, from the rivers on show. It takes only a moment, since they need not grow again. */
   #inRenderer(link: string, format: Format): Making {
     const control = new AbortController();
     const cancelled = new Promise<undefined>((done) => control.signal.addEventListener("abort", () => done(undefined)));
@@ -112,7 +114,7 @@ export class Downloads {
   }
 }
 
-/** The name of a file with the ending that its type has. */
+/** Returns a file name with the extension of its type. */
 function endedFor(name: string, type: string): string {
   const ending = ENDINGS[type.replace(/;.*/, "")];
   return ending === undefined ? name : name.replace(/[^.]+$/, ending);

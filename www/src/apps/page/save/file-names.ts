@@ -1,12 +1,15 @@
-/** What files are called: after their seed, which is hostile text, and what else tells them apart. */
+/** Names files after their seed, which is hostile text, and the details that distinguish them. */
 
-/** The most of a seed that a name has, in letters: with all else it is short enough for every system. */
+/** The most characters of the seed in a name, so that the whole name is short enough for every system. */
 const LONGEST = 40;
 
-/** Names that Windows keeps for devices, whatever their ending. */
+/** Names that Windows reserves for devices, whatever their extension. */
 const DEVICES = /^(con|prn|aux|nul|(com|lpt)\d)$/i;
 
-/** A name of a seed's letters and digits, of any script, all else as hyphens; of details, such as the style; and of an ending. */
+/**
+ * Makes a name from the seed's letters and digits, in any script and with hyphens for everything else, then details
+ * such as the style, and the extension.
+ */
 export function fileName(seed: string, ending: string, ...details: readonly (string | number)[]): string {
   return `${[wordOf(seed), ...details].join("-")}.${ending}`;
 }

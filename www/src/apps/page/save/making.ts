@@ -1,6 +1,7 @@
 /**
- * Files that take long, from where they are asked for: each is made in a worker of its own, which ends with it. So nothing else waits for it,
- * it can be stopped at any time, and what the greatest pictures take of memory is given back. Where workers are refused, the page makes it.
+ * Makes files that take long, each in its own worker, which ends with it. So nothing else waits for the file, it can be
+ * cancelled at any time, and the memory of the largest pictures is given back. If workers are refused, the page makes
+ * it.
  */
 
 import { turn } from "../../../browser/turn.ts";
@@ -10,7 +11,7 @@ import type { Order, Said } from "../../../files/order.ts";
 
 /** A file in the making. */
 export interface Making {
-  /** Nothing, once it is cancelled. */
+  /** The file; undefined if it was cancelled. */
   readonly file: Promise<Blob | undefined>;
   cancel(): void;
 }
@@ -38,7 +39,7 @@ async function made(order: Order, tell: Tell, signal: AbortSignal): Promise<Blob
   }
 }
 
-/** A worker that has begun; nothing where it is refused. */
+/** Returns a worker that is ready, or nothing if it is refused. */
 async function opened(kind: Order["kind"]): Promise<Worker | undefined> {
   let worker: Worker | undefined;
   try {
@@ -76,7 +77,7 @@ function madeBy(worker: Worker, order: Order, tell: Tell, signal: AbortSignal): 
   });
 }
 
-/** On the page itself, in slices. What that takes is fetched now. */
+/** Makes a file on the page itself, in slices. The script for it is fetched now. */
 async function madeHere(order: Order, tell: Tell, signal: AbortSignal): Promise<Blob | undefined> {
   const { makeHere } = await limited(SCRIPT_MS, "its script", () => import("../../file-worker/page-maker.ts"));
   const pause = async (): Promise<void> => {

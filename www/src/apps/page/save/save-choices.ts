@@ -1,4 +1,4 @@
-/** What somebody last chose to save, remembered where the browser lets the page remember anything. */
+/** The visitor's last choices in the Save dialog, remembered if the browser allows storage. */
 
 import type { Keeper } from "../../../controls/disclosure.ts";
 import { OWN_SIZES, SIZES } from "../../../files/order.ts";
@@ -9,11 +9,11 @@ export type Kind = (typeof KINDS)[number];
 export type SizeName = keyof typeof SIZES | "own";
 export const SIZE_NAMES: readonly SizeName[] = [...(Object.keys(SIZES) as (keyof typeof SIZES)[]), "own"];
 
-/** What is chosen. */
+/** The choices of the Save dialog. */
 export interface Choices {
   kind: Kind;
   size: SizeName;
-  /** The longer side of a picture of one's own size, in pixels. */
+  /** The longer side of a picture of custom size, in pixels. */
   ownSize: number;
   isTransparent: boolean;
   hasNames: boolean;
@@ -21,7 +21,7 @@ export interface Choices {
 
 const KEPT_AS = "riverseed-save";
 
-/** What is chosen until somebody chooses. */
+/** The choices at first. */
 export const FIRST: Choices = { kind: "png", size: "screen", ownSize: 3000, isTransparent: false, hasNames: true };
 
 export class SaveChoices {
@@ -40,11 +40,11 @@ export class SaveChoices {
     try {
       this.keeper().setItem(KEPT_AS, JSON.stringify(this.#now));
     } catch {
-      // It holds for this visit all the same.
+      // The choice holds for this visit all the same.
     }
   }
 
-  /** What of it is still a choice: who knows what wrote there. */
+  /** Returns the remembered choices that are still valid. Anything may be in the storage. */
   #kept(): Partial<Choices> {
     try {
       const kept: unknown = JSON.parse(this.keeper().getItem(KEPT_AS) ?? "{}");
@@ -68,14 +68,14 @@ function choicesOf({ kind, size, ownSize, isTransparent, hasNames }: Record<keyo
   return Object.fromEntries(Object.entries(read).filter(([, value]) => value !== undefined));
 }
 
-/** A size of one's own, as it is typed; nothing if no picture can have it. */
+/** Reads a typed size; returns nothing if no picture can have it. */
 export function ownSizeOf(text: string): number | undefined {
   const { min, max } = OWN_SIZES;
   const size = /^\s*\d{1,6}\s*$/.test(text) ? Number(text) : Number.NaN;
   return size >= min && size <= max ? size : undefined;
 }
 
-/** The longer side of the picture that is chosen, in pixels. */
+/** Returns the longer side of the chosen picture, in pixels. */
 export function longerSideOf({ size, ownSize }: Readonly<Choices>): number {
   return size === "own" ? ownSize : SIZES[size];
 }

@@ -1,4 +1,4 @@
-/** The Save dialog: which file, how large and on what ground, and how far it is. */
+/** The Save dialog: the kind of file, its size and background, and its progress. */
 
 import { el } from "../../../browser/dom.ts";
 import type { Keeper } from "../../../controls/disclosure.ts";
@@ -13,12 +13,12 @@ export interface SaveElements {
   open: HTMLButtonElement;
   close: HTMLButtonElement;
   form: HTMLFormElement;
-  /** Where it is announced what happens; and where, while the dialog is closed. */
+  /** The place of messages; below, the one that is used while the dialog is closed. */
   status: HTMLElement;
   elsewhere: HTMLElement;
 }
 
-/** What each file is, and what it is for. */
+/** The name and the use of each file. */
 const WORDS: Record<Kind, readonly [name: string, help: string]> = {
   png: ["Picture (PNG)", "for screens, print and posters"],
   svg: ["Drawing (SVG)", "lines, for any size and for drawing on"],
@@ -29,8 +29,8 @@ const WORDS: Record<Kind, readonly [name: string, help: string]> = {
   animation: ["Animation", "the growth as a video of six seconds"],
 };
 
-/** The same where the browser gives pages no encoder, or none without a secure connection. */
-const NO_ENCODER = "not here: this browser lets this page encode no video";
+/** The text for an animation if the browser gives pages no encoder, or none without a secure connection. */
+const NO_ENCODER = "not available: this browser does not let this page encode video";
 
 const SIZE_WORDS: Record<SizeName, string> = {
   screen: `Screen: ${SIZES.screen}`,
@@ -43,7 +43,7 @@ const SIZE_WORDS: Record<SizeName, string> = {
 const TRANSPARENT_HELP =
   "Transparent leaves the sea out; land, rivers and names stay. In the styles ink, dark and skeleton the paper goes, and lines stay.";
 
-/** Which files have names on them that can be left out, and which a ground and a size. */
+/** The files with names that can be left out; below, those with a background and a size. */
 const WITH_NAMES: readonly Kind[] = ["png", "svg"];
 const WITH_SIZE: readonly Kind[] = ["png"];
 
@@ -123,11 +123,11 @@ export class SaveDialog {
     this.elements.dialog.showModal();
   }
 
-  /** Shows what is chosen. */
+  /** Shows the choices. */
   #show(): void {
     const { kind, size, ownSize, isTransparent, hasNames } = this.#choices.now;
     this.#kinds.value = kind;
-    // What was chosen once may be refused now.
+    // A remembered choice may be refused now.
     if (this.#kinds.value === "") {
       this.#choices.set({ kind: "png" });
       this.#kinds.value = "png";
@@ -137,11 +137,11 @@ export class SaveDialog {
     this.#ground.value = isTransparent ? "transparent" : "paper";
     this.#names.disabled = !this.#isNamed;
     this.#names.checked = hasNames && this.#isNamed;
-    this.#namesHelp.textContent = this.#isNamed ? "" : "This map shows none: Labels, under Shape, has them.";
+    this.#namesHelp.textContent = this.#isNamed ? "" : "This map shows none. Labels, under Shape, adds them.";
     this.#suit();
   }
 
-  /** Shows what can be chosen of a file of this kind. */
+  /** Shows the options for this kind of file. */
   #suit(): void {
     const { kind, size } = this.#choices.now;
     this.#sized.hidden = !WITH_SIZE.includes(kind);
@@ -149,13 +149,13 @@ export class SaveDialog {
     this.#ownRow.hidden = size !== "own";
   }
 
-  /** Whether anything is written on the map. */
+  /** True if the map has labels or a title. */
   get #isNamed(): boolean {
     const { values } = this.recipe;
     return ["labels", "cartouche"].some((key) => (values.get(key) ?? "none") !== "none");
   }
 
-  /** Takes what is chosen now. What is typed and is no size waits until it is one. */
+  /** Takes the choices from the form. A typed size is ignored until it is valid. */
   #read(): void {
     const ownSize = ownSizeOf(this.#own.value);
     this.#own.toggleAttribute("aria-invalid", false);
@@ -175,7 +175,7 @@ export class SaveDialog {
       this.#refuseSize();
       return;
     }
-    // What asked for it may be gone when it is made: the one that takes its place has the focus then.
+    // The Save button is replaced by Cancel meanwhile, which also takes the focus.
     this.#become(true);
     await this.downloads.save({ ...this.#choices.now }, this.#asker);
     this.#become(false);
@@ -189,7 +189,7 @@ export class SaveDialog {
     this.#own.focus();
   }
 
-  /** Shows whether a file is being made. */
+  /** Shows or hides the progress of a file. */
   #become(isBusy: boolean): void {
     const hadFocus = [this.#save, this.#cancel].some((button) => button === document.activeElement);
     this.#save.hidden = isBusy;
@@ -217,11 +217,11 @@ export class SaveDialog {
 interface Radios {
   readonly element: HTMLElement;
   value: string;
-  /** Says of a choice why there is none. */
+  /** Disables a choice and says why. */
   refuse(value: string, why: string): void;
 }
 
-/** Choices of which one holds. */
+/** Makes a group of radio buttons. */
 function radios(
   name: string,
   legend: string,

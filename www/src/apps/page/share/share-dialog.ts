@@ -1,4 +1,6 @@
-/** The Share dialog: a river as a link, an element, an iframe or a picture in Markdown, each to be copied. */
+/**
+ * The Share dialog: a river as a link, an element, an iframe or a picture in Markdown, each with a button to copy it.
+ */
 
 import { addressOf } from "../../../browser/address.ts";
 import { el } from "../../../browser/dom.ts";
@@ -13,23 +15,23 @@ export interface ShareElements {
   /** Opens the dialog. */
   open: HTMLButtonElement;
   close: HTMLButtonElement;
-  /** Takes the forms. */
+  /** The place of the forms. */
   forms: HTMLElement;
-  /** Where it is announced what happens. */
+  /** The place of messages. */
   status: HTMLElement;
 }
 
 interface Form {
   name: string;
-  /** What it is for. */
+  /** The help text, which says what the form is for. */
   help: string;
-  /** `picture` is the name that its picture is saved as. */
+  /** Returns the text to copy. `picture` is the file name of the saved picture. */
   text(shared: Shared, picture: string): string;
-  /** Whether it names a picture, which is to be saved. */
+  /** True if it refers to a picture, which has to be saved. */
   takesPicture?: boolean;
 }
 
-/** What is saved from here: the map as a screen shows it, and its card. */
+/** The files that are saved from here: the map at screen size, and its card. */
 const PICTURE: Choices = { ...FIRST, kind: "png", size: "screen" };
 const CARD: Choices = { ...FIRST, kind: "card" };
 
@@ -43,14 +45,14 @@ const ELEMENT: Form = {
   name: "element",
   help:
     "Grows the rivers within your own page, where it may load scripts. For several, the first line is needed once. Save the " +
-    "picture beside your text: it is seen until the rivers come, and where they cannot.",
+    "picture beside your text: it is shown until the rivers appear, and where they cannot.",
   text: elementSnippet,
   takesPicture: true,
 };
 
 const IFRAME: Form = {
   name: "iframe",
-  help: "Grows the rivers in a frame, where a page takes no scripts of others.",
+  help: "Grows the rivers in a frame, for pages that allow no scripts from other sites.",
   text: iframeSnippet,
 };
 
@@ -118,7 +120,10 @@ export class ShareDialog {
     this.elements.dialog.showModal();
   }
 
-  /** No form of a link: what social networks show of one is the same for all of this page. */
+  /**
+   * Makes the section of the card. It is a file, since social networks show the same picture for all links of this
+   * page.
+   */
   #card(): HTMLElement {
     const save = el("button", { type: "button" }, "Save card");
     save.addEventListener("click", () => void this.#save(CARD));
@@ -149,10 +154,10 @@ export class ShareDialog {
   }
 }
 
-/** A widget does not grow all that the page does, and then its rivers are others. */
+/** Says who sees the same rivers. A widget cannot grow everything that the page can, and then its rivers differ. */
 function promiseFor(notices: readonly string[]): string {
   if (notices.length === 0) return "Everyone who opens one of these sees the same rivers, to the bit.";
-  return `As an element or an iframe these will be other rivers: ${notices.join("; ")}.`;
+  return `As an element or an iframe the rivers will be different: ${notices.join("; ")}.`;
 }
 
 function headed(name: string): string {

@@ -1,37 +1,38 @@
 /**
- * What others paste to show a river: as an element, as an iframe, as Markdown. Seeds are hostile text, and a snippet is
- * HTML on somebody's site: whatever goes in is escaped here, once.
+ * Snippets that show a river on other pages: as an element, an iframe, or Markdown. Seeds are hostile text, and a
+ * snippet is HTML on somebody's site: everything that goes into it is escaped here, once.
  */
 
 import { addressOf } from "../../../browser/address.ts";
 import { attributeOf } from "../../../engine/attribute-names.ts";
 
-/** A river that is to be shared. */
+/** A river to share. */
 export interface Shared {
   /** Its canonical link. */
   readonly link: string;
   readonly seed: string;
-  /** Width over height, as the link would have it. */
+  /** Width over height, as a link writes it. */
   readonly aspect: string;
-  /** The page's own address: script and embed.html lie beside it. */
+  /** The page's own address: the script and embed.html are beside it. */
   readonly page: string;
 }
 
-/** Where the built site keeps the element's script and the page for iframes, seen from its page. */
+/** The addresses of the element's script and of the page for iframes, relative to the page. */
 const ELEMENT_SCRIPT = "widget/river-seed.js";
 const EMBED_PAGE = "embed.html";
 
-/** An iframe's width where its style is not let through; elsewhere it is as wide as its column. */
+/** The width of an iframe where its style is removed; elsewhere it is as wide as its column. */
 const IFRAME_WIDTH_PX = 720;
 
-/** What a river is called where its picture is not seen. */
+/** Returns the title of a river, for places where its picture is not seen. */
 export function titleOf(seed: string): string {
   return seed === "" ? "Rivers" : `Rivers grown from “${seed}”`;
 }
 
 /**
- * The script and the element. Its style keeps the river's room before the script has come, whatever stands inside: the picture,
- * which lies beside the post as `picture`, for readers without script or engine; where it was not saved, its text, which leads here.
+ * Returns the script and the element. The style reserves the river's space before the script is loaded. Inside is the
+ * picture for readers without script or engine, which is beside the post as `picture`; if it was not saved, its text
+ * links to this page.
  */
 export function elementSnippet({ link, seed, aspect, page }: Shared, picture: string): string {
   const attributes = [...new URLSearchParams(link)].map(([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`);
@@ -45,8 +46,8 @@ export function elementSnippet({ link, seed, aspect, page }: Shared, picture: st
 }
 
 /**
- * The sandbox lets the embedded page run its script as itself, and keeps it from anything else: opening windows, leading
- * the reader away, asking questions.
+ * Returns an iframe. Its sandbox lets the embedded page run its scripts with its own origin, and nothing else: no
+ * opening windows, no navigating away, no dialogs.
  */
 export function iframeSnippet({ link, seed, aspect, page }: Shared): string {
   const address = addressOf(link, addressBeside(page, EMBED_PAGE));
@@ -58,13 +59,13 @@ export function iframeSnippet({ link, seed, aspect, page }: Shared): string {
   ].join("\n");
 }
 
-/** The picture, which lies beside the post as `picture`, leading to the page where it grows. */
+/** Returns the picture, which is beside the post as `picture`, as a link to the page where it grows. */
 export function markdownSnippet({ link, seed, page }: Shared, picture: string): string {
   const address = addressOf(link, page).replaceAll("(", "%28").replaceAll(")", "%29");
   return `[![${markdownText(titleOf(seed))}](${picture})](${address})`;
 }
 
-/** The address of a file that lies beside the page. */
+/** Returns the address of a file beside the page. */
 function addressBeside(page: string, file: string): string {
   const address = new URL(file, page);
   address.search = "";
@@ -80,12 +81,12 @@ const ENTITIES: Readonly<Record<string, string>> = {
   "'": "&#39;",
 };
 
-/** Text that stays text, as the content of an element and between quotation marks. */
+/** Escapes text for the content of an element and for quoted attributes. */
 export function escaped(text: string): string {
   return text.replace(/[&<>"']/g, (sign) => ENTITIES[sign] ?? sign);
 }
 
-/** CommonMark takes a backslash before any punctuation of ASCII, and shows the punctuation. */
+/** Escapes text for Markdown. CommonMark allows a backslash before any ASCII punctuation. */
 function markdownText(text: string): string {
   return text.replace(/[!-/:-@[-`{-~]/g, (sign) => `\\${sign}`);
 }

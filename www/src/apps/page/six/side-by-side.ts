@@ -1,4 +1,7 @@
-/** Six side by side: the variants of the river paper, on the same attractors and by one clock. Choosing one takes it for the map. */
+/**
+ * Shows six maps side by side: the variants of the river paper, on the same attractors and by one clock. A chosen one
+ * becomes the map.
+ */
 
 import { count } from "../../../browser/count.ts";
 import { el, setText } from "../../../browser/dom.ts";
@@ -21,31 +24,31 @@ export interface SideBySideElements {
 }
 
 export interface SideBySideEvents {
-  /** It covers the map from now on, or does not any more. */
+  /** Called when it is opened or closed: while open, it covers the map. */
   changed(isOpen: boolean): void;
-  /** One was chosen. */
+  /** Called when one was chosen. */
   take(preset: Preset, all: readonly Preset[]): void;
-  /** Copies the address, and says so. */
+  /** Copies the address, and returns a message about it. */
   copy(): Promise<string>;
   how(): ShowMode;
 }
 
-/** What all six are made of. */
+/** The values from which all six are made. */
 export interface SharedValues {
   values: ReadonlyMap<string, string>;
-  /** What presets may not change here. */
+  /** The keys that presets may not change. */
   kept: ReadonlySet<string>;
 }
 
-/** More of them cannot be told apart where six maps share a window. */
+/** The most attractors. More could not be distinguished where six maps share a window. */
 export const MOST_ATTRACTORS = 3000;
 
-/** Without what could not be read so small. */
+/** Values that leave out labels, which would be too small to read. */
 const BARE: readonly (readonly [key: string, value: string])[] = [["labels", "none"]];
 
 export class SideBySide {
   #variants: readonly Variant[] = [];
-  /** The links of what is shown. */
+  /** The links on show, one per line. */
   #links = "";
 
   constructor(
@@ -67,7 +70,7 @@ export class SideBySide {
     return this.elements.dialog.open;
   }
 
-  /** Shows them with these values; in place of those that are shown, if they have others. */
+  /** Shows the six maps with these values, in place of others that are shown. */
   open(shared: SharedValues): void {
     const presets = withSameValues(this.presets, shared);
     const links = presets.map((preset) => linkWith(shared, preset)).join("\n");
@@ -103,7 +106,7 @@ export class SideBySide {
     });
   }
 
-  /** Puts the sheet over the map, unless it lies there. */
+  /** Opens the dialog over the map, unless it is open. */
   #lay(): void {
     const { dialog, play } = this.elements;
     const wasOpen = this.isOpen;
@@ -113,7 +116,7 @@ export class SideBySide {
   }
 
   #leave(): void {
-    // It may have been opened again since.
+    // It may have been opened again by now.
     if (this.isOpen) return;
     this.#clear();
     this.events.changed(false);
@@ -156,7 +159,7 @@ export class SideBySide {
   }
 }
 
-/** The presets with as many attractors as the map has, or as can be told apart; without what is kept as it is. */
+/** Returns the presets with at most `MOST_ATTRACTORS` attractors, and without the values that are kept. */
 function withSameValues(presets: readonly Preset[], { values, kept }: SharedValues): Preset[] {
   const isDense = Number(values.get("attractors")) > MOST_ATTRACTORS;
   const fewer = isDense ? [["attractors", String(MOST_ATTRACTORS)] as [string, string]] : [];
@@ -173,6 +176,6 @@ function linkWith({ values }: SharedValues, preset: Preset): string {
 function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): (Node | string)[] {
   const { attractors, seed = "" } = Object.fromEntries([...values, ...(presets[0]?.values ?? [])]);
   const same = `The variants of the river paper on the same ${count(Number(attractors))} attractors of “`;
-  const held = isHeld ? " What has a padlock stays as it is." : "";
+  const held = isHeld ? " Values with a padlock stay as they are." : "";
   return [same, el("bdi", {}, seed), `”, by one clock. Choose one to take it.${held}`];
 }

@@ -1,4 +1,7 @@
-/** The six variants as the page offers them: a button that opens their sheet, and an address that says whether they are seen. */
+/**
+ * The page's access to the six variants: a button that opens them, and the part of the address that says whether they
+ * are shown.
+ */
 
 import { asksForSix, withSix } from "../../../browser/address.ts";
 import { el } from "../../../browser/dom.ts";
@@ -9,15 +12,15 @@ import { howFor } from "../preferences.ts";
 import { type SharedValues, SideBySide } from "./side-by-side.ts";
 
 export interface SixWaysEvents {
-  /** The map that they are made from. */
+  /** Returns the values of the map from which they are made. */
   shared(): SharedValues;
-  /** They cover the map from now on, or do not any more. */
+  /** Called when they are opened or closed: while open, they cover the map. */
   changed(isOpen: boolean): void;
-  /** One was chosen. */
+  /** Called when one was chosen. */
   take(preset: Preset, all: readonly Preset[]): void;
-  /** Copies the address, and says so. */
+  /** Copies the address, and returns a message about it. */
   copy(): Promise<string>;
-  /** They could not be opened. */
+  /** Called when they could not be opened. */
   failed(error: unknown): void;
 }
 
@@ -40,7 +43,7 @@ export class SixWays {
     this.button.addEventListener("click", () => this.open());
   }
 
-  /** Whether the page's address asks for them. */
+  /** True if the page's address asks for them. */
   get areAskedFor(): boolean {
     return asksForSix(location);
   }
@@ -57,7 +60,7 @@ export class SixWays {
     this.#sheet.close();
   }
 
-  /** A link as the address has it. */
+  /** Returns a link as the address contains it. */
   inAddress(link: string): string {
     return this.#sheet.isOpen ? withSix(link) : link;
   }

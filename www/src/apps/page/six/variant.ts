@@ -1,4 +1,4 @@
-/** One of several rivers that grow side by side: its canvas in a button that takes it, and what it is like so far in words. */
+/** One of several rivers that grow side by side: a button that chooses it, with its canvas and its size in words. */
 
 import { backingSize, type CanvasSize, observeSize } from "../../../browser/canvas.ts";
 import { count } from "../../../browser/count.ts";
@@ -10,12 +10,12 @@ import type { ShowMode } from "../../../player/river-player.ts";
 import type { Answer } from "../../page-worker/protocol.ts";
 import type { PageRenderHost } from "../backend.ts";
 
-/** What is shown, and what is said of it. */
+/** The map of a variant, and the texts about it. */
 export interface VariantOf {
   link: string;
   label: string;
   help: string;
-  /** Whether the map behind is one of these. */
+  /** True if the map behind has the same values. */
   isCurrent: boolean;
 }
 
@@ -24,7 +24,7 @@ export interface VariantEvents {
   changed(): void;
 }
 
-/** Slower than one map alone: six are looked at. */
+/** The speed, slower than that of a single map, since there are six to look at. */
 const SPEED = 0.5;
 
 export class Variant {
@@ -35,7 +35,7 @@ export class Variant {
   #canvas = newCanvas();
   #id: number | undefined;
   #isOver = false;
-  /** How it stands; nothing before there is a picture, and after a failure. */
+  /** The state; undefined before there is a picture, and after a failure. */
   #state: State | undefined;
   #ticks = 0;
 
@@ -55,12 +55,12 @@ export class Variant {
     return this.#state;
   }
 
-  /** How many ticks it has grown. */
+  /** The number of ticks it has grown. */
   get ticks(): number {
     return this.#ticks;
   }
 
-  /** Begins to grow; its element is on the page. */
+  /** Begins to grow. Its element must be on the page. */
   async open(how: ShowMode): Promise<void> {
     try {
       const id = await this.renderHost.enter(this.#client);
@@ -78,7 +78,7 @@ export class Variant {
     }
   }
 
-  /** Goes on if it stands still, unless it is finished. */
+  /** Continues if it is paused. */
   play(): void {
     if (this.#state === "paused") this.#send({ do: "play" });
   }
@@ -108,7 +108,7 @@ export class Variant {
     return { ...size, ratio: size.width > 0 ? size.width / box.width : 1 };
   }
 
-  /** The renderer answers no more: what was handed over to it does not come back. */
+  /** Moves to another renderer, with a new canvas: the one that was handed over does not come back. */
   async #move(): Promise<void> {
     this.#id = undefined;
     if (this.#isOver) return;
@@ -130,7 +130,7 @@ export class Variant {
     this.element.dataset["state"] = state;
     this.element.dataset["ticks"] = String(summary.ticks);
     const { sources, order } = summary;
-    // Numbers that come at different ticks cannot be compared.
+    // Numbers from different ticks could not be compared, so there are none while it grows.
     setText(this.#words, phase === "growing" ? "growing" : `${count(sources)} sources, order ${order}`);
     this.events.changed();
   }
@@ -143,7 +143,7 @@ export class Variant {
   }
 }
 
-/** Says nothing to a screen reader that its button does not say. */
+/** Makes a canvas. It is hidden from screen readers, since its button says the same. */
 function newCanvas(): HTMLCanvasElement {
   return el("canvas", { "aria-hidden": "true" });
 }

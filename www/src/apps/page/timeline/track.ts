@@ -1,6 +1,6 @@
 /**
- * The making of a map on one track: land, growth, bends, map. A thumb on it is where the map stands, and is dragged, or moved with keys, back
- * and forth.
+ * The making of a map on one track: land, growth, bends, map. The thumb shows the present moment, and can be moved back
+ * and forth by dragging or with keys.
  */
 
 import { el } from "../../../browser/dom.ts";
@@ -8,14 +8,14 @@ import { isCombined, isTaken } from "../../../browser/keys.ts";
 import type { Making, Moment } from "../../page-worker/protocol.ts";
 
 export interface TrackEvents {
-  /** How far the map has come; if a moment is given, after going there. */
+  /** Returns the progress of the map. If a moment is given, goes there first. */
   making(to?: Moment): Promise<Making | undefined>;
 }
 
 type Lengths = NonNullable<Making["lengths"]>;
 type Part = "land" | "growth" | "bends" | "map";
 
-/** How much of the track each part has, unless rivers do not meander. */
+/** The relative length of each part on the track. */
 const WEIGHTS: readonly (readonly [part: Part, weight: number])[] = [
   ["land", 1],
   ["growth", 12],
@@ -23,7 +23,7 @@ const WEIGHTS: readonly (readonly [part: Part, weight: number])[] = [
   ["map", 2],
 ];
 const WHOLE = WEIGHTS.reduce((sum, [, weight]) => sum + weight, 0);
-/** How far keys move, in shares of the track. */
+/** The steps of keys, in shares of the track. */
 const KEY_STEPS: Record<string, number> = {
   ArrowRight: 0.01,
   ArrowUp: 0.01,
@@ -45,7 +45,7 @@ export class Track {
     "aria-valuemax": "100",
   });
   #making: Making | undefined;
-  /** Where it was sent last, until it is there. */
+  /** The last requested moment, until it is reached. */
   #wanted: Moment | undefined;
   #isAsking = false;
   #asked = 0;
@@ -70,20 +70,20 @@ export class Track {
     this.#show();
   }
 
-  /** The map has come to something else, or is another one. */
+  /** Follows a change of the map. */
   async follow(): Promise<void> {
     if (this.#isAsking) return;
     this.#isAsking = true;
     const asked = this.#asked;
     const making = await this.events.making().catch(() => undefined);
     this.#isAsking = false;
-    // Whoever drags the thumb is told by the answer to that.
+    // While the thumb is dragged, the answers to that count.
     if (asked !== this.#asked || this.#wanted) return;
     this.#making = making ?? this.#making;
     this.#show();
   }
 
-  // ---- where to
+  // ---- moving
 
   #down(event: PointerEvent): void {
     if (event.button !== 0 || !this.#making?.lengths) return;
@@ -130,7 +130,7 @@ export class Track {
     event.preventDefault();
   }
 
-  /** To another moment in any case, however many there are. */
+  /** Moves by a share of the track, and by at least one step. */
   #moveBy(step: number): void {
     const lengths = this.#making?.lengths;
     const from = this.#wanted ?? this.#making?.at;
@@ -139,7 +139,7 @@ export class Track {
     this.#go(isSame(from, to) ? stepped(from, Math.sign(step), lengths) : to);
   }
 
-  /** A comma goes a tick, or a round, back, a full stop one on. */
+  /** Moves back by a tick or round with a comma, and forward with a full stop. */
   #onPageKey(event: KeyboardEvent): void {
     if (isTaken(event) || isCombined(event)) return;
     const step = { ",": -1, ".": 1 }[event.key];
@@ -150,7 +150,7 @@ export class Track {
     this.#go(stepped(from, step, lengths));
   }
 
-  // ---- what is seen
+  // ---- showing
 
   #show(): void {
     const at = this.#wanted ?? this.#making?.at ?? { part: "growth", step: 0 };
@@ -166,7 +166,7 @@ export class Track {
   }
 }
 
-/** Where a part begins and ends, in shares of the track. */
+/** Returns the beginning and end of a part, in shares of the track. */
 function span(part: Part): [from: number, to: number] {
   let from = 0;
   for (const [name, weight] of WEIGHTS) {
@@ -192,7 +192,7 @@ export function shareOf(at: Moment, { ticks, rounds }: Lengths): number {
   return part === "bends" ? within(part, at.step / (rounds + 1)) : 1;
 }
 
-/** The same of a map that has not been finished yet. */
+/** Returns the place on the track of a map that has not been finished yet. */
 function onTheWay(at: Moment, progress: number): number {
   return at.part === "map" ? 1 : within(partOf(at), progress);
 }
@@ -211,7 +211,7 @@ function later(share: number, from: number, to: number, rounds: number): Moment 
   return { part: "bends", step: Math.min(rounds, Math.round(((share - from) / (to - from)) * (rounds + 1))) };
 }
 
-/** The moment after or before another; the first and the last have none beyond. */
+/** Returns the moment after or before another. At the first and the last it stays. */
 export function stepped({ part, step }: Moment, by: number, { ticks, rounds }: Lengths): Moment {
   const next = step + by;
   if (part === "map") return by < 0 ? { part: "bends", step: rounds } : { part, step };

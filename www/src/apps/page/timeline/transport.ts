@@ -1,10 +1,10 @@
-/** Play and pause, again when it is finished, and how fast. */
+/** The buttons for play, pause and replay, and the speed slider. */
 
 import { setText, setValue } from "../../../browser/dom.ts";
 import { isCombined, isTaken } from "../../../browser/keys.ts";
 import type { State } from "../../../player/frame-loop.ts";
 
-/** The places of the speed slider, in times the ordinary speed. */
+/** The stops of the speed slider, as multiples of the ordinary speed. */
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, Number.POSITIVE_INFINITY];
 const ORDINARY = SPEEDS.indexOf(1);
 
@@ -24,7 +24,10 @@ export interface TransportElements {
   play: HTMLButtonElement;
   speed: HTMLInputElement;
   speedShown: HTMLElement;
-  /** Stands for the slider where there is no room for it: each press is the next of its places, and after the last the first. */
+  /**
+   * The button that replaces the slider where there is no room for it. Each press goes to the next stop, and from the
+   * last to the first.
+   */
   pace: HTMLButtonElement;
 }
 
@@ -74,7 +77,7 @@ export class Transport {
     this.events.speed(speed);
   }
 
-  /** Space plays and pauses. Held, it does not do so again and again, and does not scroll either. */
+  /** Plays and pauses with the space bar. Holding it has no further effect, and it does not scroll. */
   #onKey(event: KeyboardEvent): void {
     if (event.key !== " " || isTaken(event) || isCombined(event)) return;
     event.preventDefault();
