@@ -21,7 +21,9 @@ const { parse } = createRequire(join(process.cwd(), "www/package.json"))("smol-t
 const folder = "crates/wasm";
 const crate = "riverseed-wasm";
 const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
-const optimiser = parse(readFileSync(`${folder}/Cargo.toml`, "utf8")).package.metadata["wasm-pack"].profile.release["wasm-opt"];
+const optimiser = parse(readFileSync(`${folder}/Cargo.toml`, "utf8")).package.metadata["wasm-pack"].profile.release[
+  "wasm-opt"
+];
 const packages = Object.values(settings.packages).map((one) => ({ ...settings.build, ...one }));
 
 switch (process.argv[2]) {
@@ -83,7 +85,18 @@ function buildTogether(together, made) {
   const features = [...new Set(together.flatMap((one) => one.features))].join(",");
   forgetCrate();
   run(
-    ...["cargo", "build", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown", "--features", features],
+    ...[
+      "cargo",
+      "build",
+      "--quiet",
+      "--package",
+      crate,
+      "--release",
+      "--target",
+      "wasm32-unknown-unknown",
+      "--features",
+      features,
+    ],
     ...["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"],
   );
   const module = `${process.env.CARGO_TARGET_DIR ?? "target"}/wasm/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
@@ -136,7 +149,9 @@ function stampOf(dir) {
  */
 function compilerFlags() {
   const known = ["--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"];
-  const crates = JSON.parse(ask("cargo", "metadata", "--quiet", ...known)).packages.filter((one) => one.source !== null);
+  const crates = JSON.parse(ask("cargo", "metadata", "--quiet", ...known)).packages.filter(
+    (one) => one.source !== null,
+  );
   // Where they are depends on the registry, which may be replaced, or be a folder of the checkout.
   const folders = new Set(crates.map((one) => dirname(dirname(one.manifest_path))));
   const remaps = [...folders].sort().map((folder) => `--remap-path-prefix=${folder}=crates`);
@@ -167,14 +182,11 @@ function digestOf(files) {
 }
 
 /** Prints what a package's module weighs, bare and packed, beside what it may. False if that is too much. */
-function weigh({ "out-dir": dir, "out-name": name, budget, aim }) {
+function weigh({ "out-dir": dir, "out-name": name, budget }) {
   const file = `${dir}/${name}_bg.wasm`;
   const bytes = readFileSync(file);
   const packed = { gzip: gzipSync(bytes, { level: 9 }).length, brotli: brotliCompressSync(bytes).length };
-  const words = Object.entries(budget).map(([form, limit]) => {
-    const hoped = form in aim ? `, aim ${aim[form]}` : "";
-    return `${form} ${packed[form]} of ${limit}${hoped}`;
-  });
+  const words = Object.entries(budget).map(([form, limit]) => `${form} ${packed[form]} of ${limit}`);
   const isLight = Object.entries(budget).every(([form, limit]) => packed[form] <= limit);
   console.log(`${file}: ${[`${bytes.length} bytes`, ...words].join("; ")}`);
   if (!isLight) console.log(tooLarge());

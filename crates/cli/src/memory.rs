@@ -36,9 +36,12 @@ pub fn ask_for_picture(map: &Map, picture: &Picture) -> Result<(), Failure> {
 /// # Errors
 /// Fails if there is not enough memory.
 pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
+    /// Those of a pack's members, with their buffers.
+    const COMPRESSORS: usize = 6_000_000;
     match form {
         Form::Png | Form::Raster(_) => Ok(()),
-        Form::Svg | Form::GeoJson | Form::Json | Form::Pack => ask(bytes_of(map)),
+        Form::Svg | Form::GeoJson | Form::Json => ask(bytes_of(map)),
+        Form::Pack => ask(bytes_of(map) + COMPRESSORS),
     }
 }
 

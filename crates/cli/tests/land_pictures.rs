@@ -102,7 +102,7 @@ fn what_does_not_go_with_a_picture_as_land_is_refused() {
     let junk = scratch("junk-mask.png");
     fs::write(&junk, "junk").unwrap();
     let (code, message) = refused(&["--land", junk.to_str().unwrap()]);
-    assert!(code == 1 && message.contains("junk-mask.png: this is no PNG"), "{message}");
+    assert!(code == 1 && message.contains("junk-mask.png: this is not a readable PNG"), "{message}");
     let (code, message) = refused(&["--land", scratch("absent.png").to_str().unwrap()]);
     assert!(code == 1 && message.contains("absent.png"), "{message}");
     let large = scratch("large.png");
@@ -167,7 +167,7 @@ fn pictures_that_show_no_land_are_refused_by_name() {
     let junk = scratch("junk.png");
     fs::write(&junk, "junk").unwrap();
     let (code, message) = refusal(&["outline", junk.to_str().unwrap()]);
-    assert!(code == 1 && message.contains("junk.png: this is no PNG"), "{message}");
+    assert!(code == 1 && message.contains("junk.png: this is not a readable PNG"), "{message}");
     let (code, message) = refusal(&["outline", scratch("absent.png").to_str().unwrap()]);
     assert!(code == 1 && message.contains("absent.png"), "{message}");
     let (code, message) = refusal(&["render", "--outline", ".AAA", "-o", scratch("x.png").to_str().unwrap()]);
