@@ -19,7 +19,7 @@ const BYTES_A_VERTEX: usize = 48;
 pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
     let measured = map.read(py, |map| Ok(Measures::of(map)))?;
     let dict = PyDict::new(py);
-    for measure in &measure::TABLE {
+    for measure in &statistics::TABLE {
         dict.set_item(measure.name, (measure.value)(&measured))?;
     }
     Ok(dict)
