@@ -19,6 +19,17 @@ def read(pack: zipfile.ZipFile, name: str) -> tuple[NDArray[Any], dict[str, str]
     return np.asarray(image), {str(key): str(text) for key, text in image.info.items()}
 
 
+def below(steps: NDArray[Any], flow: NDArray[np.uint8]) -> NDArray[Any]:
+    """Return for each cell the value of the cell that its water runs to, or its own where it runs to none."""
+    found: NDArray[Any] = steps.copy()
+    shifts = {1: (0, 1), 2: (1, 1), 4: (1, 0), 8: (1, -1), 16: (0, -1), 32: (-1, -1), 64: (-1, 0), 128: (-1, 1)}
+    for code, shift in shifts.items():
+        rows, columns = np.nonzero(flow == code)
+        inside = (rows + shift[0]).clip(0, steps.shape[0] - 1), (columns + shift[1]).clip(0, steps.shape[1] - 1)
+        found[rows, columns] = steps[inside]
+    return found
+
+
 @pytest.mark.parametrize("size", [None, 700])
 def test_arrays_are_the_rasters(size: int | None, small: riverseed.Map) -> None:
     relief = small.finer_relief(size) if size else small.relief
@@ -27,8 +38,10 @@ def test_arrays_are_the_rasters(size: int | None, small: riverseed.Map) -> None:
     metres = (steps.astype(float) - int(texts["sea-level"])) * float(texts["metres-a-step"])
     step = float(texts["metres-a-step"])
     assert relief.heights.shape == steps.shape
-    # Land is a step above the sea at least.
-    assert np.abs(relief.heights - metres).max() <= step * 1.01
+    assert (relief.heights - metres).max() <= step * 1.01
+    # Land is a step above the sea at least, and above the cell that its water runs to: level plains rise step by step.
+    raised = relief.land & (metres - relief.heights > step * 1.01)
+    assert (steps[raised] == below(steps, relief.flow)[raised] + 1).all()
     assert (relief.land == (read(pack, "land")[0] == 255)).all()
     assert (relief.flow == read(pack, "flow")[0]).all()
     assert (relief.basins == read(pack, "basins")[0]).all()
