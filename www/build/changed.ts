@@ -28,12 +28,12 @@ export function tellsOfMissingFiles(page: string): Plugin {
  * The script. An error event does not say why a file failed, so the server is asked for the file again: the site has
  * changed only if the server does not have the file, or sends a page in its place. If the server cannot be reached or a
  * browser extension blocks the file, the page's other text stays. Once the page's own script runs, that reports missing
- * files: src/apps/page/page.ts.
+ * scripts: src/apps/page/page.ts. A style sheet may be found missing after that.
  */
 const SCRIPT = `addEventListener("error", async ({ target }) => {
-  if (globalThis.hasPageBegun) return;
   const isScript = target instanceof HTMLScriptElement;
   if (!isScript && !(target instanceof HTMLLinkElement && /^(stylesheet|modulepreload)$/.test(target.rel))) return;
+  if (globalThis.hasPageBegun && target.rel !== "stylesheet") return;
   const answer = await fetch(isScript ? target.src : target.href, { method: "HEAD", cache: "no-store" }).catch(() => {});
   if (!answer || (answer.ok && !/html/.test(answer.headers.get("content-type")))) return;
   if (document.readyState === "loading") await new Promise((done) => addEventListener("DOMContentLoaded", done));

@@ -137,10 +137,9 @@ test("each link of a moving slider is read once by the page and once by the core
   }
   expect((await parts()).onPage - painted).toBeGreaterThan(3);
   expect(await all()).toEqual(before.map((count, i) => count + (i < 2 ? 3 : 0)));
-  const [, , changed] = await all();
-  // At rest the core goes over to what it has read.
+  // At rest the core goes over to what it has read; only the small pictures of the styles are changed by their links.
   await page.clock.runFor(5000);
-  expect([(await adopted()).onPage, (await changes()).onPage]).toEqual([1, changed]);
+  expect((await adopted()).onPage).toBe(1);
   await expectPictureOfAddress(page);
 });
 

@@ -46,7 +46,7 @@ test("whatever is clicked twice in a moment, there is a map, that of the address
     await button.scrollIntoViewIfNeeded();
     await button.dblclick({ force: true });
     clicked += Number(await button.evaluate(wasHit));
-    await expect(page.locator(".failure")).toBeHidden();
+    await expect(page.locator(".failure:visible")).toHaveCount(0);
     if ((await page.locator("dialog[open]").count()) > 0) await page.keyboard.press("Escape");
     await expect(page.locator("dialog[open]")).toHaveCount(0);
     if (await page.locator("#panel").isHidden()) await unfold(page);

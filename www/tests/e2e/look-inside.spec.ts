@@ -69,7 +69,7 @@ test("it is laid over the next map, too, and a Brownian tree has no attractors",
   await openPanel(page);
   for (const name of ["Attractors or parcels", "Reach and kill", "Captured streams"]) {
     await expect(page.getByRole("button", { name })).toBeDisabled();
-    await expect(page.getByRole("button", { name })).toHaveAttribute("title", /have none/);
+    await expect(page.getByRole("button", { name })).toHaveAttribute("title", /has none/);
   }
 });
 
