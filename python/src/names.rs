@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use riverseed::glam::Vec2;
 use riverseed::annotate::names::Names;
+use riverseed::glam::Vec2;
 
 use crate::arrays::put_rows;
 use crate::map::Map;

@@ -14,13 +14,9 @@ use crate::map::Map;
 pub fn rasters(py: Python<'_>, map: &Map, size: Option<u32>) -> PyResult<Rasters> {
     let refused = |error| Failure::from(error).of_option("raster_size");
     // Before the relief is raised.
-    map.read(py, |map| {
-        size.map_or(Ok(()), |size| Rasters::grid(&map.domain(), size).map(drop).map_err(refused))
-    })?;
+    map.read(py, |map| size.map_or(Ok(()), |size| Rasters::grid(&map.domain(), size).map(drop).map_err(refused)))?;
     map.raise_relief(py)?;
-    map.read(py, |map| {
-        size.map_or_else(|| Rasters::new(map), |size| Rasters::with_size(map, size)).map_err(refused)
-    })
+    map.read(py, |map| size.map_or_else(|| Rasters::new(map), |size| Rasters::with_size(map, size)).map_err(refused))
 }
 
 /// Makes the fields of `riverseed.Relief`.
