@@ -250,9 +250,9 @@ test("a finished river's worker is missed when something is asked of it, and a r
 });
 
 /** A worker that stops in the middle of painting a picture for a file, until a request is answered. */
-const HOLDING = `globalThis.OffscreenCanvas = class extends OffscreenCanvas {
-  constructor(...size) {
-    super(...size);
+const HOLDING = `globalThis.CompressionStream = class extends CompressionStream {
+  constructor(...format) {
+    super(...format);
     const request = new XMLHttpRequest();
     request.open("GET", "/painting", false);
     request.send();
