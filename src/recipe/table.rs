@@ -2,6 +2,8 @@
 //!
 //! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
+//!
+//! The file is long because it is one table: split by groups, its rows could not be read in their order.
 
 use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
 use super::key::{COUNT, Key};
