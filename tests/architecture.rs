@@ -30,7 +30,7 @@ fn uses() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
     let exports = exports(&fs::read_to_string("src/lib.rs").unwrap());
     let used_by = |file: &PathBuf| {
         let text = fs::read_to_string(file).unwrap();
-        let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+        let code = text.split("\nmod tests {").next().unwrap();
         let paths = paths(code, &module_of(file)).into_iter().map(|path| declared(path, &exports));
         paths.filter_map(|path| deepest(&modules, path)).collect()
     };
