@@ -42,7 +42,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	$(lap) "the element, built"
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg, www/pkg-full, www/pkg-trace and www/pkg-chart, and weigh them
+wasm: ## build the wasm packages into www/pkg-make, www/pkg-tell and www/pkg-trace, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 	$(lap) "the wasm packages, built"
@@ -133,12 +133,12 @@ webdriver:
 
 .PHONY: test-wasm
 test-wasm: webdriver ## the core as wasm, in headless Chromium: the same pictures to the bit, of a third of the committed recipes
-	$(wasm) cargo test $(wasm32) --features files,controls,names $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %)
 	$(lap) "wasm, in a browser: a third of the recipes"
 
 .PHONY: test-wasm-more
 test-wasm-more: webdriver ## the same of the other recipes
-	$(wasm) cargo test $(wasm32) --features files,controls,names $(WASM_TESTS:%=--test %) -- --ignored
+	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %) -- --ignored
 	$(lap) "wasm, in a browser: the other recipes"
 
 .PHONY: test-page
@@ -207,12 +207,12 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files,controls -- -D warnings
-	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls -- -D warnings
-	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features charts -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features names -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features make -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls,charts
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features make,tell,trace
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -272,4 +272,4 @@ docs: wasm ## write what is generated in docs/ again: the parameters, the JSON f
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-full www/pkg-trace www/pkg-chart www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg-make www/pkg-tell www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

@@ -359,14 +359,14 @@ function widget() {
 
 function size() {
   const files = {
-    "the page's": "www/pkg-full/riverseed_full_bg.wasm",
-    "the widget's": "www/pkg/riverseed_bg.wasm",
+    "the engine's": "www/pkg-make/riverseed_bg.wasm",
+    "the teller's": "www/pkg-tell/riverseed_tell_bg.wasm",
     "the tracing of pictures,": "www/pkg-trace/riverseed_trace_bg.wasm",
   };
   const bars = {
-    "the page's": atMost(150, 135),
-    "the widget's": atMost(130, 115),
-    "the tracing of pictures,": atMost(25, 20),
+    "the engine's": atMost(150, 130),
+    "the teller's": atMost(190, 170),
+    "the tracing of pictures,": atMost(22, 20),
   };
   for (const [whose, file] of Object.entries(files)) {
     const bytes = readFileSync(file);

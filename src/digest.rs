@@ -1,5 +1,6 @@
 //! A digest of everything that a recipe determines. It checks that two machines draw and write the same.
 
+use glam::Vec2;
 use thiserror::Error;
 
 use crate::export::{ExportError, Json, geojson, json, svg};
@@ -11,8 +12,8 @@ use crate::prune::Pruned;
 use crate::recipe::Recipe;
 use crate::session::{Session, SessionError};
 
-/// The pixel width of the picture that goes into a digest.
-const WIDTH: u32 = 160;
+/// The width and height, in pixels, of the picture that goes into a digest.
+pub const WIDTH: u32 = 160;
 
 /// The committed digests that every change is tested against, one a line: a digest, a space and a link.
 pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-charts.txt"));
@@ -43,26 +44,35 @@ pub enum DigestError {
 /// # Errors
 /// Fails if there is not enough memory, or if this build cannot draw such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
-    let has_chart = recipe.is_annotated();
-    if has_chart && !cfg!(feature = "names") {
+    if recipe.is_annotated() && !cfg!(feature = "names") {
         return Err(DigestError::NoChart);
     }
     let mut session = Session::new(recipe.clone())?;
     let map = session.finish()?;
     let mut picture = Picture::new(WIDTH, WIDTH)?;
     picture.paint(&session);
+    Ok(digest_of(&map, picture.pixmap().data(), &session.growth().scattered())?)
+}
+
+/// Returns the digest of a map that has been painted elsewhere, from the RGBA bytes of its picture, [`WIDTH`] pixels
+/// square, and the attractors that it grew to.
+///
+/// # Errors
+/// Fails if there is not enough memory.
+pub fn digest_of(map: &Map, picture: &[u8], attractors: &[Vec2]) -> Result<String, ExportError> {
+    let has_names = map.recipe().is_annotated();
     let mut hash = Fnv1a::new();
-    hash_rivers(&mut hash, &map);
+    hash_rivers(&mut hash, map);
     if let Some(relief) = map.shown_relief() {
         hash.words(relief.heights().iter().map(|height| height.to_bits()));
         // Maps in other styles have no relief yet, and GeoJSON would have to make one.
-        let write = if has_chart { geojson::collection } else { geojson::unnamed };
-        hash.value(&write(&map)?);
+        let write = if has_names { geojson::collection } else { geojson::unnamed };
+        hash.value(&write(map)?);
     }
-    hash.bytes(picture.pixmap().data());
-    hash.bytes(svg::svg(&map)?.as_bytes());
-    let write = if has_chart { json::network } else { json::unnamed };
-    hash.value(&write(&map, Some(&session.growth().scattered()))?);
+    hash.bytes(picture);
+    hash.bytes(svg::svg(map)?.as_bytes());
+    let write = if has_names { json::network } else { json::unnamed };
+    hash.value(&write(map, Some(attractors))?);
     Ok(format!("{:016x}", hash.0))
 }
 

@@ -20,7 +20,6 @@
 //! let map = Session::new(recipe)?.finish()?;
 //! let rivers = &map.network().rivers;
 //! println!("{} rivers, the greatest of order {:?}", rivers.len(), rivers.iter().map(|river| river.order).max());
-//! # #[cfg(feature = "files")]
 //! std::fs::write(std::env::temp_dir().join("kauri.svg"), export::svg::svg(&map)?)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -31,12 +30,11 @@
 //!
 //! # Features
 //!
-//! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
 //! - `names` (default): names of rivers, lakes and islands, in files and on the map.
+//! - `texts` (default): labels and explanations of the parameters.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `pack`: the game pack, a ZIP of pictures and data, with `json` and `png`.
-//! - `controls` (default): the parameters' explanations, steps back and forth through growth, and previews while a parameter changes.
 //!
 //! The command line is the crate `riverseed-cli`.
 
@@ -61,10 +59,8 @@ extern crate self as riverseed;
 pub mod analyse;
 pub mod annotate;
 pub mod base;
-#[cfg(feature = "files")]
 pub mod digest;
 pub mod domain;
-#[cfg(feature = "files")]
 pub mod export;
 pub mod grow;
 #[cfg(feature = "png")]
@@ -87,6 +83,6 @@ pub mod session;
 pub mod tree;
 
 /// The README's example is compiled and run with the tests.
-#[cfg(all(doctest, feature = "files"))]
+#[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

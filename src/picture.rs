@@ -1,6 +1,5 @@
 //! The picture of a session. It is brought up to date by drawing only what is new.
 
-#[cfg(feature = "controls")]
 mod drafts;
 
 use std::sync::Arc;
@@ -14,7 +13,6 @@ use crate::land::Land;
 use crate::map::MapId;
 use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{Key, Style};
-#[cfg(feature = "controls")]
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
 
@@ -41,7 +39,6 @@ pub struct Picture {
     rivers_of: Option<Generation>,
     /// The chart laid over a finished map, and the map and style that it belongs to.
     chart: Option<(ChartKey, Arc<ChartMasks>)>,
-    #[cfg(feature = "controls")]
     drafts: SessionDrafts,
     /// The next chart, while it is being made.
     #[cfg(feature = "names")]
@@ -62,7 +59,6 @@ impl Picture {
             shown: None,
             rivers_of: None,
             chart: None,
-            #[cfg(feature = "controls")]
             drafts: SessionDrafts::default(),
             #[cfg(feature = "names")]
             builder: None,
@@ -160,7 +156,6 @@ impl Picture {
     }
 
     /// The share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
-    #[cfg(feature = "files")]
     pub fn progress(&self, session: &Session) -> f32 {
         self.painter.progress(session.recipe().get())
     }
@@ -168,7 +163,6 @@ impl Picture {
     /// Makes the background of a painted picture of this session transparent: the sea in styles with relief and in past
     /// courses, leaving land, rivers and letters; the paper in the line styles ink, dark and skeleton. Colours are not
     /// premultiplied by alpha. The next `paint` restores the background.
-    #[cfg(feature = "files")]
     pub fn cut_out(&mut self, session: &Session) {
         self.painter.cut_out(session.recipe().get());
     }

@@ -1,9 +1,7 @@
 //! A session. It holds one recipe and the result of each stage; after a change it runs again only the stages affected.
 
-#[cfg(feature = "controls")]
 mod drafts;
 mod error;
-#[cfg(feature = "controls")]
 mod moments;
 mod relief;
 mod summary;
@@ -25,10 +23,8 @@ use crate::recipe::{Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
-#[cfg(feature = "controls")]
 pub(crate) use drafts::{OF_COASTS, OF_RELIEF, SessionDrafts};
 pub use error::SessionError;
-#[cfg(feature = "controls")]
 pub use moments::{Moment, Timeline};
 pub use summary::{Shortfall, Summary};
 
@@ -53,7 +49,6 @@ pub struct Session {
     is_land_given: bool,
     growth: Growth,
     /// Number of ticks grown so far.
-    #[cfg(feature = "controls")]
     ticks: u32,
     /// `None` until growth has ended.
     shaping: Option<Shaping>,
@@ -110,7 +105,6 @@ impl Session {
             land,
             is_land_given,
             growth,
-            #[cfg(feature = "controls")]
             ticks: 0,
             shaping: None,
             relief: ReliefStage::Waiting,
@@ -173,7 +167,6 @@ impl Session {
                 (_, land) => land.clone(),
             };
             self.growth = plant(&recipe, &land)?;
-            #[cfg(feature = "controls")]
             self.forget_ticks();
             self.land = land;
         }
@@ -200,7 +193,6 @@ impl Session {
     /// The factor by which rivers are wider under another recipe that differs at most in width; 1 if it does not
     /// differ. `None` if it differs in more than width, or if it differs while rivers still change their courses, which
     /// depend on the width.
-    #[cfg(feature = "controls")]
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
         let times = other.number(Key::Width) / self.recipe.number(Key::Width);
         let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
@@ -213,7 +205,6 @@ impl Session {
     /// Fails if there is not enough memory; the session is then unchanged.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
-        #[cfg(feature = "controls")]
         self.forget_ticks();
         self.discard_rivers();
         (self.generation, self.map_id) = (Generation::next(), MapId::next());
@@ -297,7 +288,6 @@ impl Session {
         if self.growth.ending().is_none() {
             let trees = self.growth.trees();
             self.growth.tick();
-            #[cfg(feature = "controls")]
             self.count_tick();
             if self.growth.trees() != trees {
                 self.generation = Generation::next();

@@ -2,7 +2,6 @@
 //!
 //! `make docs`, or `RIVERSEED_REFRESH=1 cargo test --all-features --test all documents`, draws the figures again.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "files")]
 
 #[path = "../examples/figures.rs"]
 #[allow(dead_code, reason = "the tests draw figures one by one")]

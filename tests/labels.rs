@@ -334,7 +334,6 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
 }
 
 #[test]
-#[cfg(feature = "files")]
 fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
     let size = session.domain().size;

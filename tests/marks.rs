@@ -389,7 +389,6 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
 }
 
 #[test]
-#[cfg(feature = "files")]
 fn svg_has_marks_a_legend_and_a_seal() {
     let svg = |style: &str| {
         let session = finished_link(&format!("land=island&seed=kauri&attractors=3000&labels=some&style={style}"));

@@ -1,6 +1,5 @@
 //! Land from a mask equals the mask and stays as it is.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "files")]
 
 use std::sync::Arc;
 

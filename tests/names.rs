@@ -254,18 +254,3 @@ fn files_have_the_names() {
         assert_eq!(is_land, place.kind == riverseed::annotate::names::PlaceKind::Island, "{id} lies in its midst");
     }
 }
-
-#[test]
-fn names_are_read_as_they_were_handed_over() {
-    for link in [MANY_REACHES, "land=archipelago&attractors=600&names=t.Hom%C4%93_i1.", "land=rectangle&attractors=300"]
-    {
-        let names = Names::of(&finished(link, "").map().unwrap());
-        let data = names.to_wire();
-        let read = Names::from_wire(&data).unwrap();
-        assert_eq!((&read.rivers, &read.reaches, &read.title), (&names.rivers, &names.reaches, &names.title), "{link}");
-        assert_eq!(read.to_wire(), data, "{link}");
-        for cut in [0, 1, data.len() / 2, data.len() - 1] {
-            assert_eq!(Names::from_wire(&data[..cut]), None, "{cut}");
-        }
-    }
-}

@@ -7,13 +7,10 @@ use crate::common::property::large;
 use crate::common::random_link;
 use glam::Vec2;
 use proptest::prelude::*;
-#[cfg(feature = "files")]
 use riverseed::export::svg;
 use riverseed::network::NONE;
-#[cfg(feature = "files")]
 use riverseed::picture::Picture;
 use riverseed::recipe::{Key, link};
-#[cfg(feature = "files")]
 use riverseed::relief::Grid;
 use riverseed::relief::{CELL_SIZE, Relief};
 use riverseed::session::{Phase, Session};
@@ -122,7 +119,6 @@ fn no_land_of_usual_maps_is_a_pit() {
 }
 
 /// The relief of a session on a finer grid, with a number of cells on the longer side.
-#[cfg(feature = "files")]
 fn finer(session: &Session, cells: u32) -> Relief {
     let mut settings = session.map().unwrap().relief_settings();
     settings.grid = Grid::with_longer_side(&settings.domain, cells).unwrap();
@@ -130,7 +126,6 @@ fn finer(session: &Session, cells: u32) -> Relief {
     own.on_grid_of(session.network().unwrap(), settings).unwrap()
 }
 
-#[cfg(feature = "files")]
 proptest! {
     #![proptest_config(large(40))]
 
@@ -145,7 +140,6 @@ proptest! {
     }
 }
 
-#[cfg(feature = "files")]
 #[test]
 fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
     let sizes = [1025, 1500, 2049];
@@ -164,12 +158,10 @@ fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
 }
 
 /// The share of some values that is greater than a bound.
-#[cfg(feature = "files")]
 fn share_above(values: &[f32], bound: f32) -> f32 {
     values.iter().filter(|value| **value > bound).count() as f32 / values.len() as f32
 }
 
-#[cfg(feature = "files")]
 #[test]
 fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
     for text in ["seed=kea&attractors=3000", "seed=kea&growth=colonize&land=rectangle&attractors=3000"] {
@@ -238,7 +230,6 @@ fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
 }
 
 /// Ink once showed the relief of the atlas before it.
-#[cfg(feature = "files")]
 #[test]
 fn after_a_change_of_style_everything_is_as_of_a_fresh_recipe() {
     let painted = |session: &Session| {

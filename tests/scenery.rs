@@ -275,7 +275,6 @@ fn scenery_does_not_depend_on_how_large_a_picture_is() {
 }
 
 #[test]
-#[cfg(feature = "files")]
 fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() {
     let svg = |more: &str| riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}")).map().unwrap()).unwrap();
     let session = finished(&format!("{MAP}&woods=0.6&hills=0.6&labels=some"));

@@ -9,7 +9,6 @@ use crate::network::{Network, Oxbow, PastRound, Place};
 use crate::recipe::Style;
 
 /// The scenery of a map with these labels, what is behind first; none if the recipe wants none, or the style shows none.
-#[cfg(feature = "files")]
 pub(crate) fn scenery(map: &Map, labels: &[Label]) -> Vec<Standing> {
     input(map, labels).map_or_else(Vec::new, |input| Scenery::whole(&input))
 }

@@ -35,11 +35,7 @@ pub(crate) fn unnamed(map: &Map) -> Result<Json<'_>, ExportError> {
     named(map, Names::default())
 }
 
-/// Makes the collection with names that were made elsewhere.
-///
-/// # Errors
-/// Fails like [`collection`].
-pub fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
+fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let relief = map.make_relief()?;

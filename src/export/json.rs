@@ -29,12 +29,9 @@ pub(crate) fn unnamed<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<J
     compose(map, attractors, None)
 }
 
-/// Makes the JSON with names that were made elsewhere. Without names, the values that they depend on are left out, too.
-///
-/// # Errors
-/// Fails like [`network`].
+/// Makes the JSON with these names. Without names, the values that they depend on are left out, too.
 #[inline(never)] // one copy is enough
-pub fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) -> Result<Json<'a>, ExportError> {
+fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) -> Result<Json<'a>, ExportError> {
     /// For the columns of the nodes, about two nodes per vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(map, BYTES_A_VERTEX)?;

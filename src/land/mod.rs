@@ -11,7 +11,6 @@
 
 mod cell;
 mod coast_distance;
-#[cfg(feature = "files")]
 mod contours;
 mod grid;
 mod kinds;
@@ -21,7 +20,6 @@ mod queries;
 mod regions;
 mod smoothed_distance;
 mod strokes;
-#[cfg(feature = "files")]
 pub mod trace;
 mod walk;
 

@@ -4,7 +4,6 @@ use glam::Vec2;
 
 use super::cell::CELL_SIZE;
 use super::coast_distance::{CoastDistance, Piece};
-#[cfg(feature = "files")]
 use super::grid::Grid;
 use super::kinds::Shape;
 use crate::base::geometry::distance;
@@ -50,7 +49,6 @@ impl Drawing {
     }
 
     /// Places lines, in fractions of the domain's width and height, on the domain.
-    #[cfg(feature = "files")]
     pub fn on(domain: &Domain, coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Self {
         let size = domain.size;
         let on_domain = |line: Vec<Vec2>| line.into_iter().map(|at| at * size).collect::<Vec<_>>();
@@ -124,7 +122,6 @@ impl Drawing {
     }
 
     /// The cells whose middles lie within an odd number of coasts. Unlike a coarse lattice, this loses no detail.
-    #[cfg(feature = "files")]
     pub fn grid(&self, domain: &Domain) -> Grid {
         let crossings = self.crossings(domain, CELL_SIZE, Vec2::splat(CELL_SIZE / 2.0));
         let columns = crossings.columns;

@@ -59,7 +59,6 @@ impl Land {
     }
 
     /// A coarse preview of [`Land::of`], three times as fast. Drawn lands are exact. `None` as in [`Land::of`].
-    #[cfg(feature = "controls")]
     pub(crate) fn draft_of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
@@ -320,7 +319,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(feature = "controls")]
     fn draft_is_the_land_but_for_details_of_its_coasts() {
         for kind in lands_with_a_share_of_sea() {
             for more in ["sea=0.3", "sea=0.7&roughness=0.4"] {

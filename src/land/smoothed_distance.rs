@@ -78,13 +78,11 @@ impl SmoothedDistance {
     }
 
     /// The number of columns and rows of control points.
-    #[cfg(feature = "files")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
     /// The control point at a column and row.
-    #[cfg(feature = "files")]
     pub(super) fn control(&self, column: usize, row: usize) -> f32 {
         self.heights[row * self.columns + column]
     }

@@ -35,7 +35,6 @@ impl FlatGround {
     }
 
     /// Returns `true` if all of it is painted.
-    #[cfg(feature = "controls")]
     pub fn is_whole(&self, view: &View) -> bool {
         self.pixels.as_ref().is_none_or(|pixels| pixels.len() == view.pixels())
     }

@@ -227,7 +227,6 @@ fn faded(way: f32) -> f32 {
 }
 
 /// The share of the way at which the farther colour has this share: the inverse of `faded`.
-#[cfg(feature = "files")]
 pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()
 }

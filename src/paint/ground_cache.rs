@@ -49,13 +49,11 @@ impl GroundCache {
     }
 
     /// The ground without relief, with the visibility of rivers; `None` if everything is plain land.
-    #[cfg(feature = "files")]
     pub fn flat_pixels(&self) -> Option<&[[u8; 4]]> {
         self.flat.as_ref()?.pixels()
     }
 
     /// The painted share, from 0 to 1, for a style with or without relief.
-    #[cfg(feature = "files")]
     pub fn progress(&self, view: &View, has_relief: bool) -> f32 {
         let share = |painted: usize| painted as f32 / view.pixels() as f32;
         let flat = self.flat.as_ref().map_or(0.0, |flat| flat.pixels().map_or(1.0, |pixels| share(pixels.len())));
@@ -83,7 +81,6 @@ impl GroundCache {
 
     /// Drops former beds. Returns `true` if the remaining ground, flat or with relief, is completely painted in this
     /// style.
-    #[cfg(feature = "controls")]
     pub fn is_ready_for_draft(&mut self, view: &View, style: Style) -> bool {
         self.beds = None;
         let is_flat = self.flat.as_ref().is_some_and(|flat| flat.style == style && flat.is_whole(view));

@@ -10,7 +10,6 @@ pub(crate) mod annotation;
 pub(crate) mod beds;
 mod beyond;
 mod coverage;
-#[cfg(feature = "files")]
 mod cut_out;
 mod flat;
 mod flow;
@@ -48,13 +47,11 @@ pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 pub(crate) use annotation::letters;
 #[cfg(feature = "names")]
 pub(crate) use annotation::scenery::SceneryPainter;
-#[cfg(feature = "files")]
 pub(crate) use palette::Lines;
-#[cfg(all(feature = "files", feature = "names"))]
+#[cfg(feature = "names")]
 pub(crate) use styles::labels::LabelLook;
 #[cfg(feature = "names")]
 pub(crate) use styles::labels::{Marks, label_look};
-#[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;
 #[cfg(feature = "names")]
 pub(crate) use styles::scenery::{SceneryLook, scenery_look};

@@ -11,7 +11,6 @@ use tiny_skia::Pixmap;
 
 use super::annotation::masks::{self, ChartMasks};
 use super::coverage::{Coverage, Rect};
-#[cfg(feature = "files")]
 use super::cut_out;
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
@@ -24,7 +23,6 @@ use super::{ink, skeleton};
 use crate::base::memory;
 use crate::domain::Domain;
 use crate::land::Land;
-#[cfg(feature = "controls")]
 use crate::network::Network;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
@@ -171,14 +169,12 @@ impl Painter {
     }
 
     /// The painted share of the ground for a style, from 0 to 1.
-    #[cfg(feature = "files")]
     pub fn progress(&self, style: Style) -> f32 {
         self.ground.progress(&self.view, palette(style).relief.is_some())
     }
 
     /// Makes the background transparent: the sea, or in line styles the paper. The next call of `paint` or
     /// `paint_rivers` paints everything anew.
-    #[cfg(feature = "files")]
     pub fn cut_out(&mut self, style: Style) {
         cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.chart.as_deref(), style);
         self.reset();
@@ -244,7 +240,6 @@ impl Painter {
     /// Paints rivers at once as a preview: `times` as wide as they are, without a chart, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
-    #[cfg(feature = "controls")]
     pub fn paint_draft(&mut self, network: &Network, courses: CourseShape, style: Style, times: f32) -> Option<Rect> {
         if !self.ground.is_ready_for_draft(&self.view, style) {
             return None;

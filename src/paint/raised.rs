@@ -102,7 +102,6 @@ impl RaisedGround {
     }
 
     /// Returns `true` if all of it is painted.
-    #[cfg(feature = "controls")]
     pub fn is_whole(&self) -> bool {
         self.making.is_none()
     }

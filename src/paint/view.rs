@@ -37,9 +37,6 @@ pub enum PaintError {
 /// A range of rows of a picture.
 pub(super) type Rows = Range<u32>;
 
-/// `true` if a picture can show a part of a map. Otherwise the code for it is left out of the program.
-const IS_FRAMED: bool = cfg!(any(feature = "controls", feature = "names"));
-
 /// The part of a map that a picture shows, in widths of the map. It may extend beyond the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Framing {
@@ -112,7 +109,7 @@ impl View {
     /// The view of another domain in the same picture.
     pub fn of(self, domain: &Domain) -> Self {
         let size = Vec2::new(self.width as f32, self.height as f32);
-        match self.framing.filter(|_| IS_FRAMED) {
+        match self.framing {
             None => {
                 let scale = (size / domain.size).max_element();
                 Self { scale, offset: (size - domain.size * scale) / 2.0, domain: domain.size, ..self }
@@ -161,7 +158,7 @@ impl View {
 
     /// Returns `true` if it shows a chosen part of its domain.
     pub(super) fn is_framed(&self) -> bool {
-        IS_FRAMED && self.framing.is_some()
+        self.framing.is_some()
     }
 
     /// Returns `true` if it shows anything beyond the domain.

@@ -27,7 +27,7 @@ pub struct Word {
 impl Word {
     /// Empties label and help text unless the feature `controls` is on.
     const fn explained(self) -> Self {
-        if cfg!(feature = "controls") { self } else { Self { label: "", help: "", ..self } }
+        if cfg!(feature = "texts") { self } else { Self { label: "", help: "", ..self } }
     }
 }
 

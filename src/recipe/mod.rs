@@ -147,7 +147,6 @@ impl Recipe {
     }
 
     /// Returns `true` if another recipe has the same values for all parameters but these.
-    #[cfg(feature = "controls")]
     #[inline(never)] // one copy
     pub(crate) fn differs_in(&self, other: &Self, keys: &[Key]) -> bool {
         TABLE.iter().all(|Parameter { key, .. }| keys.contains(key) || self.value(*key) == other.value(*key))

@@ -81,7 +81,6 @@ pub static PRESETS: &[Preset] = &explained([
 
 /// The values of a kind of country: its land and its rivers. All countries set the same keys, so that choosing one
 /// leaves no trace of another.
-#[cfg(feature = "controls")]
 const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 12] {
     let ([aspect, land, sea, roughness, sides], [growth, attractors, sensitivity, channel_area]) = (land, growth);
     let [mouths, width, rounds] = rivers;
@@ -102,7 +101,6 @@ const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key
 }
 
 /// Countries that the page offers to begin with.
-#[cfg(feature = "controls")]
 pub static COUNTRIES: &[Preset] = &[
     Preset {
         name: "island",
@@ -185,7 +183,7 @@ pub static COUNTRIES: &[Preset] = &[
 /// Empties labels and help texts unless the feature `controls` is on.
 const fn explained<const COUNT: usize>(mut presets: [Preset; COUNT]) -> [Preset; COUNT] {
     let mut i = 0;
-    while i < COUNT && !cfg!(feature = "controls") {
+    while i < COUNT && !cfg!(feature = "texts") {
         (presets[i].label, presets[i].help) = ("", "");
         i += 1;
     }

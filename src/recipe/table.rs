@@ -630,7 +630,7 @@ pub static TABLE: [Parameter; COUNT] = {
 const fn explained(mut rows: [Parameter; COUNT]) -> [Parameter; COUNT] {
     let mut row = 0;
     while row < COUNT {
-        if !cfg!(feature = "controls") {
+        if !cfg!(feature = "texts") {
             (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
         }
         row += 1;

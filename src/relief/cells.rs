@@ -87,7 +87,6 @@ impl Cells {
     }
 
     /// Whether a cell lies beyond the map.
-    #[cfg(feature = "files")]
     pub fn is_rim(&self, cell: usize) -> bool {
         let (row, column) = (cell / self.columns, cell % self.columns);
         row == 0 || column == 0 || row + 1 == self.rows || column + 1 == self.columns
@@ -101,7 +100,6 @@ impl Cells {
     }
 
     /// The number of a cell of the map among all cells of that, row by row.
-    #[cfg(feature = "controls")]
     #[inline]
     pub fn without_rim(&self, cell: usize) -> usize {
         (cell / self.columns - 1) * (self.columns - 2) + cell % self.columns - 1
@@ -120,7 +118,6 @@ impl Cells {
     }
 
     /// Whether two cells share a side or a corner.
-    #[cfg(feature = "files")]
     pub fn touch(&self, one: usize, other: usize) -> bool {
         let (row, column) = (one / self.columns, one % self.columns);
         row.abs_diff(other / self.columns) <= 1 && column.abs_diff(other % self.columns) <= 1

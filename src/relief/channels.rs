@@ -125,7 +125,6 @@ impl Channels {
 
     /// Notes, for each cell of a river, how high that or the lowest of its banks is, of the heights of all cells. A bank that touches the
     /// river's next cell does not count: water that runs over it comes back. `surface` has the rivers' cells, and is infinite elsewhere.
-    #[cfg(feature = "files")]
     pub fn note_banks(&self, cells: &Cells, heights: &[f32], surface: &mut [f32]) {
         work::count(9 * self.steps.len());
         self.steps.iter().for_each(|&(cell, _)| surface[cell as usize] = heights[cell as usize]);
@@ -154,7 +153,6 @@ impl Channels {
     }
 
     /// The cells of each river's path, from its source down.
-    #[cfg(feature = "files")]
     pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
         self.paths.iter().map(|path| self.steps[path.range()].iter().map(|&(cell, _)| cell as usize))
     }

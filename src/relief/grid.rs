@@ -1,6 +1,5 @@
 //! The grid of a relief: the size of its cells, and how many there are.
 
-#[cfg(feature = "files")]
 use std::ops::RangeInclusive;
 
 use super::CELL_SIZE;
@@ -25,7 +24,6 @@ impl Grid {
     }
 }
 
-#[cfg(feature = "files")]
 impl Grid {
     /// The most cells that a grid has on its longer side.
     pub const MOST: u32 = 4096;
@@ -54,13 +52,12 @@ impl Grid {
 }
 
 /// How many cells a length in cells takes. For a sliver, which may be rounding, there is none more.
-#[cfg(feature = "files")]
 fn fitting(cells: f64) -> usize {
     const SLIVER: f64 = 1e-3;
     (cells - SLIVER).ceil().max(1.0) as usize
 }
 
-#[cfg(all(test, feature = "files"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -12,13 +12,9 @@
 
 mod cells;
 mod channels;
-#[cfg(feature = "files")]
 mod contours;
-#[cfg(feature = "controls")]
 mod draft;
-#[cfg(feature = "files")]
 mod finer;
-#[cfg(feature = "files")]
 mod flow;
 mod grid;
 mod march;
@@ -34,11 +30,8 @@ use crate::base::sort::quantile;
 use crate::domain::Domain;
 use crate::network::Network;
 
-#[cfg(feature = "controls")]
 pub(crate) use draft::ReliefDrafts;
-#[cfg(feature = "files")]
 pub use flow::Flow;
-#[cfg(all(feature = "files", feature = "controls"))]
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
 pub use settings::ReliefSettings;

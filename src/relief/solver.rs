@@ -104,7 +104,6 @@ impl ReliefSolver {
     ///
     /// # Errors
     /// If there is not enough memory.
-    #[cfg(feature = "files")]
     pub(super) fn with_water(
         network: &Network,
         settings: ReliefSettings,
@@ -132,7 +131,6 @@ impl ReliefSolver {
     }
 
     /// The cells, and the height of the water in each before any is lowered; infinite where no river is.
-    #[cfg(feature = "controls")]
     pub(super) fn cells_and_water(mut self, network: &Network) -> Result<(Cells, Vec<f32>), ReliefError> {
         while !matches!(self.next, Part::Lower(_)) {
             self.step(network)?;
@@ -209,13 +207,10 @@ impl ReliefSolver {
     fn lower_rivers(&mut self, times: u32) -> Part {
         /// So little a cell of river, in units, is as good as nothing.
         const ENOUGH: f32 = 0.01;
-        #[cfg(feature = "files")]
         let (lowered, enough) = match self.given.is_some() {
             true => (self.lower_to_banks(), 0.1 * ENOUGH),
             false => (self.channels.lower(&self.march.heights), ENOUGH),
         };
-        #[cfg(not(feature = "files"))]
-        let (lowered, enough) = (self.channels.lower(&self.march.heights), ENOUGH);
         if lowered < enough * self.channels.count() as f32 || times == MOST_LOWERINGS {
             return Part::Meet(0);
         }
@@ -224,7 +219,6 @@ impl ReliefSolver {
 
     /// Lowers rivers to the land and to their banks. Returns by how much, in units, over all cells. On a grid finer than the one that their
     /// heights are of, hillsides come out a little lower: rivers would stand on dams.
-    #[cfg(feature = "files")]
     fn lower_to_banks(&mut self) -> f32 {
         let Self { channels, cells, march, river_heights, .. } = self;
         channels.note_banks(cells, &march.heights, river_heights);

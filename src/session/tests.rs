@@ -101,7 +101,6 @@ fn rivers_that_there_is_no_memory_for_are_an_error_and_come_when_there_is() {
     assert_same(&session, &finished(BENDS));
 }
 
-#[cfg(feature = "files")]
 #[test]
 fn file_that_there_is_no_memory_for_is_refused() {
     use crate::export::{ExportError, geojson, json, svg};

@@ -71,7 +71,7 @@ eventually() {
   touch "$machine/release"
   wait $first
   wait $second
-  called 4 "wasm-pack"
-  grep -q "with 'rivers'" "$checkout/www/pkg/riverseed_bg.wasm"
-  grep -q "with 'rivers,files,controls'" "$checkout/www/pkg-full/riverseed_full_bg.wasm"
+  called 3 "wasm-pack"
+  grep -q "with 'make'" "$checkout/www/pkg-make/riverseed_bg.wasm"
+  grep -q "with 'tell'" "$checkout/www/pkg-tell/riverseed_tell_bg.wasm"
 }

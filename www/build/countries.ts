@@ -5,10 +5,11 @@
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
-import { countries as allCountries, initSync, readLink } from "../pkg-full/riverseed_full.js";
+import { initSync, readLink } from "../pkg-make/riverseed.js";
 import { Camera } from "../src/apps/page/map/camera.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
+import { table } from "./table.ts";
 
 /** The size, twice as large as shown, for dense screens. `.preset img` in src/style/panel.css has the same shape. */
 const SIZE = { width: 216, height: 136 };
@@ -45,8 +46,8 @@ export function countries(): Plugin {
 }
 
 function pictures(): Picture[] {
-  initSync({ module: readFileSync(new URL("../pkg-full/riverseed_full_bg.wasm", import.meta.url)) });
-  return allCountries().map(({ name, values }) => {
+  initSync({ module: readFileSync(new URL("../pkg-make/riverseed_bg.wasm", import.meta.url)) });
+  return table.countries.map(({ name, values }) => {
     const { link } = readLink(`${new URLSearchParams(values.map(([key, value]) => [key, value]))}&style=atlas`);
     return { file: `${FOLDER}/${name}.webp`, link, shots: [shotOf(Number(new Map(values).get("aspect")))] };
   });

@@ -6,11 +6,11 @@ import { fileURLToPath } from "node:url";
 import { parentPort } from "node:worker_threads";
 import * as fontkit from "fontkit";
 import sharp from "sharp";
-import { Chart, initSync as startCharts } from "../pkg-chart/riverseed_chart.js";
-import { River, initSync as startEngine } from "../pkg-full/riverseed_full.js";
+import { River, initSync as startEngine } from "../pkg-make/riverseed.js";
+import { FinishedMap, initSync as startTeller } from "../pkg-tell/riverseed_tell.js";
 
-const { memory } = startEngine({ module: bytesOf("../pkg-full/riverseed_full_bg.wasm") });
-startCharts({ module: bytesOf("../pkg-chart/riverseed_chart_bg.wasm") });
+const { memory } = startEngine({ module: bytesOf("../pkg-make/riverseed_bg.wasm") });
+startTeller({ module: bytesOf("../pkg-tell/riverseed_tell_bg.wasm") });
 // Threads by themselves are as many as there are cores.
 sharp.concurrency(1);
 
@@ -50,10 +50,10 @@ async function filesOf(link, shots) {
 function painted(river, { width, height, framing = [] }) {
   river.resize(width, height);
   river.frame(framing);
-  if (river.wantsChart()) {
-    const chart = new Chart(river.mapData());
-    river.takeChart(chart.masks(width, height, 1, framing));
-    chart.free();
+  if (river.wantsAnnotation()) {
+    const map = new FinishedMap(river.mapData());
+    river.takeAnnotation(map.masks(width, height, 1, framing));
+    map.free();
   }
   while (river.paint());
   return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();

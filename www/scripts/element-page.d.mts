@@ -1,2 +1,2 @@
-import type { Parameter } from "../pkg-full/riverseed_full.js";
+import type { Parameter } from "../src/engine/table.ts";
 export function withTables(text: string, parameters: readonly Parameter[]): string;

@@ -6,12 +6,11 @@
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import * as engine from "../pkg-full/riverseed_full.js";
 import { elementOf } from "./manifest.mjs";
 
 const PAGE = new URL("../../docs/element.md", import.meta.url);
 const OWN = new URL("../package/element.json", import.meta.url);
-const WASM = new URL("../pkg-full/riverseed_full_bg.wasm", import.meta.url);
+const TABLE = new URL("../src/engine/parameters.json", import.meta.url);
 
 /**
  * Returns the page with its tables, each of which is between `<!-- table: attributes -->`, or another name, and `<!--
@@ -64,6 +63,6 @@ function table(head, rows, cells) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  engine.initSync({ module: readFileSync(WASM) });
-  writeFileSync(PAGE, withTables(readFileSync(PAGE, "utf8"), engine.parameters()));
+  const { parameters } = JSON.parse(readFileSync(TABLE, "utf8"));
+  writeFileSync(PAGE, withTables(readFileSync(PAGE, "utf8"), parameters));
 }

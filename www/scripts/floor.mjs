@@ -10,7 +10,7 @@ import { membersOf, newerThanFloor } from "./newer.mjs";
 const FOLDERS = ["src", "public"];
 
 const scripts = FOLDERS.flatMap(scriptsIn);
-const engine = membersOf(read("pkg-full/riverseed_full.d.ts"), "dts");
+const engine = membersOf(read("pkg-make/riverseed.d.ts"), "dts");
 const ours = new Set([...engine, ...scripts.flatMap((file) => membersOf(read(file)))]);
 
 for (const file of scripts)

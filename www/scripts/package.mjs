@@ -15,7 +15,6 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { parse } from "smol-toml";
-import * as engine from "../pkg-full/riverseed_full.js";
 import { manifest, markupTypes } from "./manifest.mjs";
 import { reachable } from "./reachable.mjs";
 
@@ -23,8 +22,7 @@ process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const TARBALLS = "../target/package";
 const STAGE = "../target/npm";
 
-engine.initSync({ module: readFileSync("pkg-full/riverseed_full_bg.wasm") });
-const table = engine.parameters();
+const table = readJson("src/engine/parameters.json").parameters;
 const own = readJson("package/element.json");
 
 rmSync(STAGE, { recursive: true, force: true });
@@ -58,7 +56,7 @@ function declarations() {
   for (const name of readdirSync("package").filter((name) => name.endsWith(".d.ts"))) {
     cpSync(join("package", name), join(types, name));
   }
-  for (const declared of ["pkg/riverseed.d.ts", "pkg-full/riverseed_full.d.ts", "pkg-chart/riverseed_chart.d.ts"]) {
+  for (const declared of ["pkg-make/riverseed.d.ts", "pkg-tell/riverseed_tell.d.ts"]) {
     mkdirSync(dirname(join(types, declared)));
     cpSync(declared, join(types, declared));
   }

@@ -2,9 +2,9 @@
 
 import { createHash } from "node:crypto";
 import type { Framing } from "../src/browser/canvas.ts";
-import { layChart } from "../src/player/chart-maker.ts";
-import { charts } from "./charts.ts";
-import { full as engine, memory } from "./full.ts";
+import { annotate } from "../src/player/annotator.ts";
+import { engine, memory } from "./make.ts";
+import { teller } from "./tell.ts";
 
 export { engine, memory };
 
@@ -30,7 +30,7 @@ function draw(link: string, width: number, height: number, framing?: Framing): P
   river.resize(width, height);
   if (framing) river.frame(new Float32Array(framing));
   while (river.advance(1000));
-  if (river.wantsChart()) layChart(river, charts, 1, framing);
+  if (river.wantsAnnotation()) annotate(river, teller, 1, framing);
   while (river.paint());
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");
@@ -55,9 +55,4 @@ export function differing(one: Uint8Array, other: Uint8Array): number {
   return count;
 }
 
-/** The table's row of a key. */
-export function parameter(key: string): engine.Parameter {
-  const row = engine.parameters().find((one) => one.key === key);
-  if (!row) throw new Error(`the table has no ${key}`);
-  return row;
-}
+export { parameter } from "./table.ts";

@@ -5,4 +5,4 @@ import { initSync } from "../pkg-trace/riverseed_trace.js";
 
 initSync({ module: readFileSync(new URL("../pkg-trace/riverseed_trace_bg.wasm", import.meta.url)) });
 
-export { traceImage } from "../pkg-trace/riverseed_trace.js";
+export { outlineOf, traceImage } from "../pkg-trace/riverseed_trace.js";

@@ -21,8 +21,15 @@ pub fn command() -> Command {
         .subcommand(outline_command())
         .subcommand(measure_command())
         .subcommand(names_command())
-        .subcommand(Command::new("table").about("Prints a page of all parameters, as Markdown"))
+        .subcommand(table_command())
         .subcommand(verify_command())
+}
+
+fn table_command() -> Command {
+    let json = Arg::new("json").long("json").action(ArgAction::SetTrue);
+    Command::new("table")
+        .about("Prints a page of all parameters, as Markdown")
+        .arg(json.help("Prints parameters, presets and countries as JSON, with ranges, choices and defaults"))
 }
 
 fn render_command() -> Command {

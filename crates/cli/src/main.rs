@@ -19,6 +19,7 @@ mod output;
 mod render;
 mod stdout;
 mod table;
+mod table_json;
 mod verify;
 
 use std::io::{self, Write};
@@ -53,7 +54,10 @@ fn run() -> Result<(), Failure> {
         Some(("outline", matches)) => outline::outline(matches),
         Some(("measure", matches)) => measure::measure(matches),
         Some(("names", matches)) => names::names(matches),
-        Some(("table", _)) => stdout::check().and_then(|()| Ok(table::print()?)),
+        Some(("table", given)) => {
+            let print = if given.get_flag("json") { table_json::print } else { table::print };
+            stdout::check().and_then(|()| Ok(print()?))
+        }
         Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
         _ => Ok(()),
     }

@@ -20,15 +20,27 @@ fn riverseed(folder: &Path, words: &[String]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_riverseed")).current_dir(folder).args(words).output().unwrap()
 }
 
-#[test]
-fn page_of_parameters_is_the_one_the_program_prints() {
-    let printed = String::from_utf8(riverseed(&root(), &["table".into()]).stdout).unwrap();
-    let path = root().join("docs/parameters.md");
+/// Compares a file with the output of a command, or writes it.
+fn assert_printed(file: &str, command: &[&str]) {
+    let command: Vec<String> = command.iter().map(|&word| word.into()).collect();
+    let printed = String::from_utf8(riverseed(&root(), &command).stdout).unwrap();
+    let path = root().join(file);
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
         fs::write(path, printed).unwrap();
-        panic!("docs/parameters.md is written again: run without RIVERSEED_REFRESH");
+        panic!("{file} is written again: run without RIVERSEED_REFRESH");
     }
-    assert!(read(path) == printed, "write docs/parameters.md again: make docs");
+    assert!(read(path) == printed, "write {file} again: make docs");
+}
+
+#[test]
+fn page_of_parameters_is_the_one_the_program_prints() {
+    assert_printed("docs/parameters.md", &["table"]);
+}
+
+/// The page and the npm package read parameters from this file.
+#[test]
+fn data_of_parameters_are_those_the_program_prints() {
+    assert_printed("www/src/engine/parameters.json", &["table", "--json"]);
 }
 
 /// The commands in blocks of shell, as words.

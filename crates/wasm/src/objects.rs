@@ -11,7 +11,6 @@ pub(super) fn coded(code: &str, message: &str) -> JsValue {
 }
 
 /// A plain object.
-#[cfg(any(feature = "rivers", feature = "tracing"))]
 pub(super) fn object(members: &[(&str, JsValue)]) -> Object {
     let object = Object::new();
     set(&object, members);

@@ -16,7 +16,6 @@ mod umbrellas;
 
 pub use along_coast::along_coast;
 pub use courses::{Angles, junction_angles, sinuosity, total_length};
-#[cfg(all(feature = "files", feature = "controls"))]
 pub(crate) use index::Index;
 pub use parallels::parallels;
 pub use streams::{Streams, hack_exponent};

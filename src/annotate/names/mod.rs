@@ -22,7 +22,6 @@ mod namer;
 mod reaches;
 #[cfg(feature = "names")]
 mod regions;
-mod wire;
 #[cfg(feature = "names")]
 mod word;
 

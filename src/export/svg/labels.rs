@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::ChartText;
+use super::AnnotationText;
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
@@ -17,7 +17,7 @@ use crate::paint::palette::Colour;
 use crate::paint::{LabelLook, label_look, scenery_look};
 
 /// Makes the labels of a map as markup, with the halo that is cut out of its rivers.
-pub fn chart(map: &Map, is_text: bool) -> ChartText {
+pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
     let size = map.domain().size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];
@@ -26,7 +26,7 @@ pub fn chart(map: &Map, is_text: bool) -> ChartText {
         scenery::draw(&mut letters, size, &crate::annotate::scenery::scenery(map, &placed), look);
     }
     draw(&mut letters, &placed, label_look(map.recipe().get()), is_text);
-    ChartText { halo: halo.into_string(), labels: letters.into_string() }
+    AnnotationText { halo: halo.into_string(), labels: letters.into_string() }
 }
 
 /// Writes the mask that leaves rivers out around letters.

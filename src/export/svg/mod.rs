@@ -8,9 +8,8 @@
 mod beds;
 mod ground;
 #[cfg(feature = "names")]
-pub mod labels;
+mod labels;
 mod light;
-#[cfg(feature = "controls")]
 pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
@@ -36,7 +35,7 @@ use crate::recipe::{CourseShape, Key, link};
 /// # Errors
 /// Fails if there is not enough memory.
 pub fn svg(map: &Map) -> Result<String, ExportError> {
-    with_chart(map, &chart_of(map, false))
+    drawn(map, &annotation_of(map, false))
 }
 
 /// Draws a map with labels as text on paths, for readers that have EB Garamond or a similar face.
@@ -45,32 +44,28 @@ pub fn svg(map: &Map) -> Result<String, ExportError> {
 /// Fails like [`svg`].
 #[cfg(feature = "names")]
 pub fn svg_with_text(map: &Map) -> Result<String, ExportError> {
-    with_chart(map, &chart_of(map, true))
+    drawn(map, &annotation_of(map, true))
 }
 
-/// The parts of a chart in the file.
+/// Labels and scenery as markup.
 #[derive(Debug, Default)]
-pub struct ChartText {
+struct AnnotationText {
     /// A mask that leaves rivers out around letters; empty without letters.
-    pub halo: String,
+    halo: String,
     /// Trees and hills, and the letters.
-    pub labels: String,
+    labels: String,
 }
 
-/// The chart of a map; an empty one if this build makes none.
+/// The labels and scenery of a map; none if this build makes none.
 #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
-fn chart_of(map: &Map, is_text: bool) -> ChartText {
+fn annotation_of(map: &Map, is_text: bool) -> AnnotationText {
     #[cfg(feature = "names")]
-    return labels::chart(map, is_text);
+    return labels::annotation(map, is_text);
     #[cfg(not(feature = "names"))]
-    ChartText::default()
+    AnnotationText::default()
 }
 
-/// Draws a map with a chart that was made elsewhere.
-///
-/// # Errors
-/// Fails like [`svg`].
-pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
+fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters per point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(map, BYTES_A_VERTEX)?;
@@ -99,8 +94,8 @@ pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
         beds::draw_past(&mut out, past, look, courses);
         out.text("</g>\n");
     }
-    out.written(&chart.halo);
-    let clip = if chart.halo.is_empty() { clip } else { masked(clip) };
+    out.written(&annotation.halo);
+    let clip = if annotation.halo.is_empty() { clip } else { masked(clip) };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
     if let Some((past, look)) = past {
@@ -112,7 +107,7 @@ pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
-    out.written(&chart.labels);
+    out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())
 }

@@ -19,13 +19,6 @@ pub fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
     path.data().to_owned()
 }
 
-/// Draws points as lines without length, which are visible if their ends are round.
-pub fn dots(points: &[Vec2]) -> String {
-    let mut path = Path::default();
-    points.iter().for_each(|&at| path.line(&[at, at]));
-    path.data().to_owned()
-}
-
 /// Draws the area within some rings, with smooth borders.
 pub fn area(rings: &[Vec<Vec2>]) -> String {
     let mut path = Path::default();

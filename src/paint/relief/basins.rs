@@ -3,12 +3,10 @@
 use glam::Vec2;
 
 use super::Sheet;
-#[cfg(feature = "files")]
 use super::field::Field;
 use super::field::{Place, places};
 use crate::base::geometry::distance;
 use crate::base::sort::argsort;
-#[cfg(feature = "files")]
 use crate::land::trace::rings;
 use crate::land::{beside, nearest};
 use crate::network::{Network, River};
@@ -26,7 +24,6 @@ pub(crate) struct Basins {
     /// `true` for cells with neighbours of another colour.
     is_mixed: Vec<bool>,
     /// The number of each river's colour; pictures use cells alone.
-    #[cfg(feature = "files")]
     pub rivers: Vec<u8>,
 }
 
@@ -50,18 +47,10 @@ impl Basins {
         let colours = |basins: &[u32]| basins.iter().map(|&basin| colour_of[basin as usize]).collect();
         let (columns, rows, cells): (_, _, Vec<u8>) = (relief.columns(), relief.rows(), colours(&basins));
         let is_mixed = |cell: usize| around(columns, rows, cell).iter().any(|&near| cells[near] != cells[cell]);
-        Self {
-            columns,
-            rows,
-            is_mixed: (0..cells.len()).map(is_mixed).collect(),
-            cells,
-            #[cfg(feature = "files")]
-            rivers: colours(&of_rivers),
-        }
+        Self { columns, rows, is_mixed: (0..cells.len()).map(is_mixed).collect(), cells, rivers: colours(&of_rivers) }
     }
 
     /// The rings around everything with a numbered colour, in units. They continue at sea.
-    #[cfg(feature = "files")]
     pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
         let values = self.cells.iter().map(|&cell| f32::from(u8::from(cell == number))).collect();
         let field = Field { columns: self.columns, rows: self.rows, values }.smoothed(1);

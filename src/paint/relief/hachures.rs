@@ -24,7 +24,6 @@ const TIMES: u32 = 5;
 const APART: u32 = 3;
 
 /// The strokes of a relief. `highest` is the height that has the colour of the highest land, in units of height.
-#[cfg(feature = "files")]
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     let mut strokes = Strokes::new(relief, highest);
     while strokes.advance() {}

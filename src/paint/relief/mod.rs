@@ -21,11 +21,8 @@ use super::view::{Rows, View};
 use crate::network::Network;
 use crate::relief::Relief;
 pub(crate) use basins::Basins;
-#[cfg(feature = "files")]
 pub(crate) use contours::{INDEX, interval};
-#[cfg(feature = "files")]
 pub(crate) use hachures::{Stroke, strokes};
-#[cfg(feature = "files")]
 pub(crate) use shade::light_of;
 
 /// The ground that relief is laid on.

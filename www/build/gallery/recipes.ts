@@ -2,7 +2,8 @@
 
 import { readFileSync } from "node:fs";
 import RECIPES from "../../gallery/recipes.json" with { type: "json" };
-import { initSync, parameters, readLink } from "../../pkg-full/riverseed_full.js";
+import { initSync, readLink } from "../../pkg-make/riverseed.js";
+import { table } from "../table.ts";
 
 /** A map of the gallery. The first six in the list are on the first screen. */
 export interface Recipe {
@@ -32,10 +33,10 @@ export interface Entry extends Recipe {
 export const recipes: readonly Recipe[] = RECIPES;
 
 export function entries(): Entry[] {
-  initSync({ module: readFileSync(new URL("../../pkg-full/riverseed_full_bg.wasm", import.meta.url)) });
-  const table = new Map(parameters().map((parameter) => [parameter.key, parameter]));
+  initSync({ module: readFileSync(new URL("../../pkg-make/riverseed_bg.wasm", import.meta.url)) });
+  const rows = new Map(table.parameters.map((parameter) => [parameter.key, parameter]));
   const worded = (key: string, text: string): string => {
-    const { choices, unit } = table.get(key) ?? {};
+    const { choices, unit } = rows.get(key) ?? {};
     return choices?.find(({ value }) => value === text)?.label ?? [text, unit].filter(Boolean).join(" ");
   };
   return recipes.map((recipe) => {
@@ -48,7 +49,7 @@ export function entries(): Entry[] {
       land: value("land"),
       style: worded("style", value("style")),
       settings: [...new URLSearchParams(recipe.link)].map(([key, text]) => [
-        table.get(key)?.label ?? key,
+        rows.get(key)?.label ?? key,
         worded(key, text),
       ]),
       suitsElement: readLink(recipe.link, { widget: true }).notices.length === 0,

@@ -1,7 +1,7 @@
 /** A control for one row of the parameter table: its label, the value, the help text and a reset button. */
 
 import { el, setText, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { numberControl } from "./number.ts";
 import { rangeOf, sidesOf, sidesText } from "./values.ts";

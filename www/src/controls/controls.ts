@@ -1,7 +1,7 @@
 /** The controls of the recipe except the seed, generated from the parameter table under its headings. */
 
 import { el } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 import { type Control, control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 import { type Group, group } from "./group.ts";

@@ -1,6 +1,6 @@
 /** The common interface of all controls' fields, and the ids by which their parts refer to each other. */
 
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 
 /** Takes a change: the key, and the new value as link text. */
 export type Change = (key: string, text: string) => void;

@@ -1,7 +1,7 @@
 /** Controls under a heading that fold away. The heading always shows how many of them differ from their default. */
 
 import { el, setText } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 import type { Control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 

@@ -3,7 +3,7 @@
  */
 
 import { el, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 
 const DRAWN = "drawn";
 

@@ -4,7 +4,7 @@
  */
 
 import { el, setText, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 import { nearestText, rangeOf } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";
 

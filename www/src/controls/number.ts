@@ -1,7 +1,7 @@
 /** The control of a number: a slider for trying values, and a field for an exact value. */
 
 import { el, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { LOG_STEPS, logStep, nearestText, position, type Range, share, spoken, textAt } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";

@@ -3,7 +3,7 @@
  */
 
 import { el } from "../browser/dom.ts";
-import type { Parameter, Preset } from "../engine/full.ts";
+import type { Parameter, Preset } from "../engine/table.ts";
 import { inWords } from "./values.ts";
 
 /** Returns whether the values on show are those of a preset. */

@@ -3,7 +3,7 @@
  */
 
 import { count } from "../browser/count.ts";
-import type { Parameter } from "../engine/full.ts";
+import type { Parameter } from "../engine/table.ts";
 
 /** The range of a numeric parameter, from which its slider is made. */
 export interface Range {

@@ -1,20 +1,20 @@
 /** The wasm modules that make files, for Node: read from disk, beside the script, when they are first needed. */
 
 import { readFileSync } from "node:fs";
-import { Chart, initSync as initChart } from "../../pkg-chart/riverseed_chart.js";
-import chartUrl from "../../pkg-chart/riverseed_chart_bg.wasm?url";
-import * as engine from "../../pkg-full/riverseed_full.js";
-import fullUrl from "../../pkg-full/riverseed_full_bg.wasm?url";
-import type { Charts } from "./charts.ts";
+import * as engine from "../../pkg-make/riverseed.js";
+import makeUrl from "../../pkg-make/riverseed_bg.wasm?url";
+import { digestWidth, FinishedMap, initSync as initTeller } from "../../pkg-tell/riverseed_tell.js";
+import tellUrl from "../../pkg-tell/riverseed_tell_bg.wasm?url";
+import type { Teller } from "./tell.ts";
 
 let isRead = false;
 
-/** Returns the engine and the charts module. The first call blocks while they are compiled. */
-export function fromDisk(): { readonly engine: typeof engine; readonly charts: Charts } {
+/** Returns the engine and the teller. The first call blocks while they are compiled. */
+export function fromDisk(): { readonly engine: typeof engine; readonly teller: Teller } {
   if (!isRead) {
-    engine.initSync({ module: readFileSync(new URL(fullUrl)) });
-    initChart({ module: readFileSync(new URL(chartUrl)) });
+    engine.initSync({ module: readFileSync(new URL(makeUrl)) });
+    initTeller({ module: readFileSync(new URL(tellUrl)) });
     isRead = true;
   }
-  return { engine, charts: { Chart } };
+  return { engine, teller: { FinishedMap, digestWidth } };
 }

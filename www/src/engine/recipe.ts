@@ -1,8 +1,7 @@
 /** The recipe on show, always in the core's spelling: the page changes values, and the core reads the new link once. */
 
-import type { Reading } from "./full.ts";
 import { linkText } from "./link-text.ts";
-import type { ReadOptions } from "./types.ts";
+import type { Reading, ReadOptions } from "./types.ts";
 
 export class Recipe {
   #reading: Reading;

@@ -1,6 +1,9 @@
-/** The tracing of pictures: a separate wasm module, fetched when somebody opens a picture. */
+/**
+ * Outlines of land from pictures and from drawn lines: a separate wasm module, fetched when somebody opens a picture or
+ * draws.
+ */
 
-import init, { longestTracedSide, type Traced, traceImage } from "../../pkg-trace/riverseed_trace.js";
+import init, { longestTracedSide, outlineOf, type Traced, traceImage } from "../../pkg-trace/riverseed_trace.js";
 import wasmUrl from "../../pkg-trace/riverseed_trace_bg.wasm?url";
 import { PageError } from "./errors.ts";
 import { once, start } from "./wasm-module.ts";
@@ -9,13 +12,15 @@ export type { Traced } from "../../pkg-trace/riverseed_trace.js";
 
 export interface Tracing {
   readonly longestTracedSide: () => number;
+  /** Makes an outline from lines of any length. Throws an error with the code "no-land" if they enclose no land. */
+  readonly outlineOf: (coasts: Float32Array[], ridges: Float32Array[], rivers: Float32Array[]) => string;
   readonly traceImage: (rgba: Uint8Array, width: number, height: number) => Traced;
 }
 
 const load = once(() =>
   start(wasmUrl, async (compiled): Promise<Tracing> => {
     await init({ module_or_path: compiled });
-    return { longestTracedSide, traceImage };
+    return { longestTracedSide, outlineOf, traceImage };
   }),
 );
 
@@ -29,7 +34,7 @@ export async function loadTracing(): Promise<Tracing> {
   } catch {
     throw new PageError(
       "no-tracing",
-      "The part that traces pictures could not be downloaded. Check the connection and try again.",
+      "The part that turns drawings and pictures into land could not be downloaded. Check the connection and try again.",
     );
   }
 }

@@ -1,3 +1,4 @@
-/** The types of the engine's functions. Only this folder knows where the packages are. */
+/** The types of the wasm modules' functions. Only this folder knows where the packages are. */
 
-export type * from "../../pkg/riverseed.js";
+export type * from "../../pkg-make/riverseed.js";
+export type { Cells, FinishedMap, Inspector, Measure, RiverFacts } from "../../pkg-tell/riverseed_tell.js";

@@ -16,7 +16,7 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import { PageError } from "../engine/errors.ts";
-import type { FullRiver } from "../engine/full.ts";
+import type { River } from "../engine/types.ts";
 import { type Course, inSteps, partOf } from "./course.ts";
 import { type MakerCore, paint } from "./painting.ts";
 
@@ -77,7 +77,7 @@ function even(length: number): number {
 /** The river that is filmed. */
 class Scenes {
   constructor(
-    private readonly river: FullRiver,
+    private readonly river: River,
     private readonly core: MakerCore,
     readonly video: Video,
   ) {}
@@ -99,7 +99,7 @@ class Scenes {
     }
   }
 
-  async skip(phase: FullRiver["phase"], course: Course): Promise<void> {
+  async skip(phase: River["phase"], course: Course): Promise<void> {
     const { river } = this;
     await inSteps(
       course,

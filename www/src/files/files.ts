@@ -1,8 +1,7 @@
 /** Makes the files of finished rivers that widgets can make, too: pictures and shapes. */
 
-import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
-import { askChartForFile, type FileMeans } from "../player/chart-maker.ts";
+import { askMapForFile, type FileMeans } from "../player/annotator.ts";
 import type { Course } from "./course.ts";
 import { riverPng } from "./river-png.ts";
 
@@ -22,11 +21,10 @@ export function pngOf(river: River, core: Painting, longSide: number): Promise<B
 }
 
 /** Grows a river to its end and makes an SVG of it. */
-export function svgOf(river: FullRiver, core: FileMeans): Promise<Blob> {
+export function svgOf(river: River, core: FileMeans): Promise<Blob> {
   return finished(river, async () => {
-    const chart = river.wantsChart() ? await askChartForFile(river, core, (chart) => chart.svg()) : [];
-    core.holdOn();
-    return new Blob([river.svg(chart)], { type: "image/svg+xml" });
+    const svg = await askMapForFile(river, core, (map) => map.svg());
+    return new Blob([svg], { type: "image/svg+xml" });
   });
 }
 
@@ -58,8 +56,8 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 export async function picture(river: River, core: Painting, longSide: number): Promise<Blob> {
   const [width = 1, height = 1] = river.sidesFor(Math.max(1, Math.round(longSide)));
   river.resize(width, height);
-  if (river.wantsChart()) {
-    river.takeChart(await askChartForFile(river, core, (chart) => chart.masks(width, height, 1, new Float32Array())));
+  if (river.wantsAnnotation()) {
+    river.takeAnnotation(await askMapForFile(river, core, (map) => map.masks(width, height, 1, new Float32Array())));
   }
   core.holdOn();
   while (river.paint());

@@ -3,33 +3,34 @@
  * not load the archiver.
  */
 
-import type { FullCore, FullRiver } from "../engine/full.ts";
-import { askChartForFile } from "../player/chart-maker.ts";
+import type { Core } from "../engine/make.ts";
+import type { River } from "../engine/types.ts";
+import { askMapForFile } from "../player/annotator.ts";
 import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from "./files.ts";
 import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
-/** The full engine, with the charts module, since all data files contain names. */
-export type FileCore = FullCore & Painting;
+/** An engine, with the loader of the teller. */
+export type FileCore = Core & Painting;
 
-const FORMATS: Record<Format, (river: FullRiver, core: FileCore) => Promise<Blob>> = {
+const FORMATS: Record<Format, (river: River, core: FileCore) => Promise<Blob>> = {
   svg: svgOf,
   geojson: (river, core) =>
-    raised(river, async () => text(river.geojson(await namesOf(river, core)), "application/geo+json")),
+    raised(river, async () => text(await askMapForFile(river, core, (map) => map.geojson()), "application/geo+json")),
   json: (river, core) =>
-    finished(river, async () => text(river.network(await namesOf(river, core)), "application/json")),
+    finished(river, async () => text(await askMapForFile(river, core, (map) => map.network()), "application/json")),
   zip: packOf,
 };
 
 /** Grows a river to its end and makes a file of it. Takes over the river, and frees it afterwards. */
-export function fileOf(river: FullRiver, core: FileCore, format: Format): Promise<Blob> {
+export function fileOf(river: River, core: FileCore, format: Format): Promise<Blob> {
   return FORMATS[format](river, core);
 }
 
 /** Packs the picture and the other files that games need. */
-async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
+async function packOf(river: River, core: FileCore): Promise<Blob> {
   const [contents, map] = await raised(river, async () => {
-    const contents = contentsOf(river, await namesOf(river, core));
+    const contents = await askMapForFile(river, core, contentsOf);
     return [contents, await picture(river, core, LONG_SIDE_PX)] as const;
   });
   core.holdOn();
@@ -37,15 +38,11 @@ async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
 }
 
 /** Grows a river to its end with its relief, even in a style that shows none, and makes something of it. */
-function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promise<Made> {
+function raised<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
   return finished(river, async () => {
     await inSlices(() => river.raiseRelief());
     return make();
   });
-}
-
-function namesOf(river: FullRiver, core: FileCore): Promise<Uint32Array> {
-  return askChartForFile(river, core, (chart) => chart.names());
 }
 
 function text(value: object, type: string): Blob {

@@ -1,7 +1,7 @@
 /** A map's files for a game, in one archive: rasters, rivers, the picture, and a text that gives the scale. */
 
 import { strToU8, zipSync } from "fflate";
-import type { FullRiver } from "../engine/full.ts";
+import type { FinishedMap } from "../engine/types.ts";
 import { SILENT } from "./files.ts";
 import { pngOf } from "./png.ts";
 
@@ -20,15 +20,15 @@ interface Raster {
   texts: Record<string, string>;
 }
 
-export function contentsOf(river: FullRiver, names: Uint32Array): Contents {
-  const cells = river.cells();
+export function contentsOf(map: FinishedMap): Contents {
+  const cells = map.cells();
   try {
     const { columns, rows } = cells;
     const rasters = cells.names().flatMap((name, number) => {
       const values = cells.values(number);
       return values ? [{ name, values, texts: paired(cells.texts(number)) }] : [];
     });
-    return { readme: cells.readme(), geojson: JSON.stringify(river.geojson(names)), columns, rows, rasters };
+    return { readme: cells.readme(), geojson: JSON.stringify(map.geojson()), columns, rows, rasters };
   } finally {
     cells.free();
   }

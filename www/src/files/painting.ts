@@ -1,20 +1,21 @@
 /** Paints a river for a file, with its labels and scenery. */
 
-import type { FullCore, FullRiver } from "../engine/full.ts";
-import { askChartForFile, type LoadCharts } from "../player/chart-maker.ts";
+import type { Core } from "../engine/make.ts";
+import type { River } from "../engine/types.ts";
+import { askMapForFile, type LoadTeller } from "../player/annotator.ts";
 import { type Course, inSteps } from "./course.ts";
 
-/** An engine, with the loader of the charts module. */
-export interface MakerCore extends FullCore {
-  readonly loadCharts: LoadCharts;
+/** An engine, with the loader of the teller. */
+export interface MakerCore extends Core {
+  readonly loadTeller: LoadTeller;
 }
 
-/** Paints a finished river, with its chart. */
-export async function paint(river: FullRiver, core: MakerCore, course: Course): Promise<void> {
-  if (river.wantsChart()) {
-    const means = { loadCharts: core.loadCharts, holdOn: () => {} };
+/** Paints a finished river, with its labels. */
+export async function paint(river: River, core: MakerCore, course: Course): Promise<void> {
+  if (river.wantsAnnotation()) {
+    const means = { loadTeller: core.loadTeller, holdOn: () => {} };
     const { width, height } = river;
-    river.takeChart(await askChartForFile(river, means, (chart) => chart.masks(width, height, 1, new Float32Array())));
+    river.takeAnnotation(await askMapForFile(river, means, (map) => map.masks(width, height, 1, new Float32Array())));
     await course.pause();
   }
   await inSteps(

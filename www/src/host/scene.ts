@@ -2,7 +2,6 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import type { River } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river-player.ts";
@@ -12,9 +11,9 @@ import type { Opening, Report, SceneCommand } from "./protocol.ts";
 /** A command to an open river. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
-export class Scene<R extends River = River> {
+export class Scene {
   #size: CanvasSize;
-  #player: RiverPlayer<R> | undefined;
+  #player: RiverPlayer | undefined;
   /** Commands from before the river was created. */
   #early: Request[] = [];
   #isOver = false;
@@ -22,7 +21,7 @@ export class Scene<R extends River = River> {
   #mayFree = true;
 
   constructor(
-    private readonly maker: RiverMaker<R>,
+    private readonly maker: RiverMaker,
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
@@ -38,7 +37,7 @@ export class Scene<R extends River = River> {
   }
 
   /** The player of its river; none before the river is created. */
-  get player(): RiverPlayer<R> | undefined {
+  get player(): RiverPlayer | undefined {
     return this.#player;
   }
 
@@ -64,7 +63,7 @@ export class Scene<R extends River = River> {
     this.#early = [];
   }
 
-  #follow(command: Request, player: RiverPlayer<R>): void {
+  #follow(command: Request, player: RiverPlayer): void {
     switch (command.do) {
       case "show":
         this.#size = command.size;

@@ -3,20 +3,11 @@
  * changes to that link.
  */
 
-import type { Drafted } from "../engine/full.ts";
-import type { ReadOptions, River, Stage } from "../engine/types.ts";
+import type { Drafted, River, Stage } from "../engine/types.ts";
 import type { Wanted } from "./showing.ts";
 
 /** The time for painting a draft in one go. The hand sees it sooner than if each part had to wait for a frame. */
 const AT_ONCE_MS = 46;
-
-/** The methods of the full engine's rivers that drafts need. */
-export interface Drafting {
-  draft(text: string, options?: ReadOptions): void;
-  paintDraft(): Drafted;
-  paintUnfinished(): Drafted;
-  adoptDraft(): Stage | "none";
-}
 
 /**
  * The draft of a link that the core has read: `begun`, `impossible`, or `seen` on the canvas since a time.
@@ -28,7 +19,7 @@ export class Drafts {
   #draft: Draft | undefined;
 
   constructor(
-    private readonly river: Pick<River, "change"> & Partial<Drafting>,
+    private readonly river: Pick<River, "change" | "draft" | "paintDraft" | "adoptDraft">,
     private readonly now: () => number,
   ) {}
 
@@ -54,9 +45,9 @@ export class Drafts {
   paint(wanted: Wanted, began: number): Drafted {
     const isOverOther = this.isOnCanvas;
     const of = this.#draft?.is === "begun" ? this.#draft.of : wanted;
-    if (this.#draft?.is !== "begun") this.river.draft?.(of.link.text, of.link.options);
+    if (this.#draft?.is !== "begun") this.river.draft(of.link.text, of.link.options);
     let drafted: Drafted;
-    do drafted = this.river.paintDraft?.() ?? "impossible";
+    do drafted = this.river.paintDraft();
     while (drafted === "part" && this.now() - began < AT_ONCE_MS);
     if (drafted === "whole") this.#draft = { is: "seen", of, at: began };
     else this.#draft = { is: drafted === "part" ? "begun" : "impossible", of, isOverOther };
@@ -70,7 +61,7 @@ export class Drafts {
     const { river } = this;
     const isRead = this.#draft?.of === wanted;
     this.forget();
-    if (isRead && river.adoptDraft) return river.adoptDraft();
+    if (isRead) return river.adoptDraft();
     return river.change(wanted.link.text, wanted.link.options);
   }
 

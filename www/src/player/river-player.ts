@@ -5,9 +5,9 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
+import { Annotator, type LoadTeller } from "./annotator.ts";
 import { Blitter } from "./blit.ts";
-import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
-import { type Drafting, Drafts } from "./drafts.ts";
+import { Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
 import type { SharedClock } from "./shared-clock.ts";
 import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts";
@@ -34,20 +34,15 @@ const COUNT_EVERY_MS = 250;
  */
 const AT_ONCE_MS = 16;
 
-/** The methods of the full engine's rivers that the lean engine's lack. */
-interface Controlled extends Drafting {
-  frame(framing: Float32Array): void;
-}
-
-/** The part of a lean or full engine that makes rivers. */
-export interface RiverMaker<R> {
-  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
+/** The part of the engine that makes rivers. */
+export interface RiverMaker {
+  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => River };
   readonly memory: WebAssembly.Memory;
-  /** Fetches the charts module. */
-  readonly loadCharts: LoadCharts;
+  /** Fetches the teller. */
+  readonly loadTeller: LoadTeller;
 }
 
-export class RiverPlayer<R extends River & Partial<Controlled> = River> {
+export class RiverPlayer {
   /** The link to change to, until that is done. */
   #wanted: Wanted | undefined;
   #reading: Reading;
@@ -61,17 +56,17 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
   #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
-  readonly #river: R;
+  readonly #river: River;
   /** The river, or the member of the shared clock that stands in for it while it grows. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
-  readonly #chartMaker: ChartMaker;
+  readonly #annotator: Annotator;
   readonly #drafts: Drafts;
 
   /** Puts a river on the canvas at tick 0. Throws the core's errors. */
   constructor(
-    core: RiverMaker<R>,
+    core: RiverMaker,
     private readonly canvas: Canvas,
     link: LinkToRead,
     private readonly frames: Frames,
@@ -82,7 +77,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#river = new core.engine.River(link.text, link.options);
     this.#reading = this.#readRiver();
     this.#drafts = new Drafts(this.#river, () => frames.now());
-    this.#chartMaker = new ChartMaker(core.loadCharts, {
+    this.#annotator = new Annotator(core.loadTeller, {
       arrived: () => this.#attempt(() => this.#redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
     });
@@ -109,7 +104,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
    * The river on the canvas, for questions. Undefined once the player is closed, since after a failure it may not be
    * used.
    */
-  get river(): R | undefined {
+  get river(): River | undefined {
     return this.#canRun ? this.#river : undefined;
   }
 
@@ -304,7 +299,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   #draw(asDraft: boolean): boolean {
-    const drafted = asDraft ? this.#river.paintUnfinished?.() : undefined;
+    const drafted = asDraft ? this.#river.paintUnfinished() : undefined;
     const isMore = drafted === undefined || drafted === "impossible" ? this.#paint() : drafted === "part";
     if (isMore) return true;
     this.#blitter.blit(this.#river);
@@ -319,7 +314,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   #paint(): boolean {
     const { ratio, framing } = this.#view;
     const mayLabel = !this.#labelling || this.frames.now() >= this.#labelling.from;
-    return (mayLabel && this.#chartMaker.lay(this.#river, ratio, framing)) || this.#river.paint();
+    return (mayLabel && this.#annotator.lay(this.#river, ratio, framing)) || this.#river.paint();
   }
 
   #tell(): void {

@@ -1,6 +1,7 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { FRONT, isAdjustable } from "../../src/controls/controls.ts";
 import { engine } from "../core.ts";
+import { table } from "../table.ts";
 import {
   address,
   expectAddress,
@@ -24,8 +25,7 @@ const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1";
 const DRAINED = "seed=kauri&attractors=3000&edition=1";
 
 /** By the names that they have in the panel. */
-const adjustable = engine
-  .parameters()
+const adjustable = table.parameters
   .filter(isAdjustable)
   .map((parameter) => ({ ...parameter, label: new Map(FRONT).get(parameter.key) ?? parameter.label }));
 
@@ -290,7 +290,7 @@ test("an exact value can be typed; one out of range is clamped and said @core", 
   await expect(page.locator("#notices")).toBeHidden();
 });
 
-for (const preset of engine.presets()) {
+for (const preset of table.presets) {
   test(`the preset ${preset.name} is a button`, async ({ page }) => {
     await openUnfolded(page, `${SMALL}&curl=1.7&momentum=0.2`);
     const button = page.getByRole("button", { name: preset.label, exact: true });
@@ -363,7 +363,7 @@ test("everything can be reached and used by keyboard alone @core", async ({ page
   }
   for (const id of ["play", "speed", "seed", "dice", "download", "copy", "reset", "shape", "draw", "share", "zoom-in"])
     expect(order).toContain(id);
-  for (const { label } of engine.presets()) expect(order).toContain(label);
+  for (const { label } of table.presets) expect(order).toContain(label);
   for (const { key, kind } of controlled) {
     if (kind === "sides") continue;
     if (reasonIn(SMALL, key) === undefined) expect(order).toContain(`field-${key}`);

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { engine } from "../core.ts";
+import { table } from "../table.ts";
 import { complaints, openFinished, openPanel } from "./riverpage.ts";
 
 test("every kind of country has a picture on its button, which is not fetched before the panel opens", async ({
@@ -14,7 +14,7 @@ test("every kind of country has a picture on its button, which is not fetched be
   await openFinished(page, "attractors=300");
   expect(fetched).toEqual([]);
   await openPanel(page);
-  const all = engine.countries();
+  const all = table.countries;
   const pictures = page.locator("#countries img");
   await expect(pictures).toHaveCount(all.length);
   for (const [i, { label }] of all.entries()) {

@@ -2,7 +2,9 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 import { linesOf } from "../../src/apps/digest/lines.ts";
 
-const committed = linesOf(readFileSync(new URL("../../../tests/digest.txt", import.meta.url), "utf8"));
+const committed = ["digest", "digest-charts"].flatMap((name) =>
+  linesOf(readFileSync(new URL(`../../../tests/${name}.txt`, import.meta.url), "utf8")),
+);
 
 test("this browser grows every committed recipe to the committed bits", async ({ page }) => {
   expect(committed.length).toBeGreaterThanOrEqual(50);

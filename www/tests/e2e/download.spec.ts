@@ -1,9 +1,9 @@
 import { expect, test } from "@playwright/test";
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
-import { namesOf } from "../charts.ts";
 import { pictureOf } from "../core.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { told } from "../tell.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton } from "./saving.ts";
 import { core } from "./tiers.ts";
@@ -55,9 +55,9 @@ for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
 
 /** What the core writes of a link's finished rivers. */
 function written(link: string): { network: object; geojson: object } {
-  const river = new full.River(link);
+  const river = new engine.River(link);
   while (river.advance(1000));
-  const [network, geojson] = [river.network(namesOf(river)), river.geojson(namesOf(river))];
+  const [network, geojson] = told(river, (map) => [map.network(), map.geojson()] as const);
   river.free();
   return { network: plain(network), geojson: plain(geojson) };
 }

@@ -1,6 +1,7 @@
 /** What is laid over a map while it grows, and at the moments of its making. */
 
 import { expect, type Page, test } from "@playwright/test";
+import { dotsOf, linesOf } from "../../src/apps/page-worker/path-text.ts";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";
@@ -41,7 +42,7 @@ async function goToGrowth(page: Page): Promise<void> {
 function grownTo(link: string, left: string): InstanceType<typeof engine.River> | undefined {
   const river = new engine.River(link);
   do {
-    if (river.shapes(1) === left) return river;
+    if (dotsOf(river.left()) === left) return river;
   } while (river.advance(1) && river.phase === "growing");
   return;
 }
@@ -50,7 +51,7 @@ function grownTo(link: string, left: string): InstanceType<typeof engine.River> 
 function leftAtTheEnd(link: string): string {
   const river = new engine.River(link);
   while (river.advance(1000));
-  return river.shapes(1);
+  return dotsOf(river.left());
 }
 
 for (const [link, alive] of [
@@ -74,12 +75,12 @@ for (const [link, alive] of [
       })
       .toBe(true);
     const river = grownTo(link, (await laid(page, 2)) ?? "");
-    expect(await laid(page, 1)).toBe(river?.shapes(0));
+    expect(await laid(page, 1)).toBe(river && dotsOf(river.scattered()));
     await page.keyboard.press("t");
-    await expect.poll(() => laid(page, 1)).toBe(river?.shapes(2));
+    await expect.poll(() => laid(page, 1)).toBe(river && dotsOf(river.tips()));
     // A tick on there are others.
     await page.keyboard.press(".");
-    await expect.poll(() => laid(page, 1)).not.toBe(river?.shapes(2));
+    await expect.poll(() => laid(page, 1)).not.toBe(river && dotsOf(river.tips()));
     await page.keyboard.press("o");
     await expect(card(page)).toBeHidden();
     await track(page).focus();
@@ -103,7 +104,7 @@ for (const [link, alive] of [
     };
     await expect.poll(async () => (await counts())[1]).toBe(0);
     const [all = 0] = await counts();
-    expect(await laid(page, 2)).toBe(new engine.River(link).shapes(1));
+    expect(await laid(page, 2)).toBe(dotsOf(new engine.River(link).left()));
     let left = all;
     for (const wanted of [0.8, 0.5]) {
       while (left > wanted * all) {
@@ -168,9 +169,9 @@ test("masks are water and ridges; curvature is there when the map is finished", 
   await openFinished(page, DRAINED.replace("island", "valley"));
   const river = new engine.River(DRAINED.replace("island", "valley"));
   await page.keyboard.press("m");
-  await expect.poll(async () => (await laid(page, 1))?.endsWith(river.shapes(3))).toBe(true);
-  expect(await laid(page, 2)).toBe(river.shapes(4));
-  expect(river.shapes(4)).toMatch(/^M/);
+  await expect.poll(async () => (await laid(page, 1))?.endsWith(linesOf(river.coasts(), true))).toBe(true);
+  expect(await laid(page, 2)).toBe(linesOf(river.ridges()));
+  expect(linesOf(river.ridges())).toMatch(/^M/);
   await page.keyboard.press("c");
   await expect(page.locator('.inside[data-look="curvature"]')).toHaveCount(1);
   await expect.poll(() => linesLaid(page)).toBeGreaterThan(40);

@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/browser/address.ts";
 import { engine, pictureOf } from "../core.ts";
+import { table } from "../table.ts";
 import {
   address,
   countCalls,
@@ -127,7 +128,7 @@ for (const [name, query] of [
 }
 
 function smallest(): string {
-  const values = engine.parameters().flatMap(({ key, min }) => (min === undefined ? [] : [[key, String(min)]]));
+  const values = table.parameters.flatMap(({ key, min }) => (min === undefined ? [] : [[key, String(min)]]));
   return new URLSearchParams(values).toString();
 }
 

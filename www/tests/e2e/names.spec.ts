@@ -1,17 +1,16 @@
 import { expect, type Page, test } from "@playwright/test";
-import { charts } from "../charts.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { told } from "../tell.ts";
 import { openWithPanel, shown } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
-const CHARTS = /riverseed_chart_bg.*\.wasm/;
+const TELLER = /riverseed_tell_bg.*\.wasm/;
 
 /** The greatest names of a link's map, mark and name in turn. */
 function greatest(link: string): string[][] {
-  const river = new full.River(link);
+  const river = new engine.River(link);
   while (river.advance(1000));
-  const chart = new charts.Chart(river.mapData());
-  const texts = chart.greatest(12);
+  const texts = told(river, (map) => map.greatest(12));
   return texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""]] : []));
 }
 
@@ -31,7 +30,7 @@ test("a map without labels fetches nothing of what makes them, and one that gets
 }) => {
   const urls = asked(page);
   await openWithPanel(page, LINK);
-  expect(urls.filter((url) => CHARTS.test(url))).toEqual([]);
+  expect(urls.filter((url) => TELLER.test(url))).toEqual([]);
   const bare = await picture(page);
   await page.getByRole("heading", { name: "Names" }).click();
   await page.getByLabel("Labels", { exact: true }).selectOption("some");
@@ -41,7 +40,7 @@ test("a map without labels fetches nothing of what makes them, and one that gets
     "aria-label",
     new RegExp(`Its greatest rivers: ${rivers[0]?.[1]}, `),
   );
-  expect(urls.filter((url) => CHARTS.test(url)).length).toBe(1);
+  expect(urls.filter((url) => TELLER.test(url)).length).toBe(1);
 });
 
 test("names on the map are listed, can be typed over, and are in the link @core", async ({ page }) => {
@@ -70,7 +69,7 @@ test("names on the map are listed, can be typed over, and are in the link @core"
 });
 
 test("offline, the map has no labels, and a note says so @core", async ({ page }) => {
-  await page.route(CHARTS, (route) => route.abort());
+  await page.route(TELLER, (route) => route.abort());
   await openWithPanel(page, `${LINK}&labels=some`);
   await expect(page.locator("#notices")).toContainText("The map is shown without names");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");

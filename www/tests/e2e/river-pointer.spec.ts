@@ -109,7 +109,7 @@ test("of a river that grows nothing is shown", async ({ page }) => {
 });
 
 test("without what names rivers a river is told all the same", async ({ page }) => {
-  await page.route(/riverseed_chart_bg.*\.wasm/, (route) => route.abort());
+  await page.route(/riverseed_tell_bg.*\.wasm/, (route) => route.abort());
   await openFinished(page, LINK);
   // Without names no key walks from one to the next.
   const box = await page.locator("#map-place").boundingBox();

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { expect, type Page, test } from "@playwright/test";
 import { type DecodedPng, decode } from "fast-png";
 import { pictureOf } from "../core.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
 import { complaints, openFinished } from "./riverpage.ts";
 import {
   bytesOf,
@@ -47,7 +47,7 @@ test("the picture for screens is the command line's of that size, to the bit, an
   expect(name).toBe("puriri-atlas-2000.png");
   const picture = decode(bytes);
   expect([picture.width, picture.height, picture.channels]).toEqual([2000, 1250, 3]);
-  expect(picture.text).toEqual({ riverseed: full.readLink(NAMED).link });
+  expect(picture.text).toEqual({ riverseed: engine.readLink(NAMED).link });
   expect(sha256(pixelsOf(picture))).toBe(pictureOf(NAMED, 2000, 1250).sha256);
 });
 
@@ -338,7 +338,7 @@ test("where a worker does not begin, the page makes the file", async ({ page }) 
 
 test("a file that cannot be made is told of in words, and the map stays", async ({ page }) => {
   await openFinished(page, NAMED);
-  await page.route(/riverseed_chart_bg[^/]*\.wasm$/, (route) => route.abort());
+  await page.route(/riverseed_tell_bg[^/]*\.wasm$/, (route) => route.abort());
   await choose(page, "Picture");
   await saveButton(page).click();
   await expect(said(page)).toContainText(/puriri-atlas-2000\.png could not be made: .*did not arrive/);

@@ -6,10 +6,9 @@ import { renderToString } from "react-dom/server";
 import { expect, test } from "vitest";
 import { createSSRApp, h } from "vue";
 import { renderToString as renderVue } from "vue/server-renderer";
-import { askChart } from "../../src/player/chart-maker.ts";
-import { charts, namesOf } from "../charts.ts";
 import { pictureOf } from "../core.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { told } from "../tell.ts";
 import { CONSUMERS } from "./installed.ts";
 
 /** A program in Node, in a process of its own: nothing of the test runner's is there. */
@@ -56,11 +55,11 @@ test("in Node a link becomes an SVG file, GeoJSON and names, as the page makes t
     console.log(JSON.stringify({ link, sources: summary.sources, svg: map.svg(), geojson: map.geojson(), names: map.names() }));
     map.free();`;
   const made = JSON.parse(runs(program));
-  const river = new full.River(NAMED);
+  const river = new engine.River(NAMED);
   while (river.advance(1000));
-  expect(made.svg).toBe(river.svg(askChart(river, charts, (chart) => chart.svg())));
+  expect(made.svg).toBe(told(river, (map) => map.svg()));
   while (river.raiseRelief());
-  expect(made.geojson).toEqual(JSON.parse(JSON.stringify(river.geojson(namesOf(river)))));
+  expect(made.geojson).toEqual(JSON.parse(JSON.stringify(told(river, (map) => map.geojson()))));
   expect(made.geojson.type).toBe("FeatureCollection");
   expect(made.link).toBe(river.link);
   expect(made.sources).toBe(river.summary().sources);
@@ -79,9 +78,9 @@ test("in Node a link without names is written without the part that writes them"
     import { grow } from "riverseed/node";
     const map = grow("seed=rimu&attractors=300");
     console.log(map.svg());`;
-  const river = new full.River("seed=rimu&attractors=300");
+  const river = new engine.River("seed=rimu&attractors=300");
   while (river.advance(1000));
-  expect(runs(program)).toBe(`${river.svg([])}\n`);
+  expect(runs(program)).toBe(`${told(river, (map) => map.svg())}\n`);
 });
 
 test("in Node parameters are listed with their ranges, and a link beyond them is refused by name", () => {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { fileName } from "../../src/apps/page/save/file-names.ts";
-import { engine } from "../core.ts";
+import { table } from "../table.ts";
 
 test("a file is called after its seed, its style and its size", () => {
   expect(fileName("skye", "png", "atlas", 4961)).toBe("skye-atlas-4961.png");
@@ -41,7 +41,7 @@ test("of a long seed there is a beginning, whatever its script", () => {
 });
 
 test("every style is a word that a name can have", () => {
-  const styles = engine.parameters().find(({ key }) => key === "style")?.choices ?? [];
+  const styles = table.parameters.find(({ key }) => key === "style")?.choices ?? [];
   expect(styles.length).toBeGreaterThan(10);
   for (const { value } of styles) expect(value).toMatch(/^[a-z-]+$/);
 });

@@ -4,23 +4,24 @@ import { expect, test, vi } from "vitest";
 import { picture, pngOf } from "../../src/files/files.ts";
 import { fileOf } from "../../src/files/formats.ts";
 import { pictureOf } from "../../src/files/picture.ts";
-import { loadCharts } from "../charts.ts";
 import { differing, pixelsOf } from "../core.ts";
-import { full, memory } from "../full.ts";
+import { engine, memory } from "../make.ts";
+import { loadTeller } from "../tell.ts";
 
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
-const core = { engine: full, memory, loadCharts, holdOn: () => {} };
+const core = { engine, memory, loadTeller, holdOn: () => {} };
 
-function grown(steps: number): full.River {
-  const river = new full.River(LINK);
+function grown(steps: number): engine.River {
+  const river = new engine.River(LINK);
   river.advance(steps);
   return river;
 }
 
-const json = async (river: full.River): Promise<object> => JSON.parse(await (await fileOf(river, core, "json")).text());
+const json = async (river: engine.River): Promise<object> =>
+  JSON.parse(await (await fileOf(river, core, "json")).text());
 
 for (const steps of [0, 10, 100_000]) {
   test(`a copy of a river after ${steps} steps becomes the finished file, and the river stays as it is`, async () => {
@@ -41,7 +42,7 @@ test("a copy goes its own way, and says so", () => {
 });
 
 test("a river is gone once it is a file, and also if it could not be made one", async () => {
-  const gone = (river: full.River): unknown => {
+  const gone = (river: engine.River): unknown => {
     try {
       return river.phase;
     } catch (error) {
@@ -53,7 +54,7 @@ test("a river is gone once it is a file, and also if it could not be made one", 
   expect(gone(river)).toBeInstanceOf(Error);
   const unlucky = grown(0);
   Object.assign(unlucky, {
-    svg: () => {
+    mapData: () => {
       throw new Error("no room");
     },
   });
@@ -65,7 +66,7 @@ const LABELLED = "seed=kauri&land=island&growth=drainage&attractors=1500&labels=
 
 test("files of data have names, labels or not, and a shape has labels if they are asked for", async () => {
   const data = async (format: "json" | "geojson"): Promise<string> =>
-    (await fileOf(new full.River(LINK), core, format)).text();
+    (await fileOf(new engine.River(LINK), core, format)).text();
   const network = JSON.parse(await data("json"));
   expect(network.names[0]).toMatchObject({ kind: "title", text: expect.stringMatching(/\w/) });
   expect(network.rivers[0]).toMatchObject({ identity: expect.any(Number), name: expect.stringMatching(/\w/) });
@@ -73,30 +74,28 @@ test("files of data have names, labels or not, and a shape has labels if they ar
     ({ properties }: { properties: { kind: string } }) => properties.kind === "river",
   );
   expect(rivers[0].properties.name).toBe(network.rivers[0].name);
-  const shape = async (link: string): Promise<string> => (await fileOf(new full.River(link), core, "svg")).text();
+  const shape = async (link: string): Promise<string> => (await fileOf(new engine.River(link), core, "svg")).text();
   expect(await shape(LINK)).not.toContain('id="labels"');
   const labelled = await shape(LABELLED);
   expect(labelled).toMatch(/<mask id="halo"[\s\S]*mask="url\(#halo\)[\s\S]*<g id="labels"[\s\S]*<title>\w/);
 });
 
 test("a picture for a file has its labels, and what makes them is fetched for none without", async () => {
-  const counted = { ...core, loadCharts: vi.fn(loadCharts) };
+  const counted = { ...core, loadTeller: vi.fn(loadTeller) };
   const [bare, labelled] = [LABELLED.replace("labels=many", "labels=none"), LABELLED].map(async (link) => {
-    const river = new full.River(link);
+    const river = new engine.River(link);
     while (river.advance(1000));
     await picture(river, counted, 300);
     return pixelsOf(river);
   });
   expect(differing((await bare) as Uint8Array, (await labelled) as Uint8Array)).toBeGreaterThan(200);
-  expect(counted.loadCharts).toHaveBeenCalledTimes(1);
+  expect(counted.loadTeller).toHaveBeenCalledTimes(1);
 });
 
-test("a file that should have names is none without what makes them", async () => {
-  const offline = { ...core, loadCharts: () => Promise.reject(new TypeError("offline")) };
-  for (const format of ["json", "geojson", "zip"] as const)
-    await expect(fileOf(new full.River(LINK), offline, format)).rejects.toMatchObject({ code: "no-files" });
-  await expect(fileOf(new full.River(LABELLED), offline, "svg")).rejects.toMatchObject({ code: "no-files" });
-  expect((await fileOf(new full.River(LINK), offline, "svg")).size).toBeGreaterThan(1000);
+test("there is no file without what tells about maps", async () => {
+  const offline = { ...core, loadTeller: () => Promise.reject(new TypeError("offline")) };
+  for (const format of ["svg", "json", "geojson", "zip"] as const)
+    await expect(fileOf(new engine.River(LINK), offline, format)).rejects.toMatchObject({ code: "no-files" });
 });
 
 /** The pixels of a PNG. */
@@ -106,7 +105,7 @@ function decoded(png: ArrayBuffer): Uint8Array {
 
 /** The pixels that a fresh engine paints, without their opacity. */
 function painted(link: string, longSide: number): Uint8Array {
-  const river = new full.River(link);
+  const river = new engine.River(link);
   while (river.advance(1000));
   const [width = 0, height = 0] = river.sidesFor(longSide);
   river.resize(width, height);
@@ -116,7 +115,7 @@ function painted(link: string, longSide: number): Uint8Array {
 
 test("the element's picture has exactly the core's pixels, and is the page's file to the byte", async () => {
   for (const link of [`${LINK}&style=atlas`, `${LINK}&aspect=0.7&style=ink`]) {
-    const ofElement = await (await pngOf(new full.River(link), core, 600)).arrayBuffer();
+    const ofElement = await (await pngOf(new engine.River(link), core, 600)).arrayBuffer();
     expect(Buffer.compare(decoded(ofElement), painted(link, 600)), link).toBe(0);
     const order = { kind: "picture", link, longerSide: 600, isTransparent: false } as const;
     const ofPage = await pictureOf(order, core, { tell: () => {}, pause: () => Promise.resolve() });
@@ -126,9 +125,9 @@ test("the element's picture has exactly the core's pixels, and is the page's fil
 
 test("a game pack's picture has exactly the core's pixels, and carries its link", async () => {
   const link = "seed=kauri&attractors=300&land=valley&style=atlas";
-  const pack = await (await fileOf(new full.River(link), core, "zip")).arrayBuffer();
+  const pack = await (await fileOf(new engine.River(link), core, "zip")).arrayBuffer();
   const map = unzipSync(new Uint8Array(pack))["map.png"] ?? new Uint8Array();
   const { data, text } = decode(map, { checkCrc: true });
   expect(Buffer.compare(data as Uint8Array, painted(link, 3000))).toBe(0);
-  expect(text).toEqual({ riverseed: new full.River(link).link });
+  expect(text).toEqual({ riverseed: new engine.River(link).link });
 });

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Phase } from "../../pkg/riverseed.js";
+import type { Phase } from "../../pkg-make/riverseed.js";
 import {
   DRAFT_BUDGET_MS,
   FRAME_BUDGET_MS,

@@ -2,7 +2,8 @@ import { expect, test } from "vitest";
 import { overviewPage, pageOf } from "../../build/gallery/pages.ts";
 import { type Entry, entries, recipes } from "../../build/gallery/recipes.ts";
 import { cardShot } from "../../build/gallery/shots.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { table } from "../table.ts";
 
 const all = entries();
 const place = { site: undefined, sheet: "../gallery.css", hasPolicy: true };
@@ -23,16 +24,16 @@ test("there are at least 24 maps, each with an address, a name and a sentence of
 test("a link is read without a notice and is canonical, so that it stays the same picture, on a dark page too", () => {
   for (const { link } of recipes)
     for (const dark of [false, true]) {
-      const reading = full.readLink(link, { dark });
+      const reading = engine.readLink(link, { dark });
       expect(reading.notices, link).toEqual([]);
       expect(reading.namesStyle, link).toBe(true);
-      expect(full.readLink(link, { dark: true }).sharedLink).toBe(link);
-      expect(new Map(reading.values)).toEqual(new Map(full.readLink(link).values));
+      expect(engine.readLink(link, { dark: true }).sharedLink).toBe(link);
+      expect(new Map(reading.values)).toEqual(new Map(engine.readLink(link).values));
     }
 });
 
 test("all styles are to be seen", () => {
-  const styles = full.parameters().find(({ key }) => key === "style")?.choices ?? [];
+  const styles = table.parameters.find(({ key }) => key === "style")?.choices ?? [];
   const seen = new Set(recipes.map(({ link }) => new URLSearchParams(link).get("style")));
   expect([...seen].sort()).toEqual(styles.map(({ value }) => value).sort());
 });

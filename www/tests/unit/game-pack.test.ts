@@ -2,26 +2,22 @@ import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { expect, test, vi } from "vitest";
 import { contentsOf, packed } from "../../src/files/game-pack.ts";
-import { namesOf } from "../charts.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { told } from "../tell.ts";
 
 // An archive takes seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
 const LINK = "seed=kauri&attractors=300&land=valley";
 
-function finished(): full.River {
-  const river = new full.River(LINK);
+function finished(): engine.River {
+  const river = new engine.River(LINK);
   while (river.advance(1000));
   return river;
 }
 
-function names(): Uint32Array {
-  return namesOf(finished());
-}
-
 async function unpacked(): Promise<Record<string, Uint8Array>> {
-  const archive = await packed(contentsOf(finished(), names()), new Blob(["a picture"]));
+  const archive = await packed(told(finished(), contentsOf), new Blob(["a picture"]));
   return unzipSync(new Uint8Array(await archive.arrayBuffer()));
 }
 
@@ -35,13 +31,13 @@ test("the archive holds every file, and the picture as it came", async () => {
   expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
   expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
   expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(
-    JSON.parse(JSON.stringify(finished().geojson(names()))),
+    JSON.parse(JSON.stringify(told(finished(), (map) => map.geojson()))),
   );
-  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(finished().cells().readme());
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(told(finished(), (map) => map.cells().readme()));
 });
 
 test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
-  const [files, { columns, rows, rasters }] = [await unpacked(), contentsOf(finished(), names())];
+  const [files, { columns, rows, rasters }] = [await unpacked(), told(finished(), contentsOf)];
   const depths = rasters.map(({ name, values, texts }) => {
     const picture = decode(files[`${name}.png`] ?? new Uint8Array());
     expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
@@ -55,11 +51,11 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
 });
 
 test("a growing river has no rasters", () => {
-  expect(() => contentsOf(new full.River(LINK), new Uint32Array())).toThrow("still growing");
+  expect(() => told(new engine.River(LINK), contentsOf)).toThrow("no map");
 });
 
 test("a river always gives the same archive", async () => {
   const made = async () =>
-    Buffer.from(await (await packed(contentsOf(finished(), names()), new Blob(["x"]))).arrayBuffer());
+    Buffer.from(await (await packed(told(finished(), contentsOf), new Blob(["x"]))).arrayBuffer());
   expect((await made()).equals(await made())).toBe(true);
 });

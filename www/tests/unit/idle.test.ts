@@ -1,12 +1,14 @@
 import { expect, test } from "vitest";
 import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
+import { table } from "../table.ts";
+import { outlineOf } from "../tracing.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
   "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
 const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
-const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
+const OUTLINE = outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
 /** Valleys and hard ground lie many parcels apart. */
@@ -46,8 +48,7 @@ const CLOSE = merged(
   "mouths=3&attractors=500&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1",
 );
 
-const keys = engine
-  .parameters()
+const keys = table.parameters
   .filter(isAdjustable)
   // What charts are made by shows on larger maps than these, or in files only: `chart-maker.test.ts` and tests of the core look at it.
   .filter(({ stage }) => stage !== "name")

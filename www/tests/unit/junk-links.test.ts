@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { engine } from "../core.ts";
+import { table } from "../table.ts";
 
 /** Fixed chance: the same links in every run. */
 let state = 20_261_123;
@@ -13,7 +14,7 @@ function pick<One>(some: readonly One[]): One {
 }
 
 const KEYS = [
-  ...engine.parameters().map(({ key }) => key),
+  ...table.parameters.map(({ key }) => key),
   "preset",
   "utm_source",
   "__proto__",

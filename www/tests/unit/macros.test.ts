@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
 import { keysOf, MACROS, placeOf, valuesAt } from "../../src/controls/macros.ts";
 import { engine } from "../core.ts";
+import { table } from "../table.ts";
 
-const table = new Map(engine.parameters().map((parameter) => [parameter.key, parameter]));
+const rows = new Map(table.parameters.map((parameter) => [parameter.key, parameter]));
 const GROWTHS = ["drainage", "colonize", "brownian"];
 
 function valuesOf(link: string): Map<string, string> {
@@ -13,7 +14,7 @@ for (const macro of MACROS)
   for (const growth of GROWTHS) {
     test(`${macro.name}: every place is a link without a mistake, and is found again: ${growth}`, () => {
       for (let place = 0; place <= 1; place += 0.05) {
-        const set = valuesAt(macro, place, table, valuesOf(`growth=${growth}`));
+        const set = valuesAt(macro, place, rows, valuesOf(`growth=${growth}`));
         const link = set.map(([key, text]) => `${key}=${text}`).join("&");
         const read = engine.readLink(`growth=${growth}&${link}`);
         expect(read.notices).toEqual([]);
@@ -26,8 +27,7 @@ for (const macro of MACROS)
 
     test(`${macro.name}: the middle is the default: ${growth}`, () => {
       const values = valuesOf(`growth=${growth}`);
-      for (const [key, text] of valuesAt(macro, 0.5, table, values))
-        expect([key, text]).toEqual([key, values.get(key)]);
+      for (const [key, text] of valuesAt(macro, 0.5, rows, values)) expect([key, text]).toEqual([key, values.get(key)]);
       expect(placeOf(macro, values)).toBeCloseTo(0.5);
     });
   }
@@ -47,7 +47,7 @@ test("rivers that do not meander are straight, and begin to when they are to win
   if (!winding) throw new Error("no such macro");
   const values = valuesOf("meander=none");
   expect(placeOf(winding, values)).toBe(0);
-  expect(valuesAt(winding, 0.75, table, values)).toEqual([
+  expect(valuesAt(winding, 0.75, rows, values)).toEqual([
     ["meander", "bend"],
     ["meander-rounds", "60"],
     ["meander-elsewhere", "0.5"],
@@ -55,5 +55,5 @@ test("rivers that do not meander are straight, and begin to when they are to win
 });
 
 test("a macro names parameters that there are", () => {
-  for (const macro of MACROS) for (const key of keysOf(macro)) expect(table.has(key), key).toBe(true);
+  for (const macro of MACROS) for (const key of keysOf(macro)) expect(rows.has(key), key).toBe(true);
 });

@@ -1,7 +1,9 @@
 import { expect, test } from "vitest";
 import { asText, summed, told } from "../../src/apps/page/panel/measures.ts";
-import type { Measure } from "../../src/engine/full.ts";
+import type { Measure } from "../../src/engine/types.ts";
+import { askMap } from "../../src/player/annotator.ts";
 import { engine } from "../core.ts";
+import { teller } from "../tell.ts";
 
 const NATURE = { median: 1.32, least: 1.21, most: 1.54, source: "11 river basins" };
 const SINUOSITY: Measure = {
@@ -40,11 +42,10 @@ test("a sentence sums them up, without a score", () => {
   expect(told([small])[0]?.verdict).toBe("too few rivers to tell");
 });
 
-test("the engine measures a finished river, and nothing of one that grows", () => {
+test("a finished map is measured", () => {
   const river = new engine.River("seed=kauri");
-  expect(river.measures()).toEqual([]);
   while (river.advance(1000));
-  const rows = told(river.measures());
+  const rows = told(askMap(river, teller, (map) => map.measures()));
   expect(rows).toHaveLength(10);
   expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(7);
   expect(asText(rows)).toMatch(

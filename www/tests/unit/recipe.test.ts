@@ -3,16 +3,16 @@ import { isAdjustable } from "../../src/controls/controls.ts";
 import { isShown, unaskedChanges } from "../../src/controls/presets.ts";
 import { Recipe } from "../../src/engine/recipe.ts";
 import { engine } from "../core.ts";
+import { table } from "../table.ts";
 
-const table = engine.parameters();
-const presets = engine.presets();
+const { parameters, presets } = table;
 const fresh = () => new Recipe(engine.readLink);
 
 test("an empty link is the defaults, without a note", () => {
   const recipe = fresh();
   recipe.open("");
   expect(recipe.notices.size).toBe(0);
-  for (const { key, default: value } of table) expect(recipe.values.get(key)).toBe(value);
+  for (const { key, default: value } of parameters) expect(recipe.values.get(key)).toBe(value);
 });
 
 test("changing one value leaves the others", () => {
@@ -61,14 +61,14 @@ test("a preset sets what it names, whatever another names and the table's defaul
   const other = { name: "bare", label: "Bare", help: "", values: [["trim", "40"]] } as const;
   const { values } = engine.readLink("curl=1.5&trim=7");
   expect(isShown(preset, new Map(values))).toBe(true);
-  expect(unaskedChanges(preset, [preset, other], table, new Map(values))).toBeUndefined();
+  expect(unaskedChanges(preset, [preset, other], parameters, new Map(values))).toBeUndefined();
 });
 
 test("what a preset changes unasked is told, in words", () => {
   const changes = (link: string, name: string): string | undefined => {
     const preset = presets.find((one) => one.name === name);
     if (!preset) throw new Error(`no preset ${name}`);
-    return unaskedChanges(preset, presets, table, new Map(engine.readLink(link).values));
+    return unaskedChanges(preset, presets, parameters, new Map(engine.readLink(link).values));
   };
   const said = changes("land=island&curl=1.5&trim=40&simplify=12&meander=flow&growth=brownian", "trimmed-curl");
   expect(said).toMatch(/^“Trimmed curl” also changed .*\.$/);
@@ -94,7 +94,7 @@ test("a preset's button gives what the preset's link gives", () => {
 });
 
 test("there is a control for everything but the seed and the outline, which have their own, and the edition, which has one value", () => {
-  const without = table.filter((parameter) => !isAdjustable(parameter)).map(({ key }) => key);
+  const without = parameters.filter((parameter) => !isAdjustable(parameter)).map(({ key }) => key);
   expect(without).toEqual(["seed", "edition", "outline"]);
 });
 

@@ -1,8 +1,8 @@
 import { expect, test, vi } from "vitest";
 import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
-import { charts } from "../charts.ts";
 import { engine, memory, pixelsOf } from "../core.ts";
 import { Display, Image } from "../display.ts";
+import { teller } from "../tell.ts";
 
 // Maps take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
@@ -19,7 +19,7 @@ function player(
   failed = rethrow,
   size = () => SIZE,
   display = new Display(),
-): [player: RiverPlayer<engine.River>, display: Display, seen: () => Buffer] {
+): [player: RiverPlayer, display: Display, seen: () => Buffer] {
   vi.stubGlobal("ImageData", Image);
   let last = Buffer.alloc(0);
   const putImageData = ({ data }: Image): void => {
@@ -32,7 +32,7 @@ function player(
     failed,
   };
   return [
-    new RiverPlayer({ engine, memory, loadCharts: () => Promise.resolve(charts) }, canvas, { text }, display, events),
+    new RiverPlayer({ engine, memory, loadTeller: () => Promise.resolve(teller) }, canvas, { text }, display, events),
     display,
     () => last,
   ];
@@ -43,7 +43,7 @@ function frames(display: Display): void {
 }
 
 /** What it shows. */
-function shown(one: RiverPlayer<engine.River>): Uint8Array {
+function shown(one: RiverPlayer): Uint8Array {
   return pixelsOf(one.river as engine.River);
 }
 

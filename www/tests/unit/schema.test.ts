@@ -1,8 +1,8 @@
 import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
-import { namesOf } from "../charts.ts";
-import { full } from "../full.ts";
+import { engine } from "../make.ts";
+import { told } from "../tell.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
 const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: true }).compile(schema);
@@ -12,9 +12,9 @@ type Network = any;
 
 /** The JSON form of a link's finished rivers, as it comes back from a file. */
 function written(link: string): Network {
-  const river = new full.River(link);
+  const river = new engine.River(link);
   while (river.advance(1000));
-  const network = river.network(namesOf(river));
+  const network = told(river, (map) => map.network());
   river.free();
   return JSON.parse(JSON.stringify(network));
 }

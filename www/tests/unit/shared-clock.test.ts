@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Phase } from "../../pkg/riverseed.js";
+import type { Phase } from "../../pkg-make/riverseed.js";
 import { FrameLoop, type Growing } from "../../src/player/frame-loop.ts";
 import { SharedClock } from "../../src/player/shared-clock.ts";
 

@@ -61,7 +61,7 @@ test("work that never answers fails by name", async () => {
 
 /** The page's module, from a server that a test holds in its hand. */
 function serve() {
-  const wasm = readFileSync(new URL("../../pkg/riverseed_bg.wasm", import.meta.url));
+  const wasm = readFileSync(new URL("../../pkg-make/riverseed_bg.wasm", import.meta.url));
   const asked: AbortSignal[] = [];
   let sender: ReadableStreamDefaultController<Uint8Array> | undefined;
   const body = new ReadableStream<Uint8Array>({

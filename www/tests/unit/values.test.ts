@@ -1,5 +1,4 @@
 import { expect, test } from "vitest";
-import type { Parameter } from "../../pkg-full/riverseed_full.js";
 import { count } from "../../src/browser/count.ts";
 import {
   LOG_STEPS,
@@ -14,13 +13,15 @@ import {
   spoken,
   textAt,
 } from "../../src/controls/values.ts";
+import type { Parameter } from "../../src/engine/table.ts";
 import { engine } from "../core.ts";
+import { table } from "../table.ts";
 
 const linear: Range = { min: 0, max: 2, step: 0.01, isLog: false };
 const many: Range = { min: 100, max: 1_000_000, step: 1, isLog: true };
 const few: Range = { min: 1, max: 64, step: 1, isLog: true };
 
-const ranges = engine.parameters().flatMap((parameter) => {
+const ranges = table.parameters.flatMap((parameter) => {
   const range = rangeOf(parameter);
   return range && range.min < range.max ? [{ parameter, range }] : [];
 });
@@ -98,7 +99,7 @@ test("the share of a slider runs from 0 to 1", () => {
 });
 
 test("sides are read and written in the table's order", () => {
-  const sides = engine.parameters().find(({ kind }) => kind === "sides");
+  const sides = table.parameters.find(({ kind }) => kind === "sides");
   expect(sides).toBeDefined();
   expect(sidesOf("sw")).toEqual(["s", "w"]);
   expect(sidesText(new Set(["w", "n"]), sides as Parameter)).toBe("nw");

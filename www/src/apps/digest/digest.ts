@@ -1,20 +1,23 @@
 /**
- * Grows every recipe of tests/digest.txt in this browser and compares the digests with the committed ones: the same
+ * Grows every recipe of tests/digest.txt and tests/digest-charts.txt in this browser and compares the digests with the committed ones: the same
  * recipe must give the same river, bit for bit, everywhere. Tests read the result from the body's data attributes.
  */
 
-import expected from "../../../../tests/digest.txt?raw";
+import plain from "../../../../tests/digest.txt?raw";
+import annotated from "../../../../tests/digest-charts.txt?raw";
 import { find } from "../../browser/dom.ts";
-import { named } from "../../engine/errors.ts";
-import { loadFull } from "../../engine/full.ts";
+import { named, PageError } from "../../engine/errors.ts";
+import { type Core, load } from "../../engine/make.ts";
+import { loadTeller, type Teller } from "../../engine/tell.ts";
+import { annotate, askMap } from "../../player/annotator.ts";
 import { type Line, linesOf } from "./lines.ts";
 
 async function compare(): Promise<void> {
-  const { engine } = await loadFull();
-  const lines = linesOf(expected);
+  const [core, teller] = [await load(), await loadTeller()];
+  const lines = [...linesOf(plain), ...linesOf(annotated)];
   const grown: Line[] = [];
   for (const { link } of lines) {
-    grown.push({ link, digest: engine.digest(link) });
+    grown.push({ link, digest: digestOf(core, teller, link) });
     await new Promise((resume) => setTimeout(resume));
   }
   const wrong = lines.filter(({ digest }, i) => grown[i]?.digest !== digest);
@@ -23,6 +26,23 @@ async function compare(): Promise<void> {
     wrong.length === 0 ? `All ${lines.length} rivers are exact.` : `${wrong.length} of ${lines.length} rivers differ.`,
   );
   document.body.dataset["wrong"] = String(wrong.length);
+}
+
+/** Grows and paints a recipe, and returns the digest of the map and its picture. */
+function digestOf({ engine, memory }: Core, teller: Teller, link: string): string {
+  const river = new engine.River(link);
+  try {
+    if (river.notices.length > 0) throw new PageError("bad-params", link);
+    while (river.advance(1000));
+    const width = teller.digestWidth();
+    river.resize(width, width);
+    if (river.wantsAnnotation()) annotate(river, teller);
+    while (river.paint());
+    const pixels = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
+    return askMap(river, teller, (map) => map.digest(pixels, river.scattered()));
+  } finally {
+    river.free();
+  }
 }
 
 function say(text: string): void {

@@ -1,13 +1,13 @@
 /** Makes files on the page itself, with the page's engine. */
 
-import { loadCharts } from "../../engine/charts.ts";
-import { loadFull } from "../../engine/full.ts";
+import { load } from "../../engine/make.ts";
+import { loadTeller } from "../../engine/tell.ts";
 import type { Course } from "../../files/course.ts";
 import type { Order } from "../../files/order.ts";
 import { pictureOf } from "../../files/picture.ts";
 
 export async function makeHere(order: Order, course: Course): Promise<Blob> {
-  const core = { ...(await loadFull()), loadCharts };
+  const core = { ...(await load()), loadTeller };
   if (order.kind !== "animation") return pictureOf(order, core, course);
   // The video writer is large, and most visitors never need it.
   const { animationOf } = await import("../../files/animation.ts");

@@ -5,12 +5,13 @@
 
 import { named, PageError } from "../../engine/errors.ts";
 import { fromDisk } from "../../engine/from-disk.ts";
-import type { FullRiver, Parameter } from "../../engine/full.ts";
-import type { Notice, Summary } from "../../engine/types.ts";
-import { askChart } from "../../player/chart-maker.ts";
+import table from "../../engine/parameters.json";
+import type { Parameter } from "../../engine/table.ts";
+import type { Notice, River, Summary } from "../../engine/types.ts";
+import { askMap } from "../../player/annotator.ts";
 
 export { PageError } from "../../engine/errors.ts";
-export type { Parameter } from "../../engine/full.ts";
+export type { Parameter } from "../../engine/table.ts";
 export type { Summary } from "../../engine/types.ts";
 
 /** The name of something on a map. */
@@ -34,7 +35,7 @@ export interface GeoJson {
 
 /** Lists all parameters of a link with their ranges, choices and defaults. */
 export function parameters(): Parameter[] {
-  return fromDisk().engine.parameters();
+  return structuredClone(table.parameters) as Parameter[];
 }
 
 /**
@@ -49,7 +50,7 @@ export function grow(link: string): GrownMap {
   }
 }
 
-function planted(link: string): FullRiver {
+function planted(link: string): River {
   const { River } = fromDisk().engine;
   const river = new River(link);
   const { notices } = river;
@@ -60,9 +61,9 @@ function planted(link: string): FullRiver {
 
 /** A finished map. */
 class GrownMap {
-  readonly #river: FullRiver;
+  readonly #river: River;
 
-  constructor(river: FullRiver) {
+  constructor(river: River) {
     this.#river = river;
     while (river.advance(STEPS));
   }
@@ -79,15 +80,14 @@ class GrownMap {
 
   /** Writes it as an SVG file. */
   svg(): string {
-    const river = this.#river;
-    return river.svg(river.wantsChart() ? askChart(river, fromDisk().charts, (chart) => chart.svg()) : []);
+    return askMap(this.#river, fromDisk().teller, (map) => map.svg());
   }
 
   /** Writes its rivers, lakes, basins and land, with their names and heights, as GeoJSON. */
   geojson(): GeoJson {
     const river = this.#river;
     while (river.raiseRelief());
-    return river.geojson(askChart(river, fromDisk().charts, (chart) => chart.names())) as GeoJson;
+    return askMap(river, fromDisk().teller, (map) => map.geojson()) as GeoJson;
   }
 
   /**
@@ -95,7 +95,7 @@ class GrownMap {
    * others.
    */
   names(): Name[] {
-    const flat = askChart(this.#river, fromDisk().charts, (chart) => chart.greatest(ALL));
+    const flat = askMap(this.#river, fromDisk().teller, (map) => map.greatest(ALL));
     const names: Name[] = [];
     for (let i = 0; i + 2 < flat.length; i += 3) {
       const [mark = "", name = "", own] = flat.slice(i, i + 3);

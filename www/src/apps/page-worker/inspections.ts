@@ -3,13 +3,14 @@
  * for that map. Overlays of unfinished maps come from the river itself.
  */
 
-import type { Charts } from "../../engine/charts.ts";
-import type { FullRiver, Inspector } from "../../engine/full.ts";
-import { askChart } from "../../player/chart-maker.ts";
+import type { Teller } from "../../engine/tell.ts";
+import type { FinishedMap, Inspector, River } from "../../engine/types.ts";
+import { askMap } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
+import { dotsOf, linesOf } from "./path-text.ts";
 import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 
-type Player = RiverPlayer<FullRiver>;
+type Player = RiverPlayer;
 
 /** A limit above any number of rivers. */
 const ALL_RIVERS = 0xffff_ffff;
@@ -34,7 +35,7 @@ interface Kept {
 export class Inspections {
   #kept: Kept | undefined;
 
-  constructor(private readonly loadCharts: () => Promise<Charts>) {}
+  constructor(private readonly loadTeller: () => Promise<Teller>) {}
 
   /**
    * Returns the river at a place of a player's map; none if there is none, or if the map is not finished or has changed
@@ -86,15 +87,13 @@ export class Inspections {
   }
 
   async #make(player: Player, link: string): Promise<Inspected | undefined> {
-    const river = (): FullRiver | undefined =>
+    const river = (): River | undefined =>
       player.link === link && player.state === "finished" ? player.river : undefined;
-    // Without names there are still answers.
-    const charts = await this.loadCharts().catch(() => undefined);
+    // Without the teller there are no answers, until it arrives.
+    const teller = await this.loadTeller().catch(() => undefined);
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
-    // The inspector comes last, so that no failure leaves it behind.
-    const [size, names] = [sizeOf(river()), namesOf(river(), charts)];
-    const inspector = river()?.inspector();
-    return inspector && { inspector, size, names };
+    const finished = river();
+    return teller && finished && askMap(finished, teller, (map) => inspected(map, sizeOf(finished)));
   }
 }
 
@@ -110,23 +109,20 @@ const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspec
   curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
 };
 
-/** The engine's numbers of the shapes that any map has. */
-const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4, captures: 5, formerWays: 6 } as const;
-
-/** The shapes of any map that the other overlays show. */
-const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
+/** The points and lines of any map that the other overlays show. */
+const liveOverlays: Record<LiveOverlayName, (river: River) => string[][]> = {
   attractors,
-  sources: (river) => [[river.shapes(SHAPES.tips)]],
+  sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
-  masks: (river) => [[river.shapes(SHAPES.land)], [river.shapes(SHAPES.ridges)]],
-  captures: (river) => [[river.shapes(SHAPES.formerWays)], [river.shapes(SHAPES.captures)]],
+  masks: (river) => [[linesOf(river.coasts(), true)], [linesOf(river.ridges())]],
+  captures: (river) => [[linesOf(river.formerWays())], [linesOf(river.formerWays().map((way) => way.slice(0, 2)))]],
 };
 
 function isLive(name: OverlayName): name is LiveOverlayName {
   return name in liveOverlays;
 }
 
-function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
+function live(river: River, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
@@ -135,11 +131,11 @@ function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
 }
 
 /** Returns all attractors, and on top of them those that are left. */
-function attractors(river: FullRiver): string[][] {
-  return [[river.shapes(SHAPES.attractors)], [river.shapes(SHAPES.left)]];
+function attractors(river: River): string[][] {
+  return [[dotsOf(river.scattered())], [dotsOf(river.left())]];
 }
 
-function sizeOf(river: FullRiver | undefined): [width: number, height: number] {
+function sizeOf(river: River | undefined): [width: number, height: number] {
   const [width = 1, height = 1] = river?.lengths() ?? [];
   return [width, height];
 }
@@ -170,15 +166,21 @@ function basins(inspector: Inspector): string[][] {
 }
 
 /** Makes a part of the relief, which determines basins. Returns whether there is more to do. */
-function riseFor(river: FullRiver | undefined, milliseconds: number): boolean {
+function riseFor(river: River | undefined, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   let isLeft = river?.raiseRelief() ?? false;
   while (isLeft && performance.now() < end) isLeft = river?.raiseRelief() ?? false;
   return isLeft;
 }
 
-function namesOf(river: FullRiver | undefined, charts: Charts | undefined): Map<string, string> {
-  if (!river || !charts) return new Map();
-  const texts = askChart(river, charts, (chart) => chart.greatest(ALL_RIVERS));
+function inspected(map: FinishedMap, size: Inspected["size"]): Inspected | undefined {
+  const names = namesOn(map);
+  // The inspector comes last, so that no failure leaves it behind.
+  const inspector = map.inspector();
+  return inspector && { inspector, size, names };
+}
+
+function namesOn(map: FinishedMap): Map<string, string> {
+  const texts = map.greatest(ALL_RIVERS);
   return new Map(texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
 }

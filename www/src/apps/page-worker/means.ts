@@ -1,9 +1,10 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
-import type { FullCore, FullRiver, Measure } from "../../engine/full.ts";
+import type { Core } from "../../engine/make.ts";
+import type { Measure, River } from "../../engine/types.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
-import { askChart } from "../../player/chart-maker.ts";
+import { askMap } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
 import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
@@ -11,12 +12,12 @@ import { Inspections } from "./inspections.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
 import { Timelines } from "./timelines.ts";
 
-type Player = RiverPlayer<FullRiver>;
+type Player = RiverPlayer;
 
 /** Returns the means of a renderer. `holdOn` is called before a long step. */
-export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<FullRiver, Question, Answer> {
-  const maker = { ...core, loadCharts };
-  const inspections = new Inspections(loadCharts);
+export function meansOf(core: Core, holdOn: () => void = () => {}): Means<Question, Answer> {
+  const maker = { ...core, loadTeller };
+  const inspections = new Inspections(loadTeller);
   const timelines = new Timelines();
   return {
     maker,
@@ -33,8 +34,8 @@ export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<Fu
           return namesOn(playerIn(question.of, playerOf), question.count);
         case "renamed": {
           const { names, mark, name } = question;
-          const { Chart } = await loadCharts();
-          return Chart.renamed(names, mark, name);
+          const { FinishedMap } = await loadTeller();
+          return FinishedMap.renamed(names, mark, name);
         }
         case "thumbnails":
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
@@ -57,14 +58,14 @@ function playerIn(of: number | undefined, playerOf: (id: number) => Player | und
   return of === undefined ? undefined : playerOf(of);
 }
 
-/** Loads the charts module, only when it is needed: most maps have no names. */
-async function loadCharts() {
-  const charts = await import("../../engine/charts.ts");
-  return charts.loadCharts();
+/** Loads the teller, only when it is needed: most maps have no names. */
+async function loadTeller() {
+  const tell = await import("../../engine/tell.ts");
+  return tell.loadTeller();
 }
 
 /** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */
-function copyFor(link: string, player: Player | undefined, { engine }: FullCore): FullRiver {
+function copyFor(link: string, player: Player | undefined, { engine }: Core): River {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
   try {
@@ -77,21 +78,24 @@ function copyFor(link: string, player: Player | undefined, { engine }: FullCore)
 }
 
 async function namesOn(player: Player | undefined, count: number): Promise<Names | undefined> {
-  const charts = await loadCharts();
+  const teller = await loadTeller();
   // By now there may be another river, or none.
   const river = player?.river;
   if (!player || !river || player.state !== "finished") return;
-  return { link: player.link, texts: askChart(river, charts, (chart) => chart.greatest(count)) };
+  return { link: player.link, texts: askMap(river, teller, (map) => map.greatest(count)) };
 }
 
-function measuresOf(player: Player | undefined): readonly Measure[] | undefined {
-  return player?.state === "finished" ? player.river?.measures() : undefined;
+async function measuresOf(player: Player | undefined): Promise<readonly Measure[] | undefined> {
+  if (player?.state !== "finished") return;
+  const teller = await loadTeller();
+  const river = player.state === "finished" ? player.river : undefined;
+  return river && askMap(river, teller, (map) => map.measures());
 }
 
 /** Makes thumbnails in slices, so that the river on show comes first. */
 async function thumbnailsOf(
   player: Player | undefined,
-  { memory }: FullCore,
+  { memory }: Core,
   { styles, size }: QuestionAbout<"thumbnails">,
 ): Promise<Thumbnail[] | undefined> {
   const river = player?.river;

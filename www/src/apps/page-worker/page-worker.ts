@@ -1,12 +1,11 @@
 /** The page's renderer in a worker. */
 
-import { linkFull } from "../../engine/full.ts";
+import { linked } from "../../engine/make.ts";
 import { Renderer } from "../../host/renderer.ts";
 import { type Line, serve } from "../../host/worker-end.ts";
 import { meansOf } from "./means.ts";
 import type { Answer, Init } from "./protocol.ts";
 
 serve(
-  async ({ engine }: Init, { tell, holdOn }: Line<Answer>) =>
-    new Renderer(meansOf(await linkFull(engine), holdOn), tell),
+  async ({ engine }: Init, { tell, holdOn }: Line<Answer>) => new Renderer(meansOf(await linked(engine), holdOn), tell),
 );

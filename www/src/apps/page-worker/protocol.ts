@@ -1,6 +1,6 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
-import type { Measure, RiverFacts } from "../../engine/full.ts";
+import type { Measure, RiverFacts } from "../../engine/types.ts";
 import type { Format } from "../../files/format-names.ts";
 import type { Thumbnail } from "../../player/thumbnails.ts";
 

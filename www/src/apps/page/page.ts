@@ -7,8 +7,9 @@ import { answerEscape } from "../../browser/keys.ts";
 import { turn } from "../../browser/turn.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named, type PageError } from "../../engine/errors.ts";
-import type { FullCore, Preset } from "../../engine/full.ts";
+import type { Core } from "../../engine/make.ts";
 import { Recipe } from "../../engine/recipe.ts";
+import { loadTable, type Preset, type Table } from "../../engine/table.ts";
 import type { Phase, Summary } from "../../engine/types.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
@@ -80,7 +81,8 @@ class Page {
   readonly #presetNote: PresetNote;
 
   constructor(
-    private readonly core: FullCore,
+    core: Core,
+    private readonly table: Table,
     recipe: Recipe,
     viewport: RiverViewport,
     renderHost: PageRenderHost,
@@ -92,9 +94,9 @@ class Page {
       changed: (names) => this.#set([["names", names]], "settle"),
       refused: (message) => this.#note(message),
     });
-    this.#presetNote = new PresetNote(engine.parameters(), (link) => this.#undoPresets(link));
+    this.#presetNote = new PresetNote(table.parameters, (link) => this.#undoPresets(link));
     const disclosures = new Disclosures(() => localStorage);
-    this.#choices = new Choices(engine, disclosures, this.#names.list, {
+    this.#choices = new Choices(engine, table, disclosures, this.#names.list, {
       set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
@@ -119,7 +121,7 @@ class Page {
       copy: (text) => this.#copy(text, "Measures copied.", text),
     });
     elements.presets.replaceChildren(paper, this.#measures.element);
-    this.#six = new SixWays(renderHost, engine.presets(), {
+    this.#six = new SixWays(renderHost, table.presets, {
       shared: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
@@ -178,7 +180,7 @@ class Page {
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
-  #press(preset: Preset, all: readonly Preset[] = this.core.engine.presets()): void {
+  #press(preset: Preset, all: readonly Preset[] = this.table.presets): void {
     const values = this.#choices.unkept(preset);
     this.#presetNote.press({ ...preset, values }, all, this.#recipe, () => this.#set(values, "watch"));
     this.#showNotices();
@@ -389,6 +391,9 @@ async function posterIsSeen(): Promise<void> {
 
 /** Starts the first river, then makes the page, which takes as long as the river's first picture. */
 async function begin({ core, renderHost }: Engines): Promise<void> {
+  const table = loadTable();
+  // Its failure is met below, once the river has begun.
+  table.catch(() => {});
   const own = await core;
   const recipe = new Recipe(
     (text, options) => own.engine.readLink(text, options),
@@ -398,7 +403,7 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);
   viewport.start(howFor("watch"));
   await turn();
-  const page = new Page(own, recipe, viewport, renderHost);
+  const page = new Page(own, await table, recipe, viewport, renderHost);
   await turn();
   page.start();
 }

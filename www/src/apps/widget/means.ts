@@ -1,10 +1,9 @@
 /** The means by which a renderer of widgets makes rivers and their files. */
 
-import type { River } from "../../engine/types.ts";
-import type { Core } from "../../engine/wasm.ts";
+import type { Core } from "../../engine/make.ts";
 import { pngOf, svgOf } from "../../files/files.ts";
 import type { Means } from "../../host/renderer.ts";
-import { loadCharts, loadFull } from "./late.ts";
+import { loadTeller } from "./late.ts";
 import type { Question } from "./protocol.ts";
 
 /**
@@ -15,15 +14,13 @@ export function meansOf(
   { engine, memory }: Core,
   wasmUrl: string | undefined,
   holdOn: () => void = () => {},
-): Means<River, Question, Blob> {
-  const maker = { engine, memory, loadCharts: () => loadCharts(wasmUrl) };
+): Means<Question, Blob> {
+  const maker = { engine, memory, loadTeller: () => loadTeller(wasmUrl) };
   return {
     maker,
-    async answer({ link: { text, options }, format, longSide, wasmUrl }) {
+    async answer({ link: { text, options }, format, longSide }) {
       if (format === "png") return pngOf(new engine.River(text, options), { ...maker, holdOn }, longSide);
-      // The lean engine cannot write files.
-      const full = await loadFull(wasmUrl);
-      return svgOf(new full.engine.River(text, options), { ...maker, holdOn });
+      return svgOf(new engine.River(text, options), { ...maker, holdOn });
     },
   };
 }

@@ -3,7 +3,7 @@
  * the advice after a failure.
  */
 
-import { load } from "../../engine/wasm.ts";
+import { load } from "../../engine/make.ts";
 import type { Backend } from "../../host/protocol.ts";
 import { Renderer } from "../../host/renderer.ts";
 import { meansOf } from "./means.ts";

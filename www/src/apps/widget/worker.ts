@@ -1,6 +1,6 @@
 /** The renderer of widgets in a worker. */
 
-import { load } from "../../engine/wasm.ts";
+import { load } from "../../engine/make.ts";
 import { Renderer } from "../../host/renderer.ts";
 import { type Line, serve } from "../../host/worker-end.ts";
 import { meansOf } from "./means.ts";
@@ -8,5 +8,5 @@ import type { Init } from "./protocol.ts";
 
 serve(
   async ({ wasmUrl }: Init, { tell, coming, holdOn }: Line<Blob>) =>
-    new Renderer(meansOf(await load(wasmUrl, coming), wasmUrl, holdOn), tell),
+    new Renderer(meansOf(await load(wasmUrl, { progress: coming }), wasmUrl, holdOn), tell),
 );

@@ -51,12 +51,12 @@ for (const place of ["a worker", "the page"]) {
     blog,
   }) => {
     await open(page, blog, place);
-    expect(blog.asked).not.toContain("/widget/riverseed_full_bg.wasm");
+    expect(blog.asked).not.toContain("/widget/riverseed_tell_bg.wasm");
     const svg = await page.locator("river-seed").evaluate((river: RiverSeed) => river.toSVG());
     expect(svg).toMatch(/^<svg|^<\?xml/);
     expect(svg).toContain('id="river-');
     expect(svg).toContain(link.replaceAll("&", "&amp;"));
-    expect(blog.asked).toContain("/widget/riverseed_full_bg.wasm");
+    expect(blog.asked).toContain("/widget/riverseed_tell_bg.wasm");
   });
 }
 
@@ -64,7 +64,7 @@ test("an engine with files that does not arrive is an error with a name, and the
   page,
   blog,
 }) => {
-  blog.answer("/widget/riverseed_full_bg.wasm", { status: 404 });
+  blog.answer("/widget/riverseed_tell_bg.wasm", { status: 404 });
   await open(page, blog, "a worker");
   const code = await page
     .locator("river-seed")

@@ -255,7 +255,7 @@ test.describe("labels", () => {
       blog.answer("/", { body: post(`<river-seed ${attributes}></river-seed>`) });
       await page.goto(blog.origin);
       await heard(events, "complete");
-      expect(blog.asked).not.toContain("/widget/riverseed_chart_bg.wasm");
+      expect(blog.asked).not.toContain("/widget/riverseed_tell_bg.wasm");
       const picture = () =>
         page.locator("river-seed").evaluate(async (river: HTMLElementTagNameMap["river-seed"]) => {
           const blob = await river.toBlob({ longSide: 300 });
@@ -263,7 +263,7 @@ test.describe("labels", () => {
         });
       const bare = await picture();
       await page.locator("river-seed").evaluate((river) => river.setAttribute("labels", "many"));
-      await expect.poll(() => blog.asked).toContain("/widget/riverseed_chart_bg.wasm");
+      await expect.poll(() => blog.asked).toContain("/widget/riverseed_tell_bg.wasm");
       await expect.poll(picture).not.toBe(bare);
     });
   }

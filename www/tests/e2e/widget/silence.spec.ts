@@ -116,7 +116,7 @@ test("an engine that stops half-way is given up, and a later widget tries again"
   await expectRiver(page, "miro");
 });
 
-for (const file of ["riverseed_full_bg.wasm", "tag-full.js"]) {
+for (const file of ["riverseed_tell_bg.wasm", "tag-tell.js"]) {
   test(`an engine with files that never comes is given up by name, and the river stays: ${file}`, async ({
     page,
     blog,

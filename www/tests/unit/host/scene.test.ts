@@ -3,9 +3,9 @@ import type { Opening, Report } from "../../../src/host/protocol.ts";
 import { Scene } from "../../../src/host/scene.ts";
 import type { Frames } from "../../../src/player/frame-loop.ts";
 import type { Canvas } from "../../../src/player/river-player.ts";
-import { charts } from "../../charts.ts";
 import { engine, memory } from "../../core.ts";
 import { Image } from "../../display.ts";
+import { teller } from "../../tell.ts";
 
 /** A display whose frames come when a test asks for them. */
 class Display implements Frames {
@@ -44,7 +44,7 @@ function opened(seed: string, how: Opening["how"]): { scene: Scene; display: Dis
   vi.stubGlobal("ImageData", Image);
   const display = new Display();
   const reports: Report<never>[] = [];
-  const maker = { engine, memory, loadCharts: () => Promise.resolve(charts) };
+  const maker = { engine, memory, loadTeller: () => Promise.resolve(teller) };
   const opening: Opening = { id: 1, do: "open", canvas: canvas(), link: link(seed), how, size: SIZE };
   const scene = new Scene(maker, display, opening, (told) => reports.push(told));
   return { scene, display, reports };

@@ -2,33 +2,33 @@ import { expect, test, vi } from "vitest";
 import { meansOf } from "../../../src/apps/page-worker/means.ts";
 import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
-import { charts } from "../../charts.ts";
-import { full, memory } from "../../full.ts";
+import { engine, memory } from "../../make.ts";
+import { teller, told } from "../../tell.ts";
 
-vi.mock("../../../src/engine/charts.ts", async () => {
-  const { loadCharts } = await import("../../charts.ts");
-  return { loadCharts };
+vi.mock("../../../src/engine/tell.ts", async () => {
+  const { loadTeller } = await import("../../tell.ts");
+  return { loadTeller };
 });
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
 
 /** As much of a player as is asked: its river, and how that stands. */
-function player(river: full.River): RiverPlayer<full.River> {
+function player(river: engine.River): RiverPlayer {
   const state = river.phase === "finished" ? "finished" : "growing";
-  return { river, link: river.link, state } as RiverPlayer<full.River>;
+  return { river, link: river.link, state } as RiverPlayer;
 }
 
-function river(steps: number): full.River {
-  const one = new full.River(LINK);
+function river(steps: number): engine.River {
+  const one = new engine.River(LINK);
   one.advance(steps);
   return one;
 }
 
-function ask(question: Question, on?: full.River): Promise<Answer> {
-  return meansOf({ engine: full, memory }).answer(question, (id) => (id === 1 && on ? player(on) : undefined));
+function ask(question: Question, on?: engine.River): Promise<Answer> {
+  return meansOf({ engine, memory }).answer(question, (id) => (id === 1 && on ? player(on) : undefined));
 }
 
-const json = async (question: Partial<Question>, on?: full.River): Promise<object> => {
+const json = async (question: Partial<Question>, on?: engine.River): Promise<object> => {
   const answer = await ask({ about: "file", of: 1, link: LINK, format: "json", ...question } as Question, on);
   return JSON.parse(await (answer as Blob).text());
 };
@@ -50,8 +50,7 @@ test("a file is of its own link, whatever is on show", async () => {
 
 test("names are those of a finished map, and there are none before", async () => {
   const one = river(100_000);
-  const chart = new charts.Chart(one.mapData());
-  const texts = chart.greatest(5);
+  const texts = told(one, (map) => map.greatest(5));
   expect(await ask({ about: "names", of: 1, count: 5 }, one)).toEqual({ link: one.link, texts });
   expect(await ask({ about: "names", of: 1, count: 5 }, river(3))).toBe(undefined);
   expect(await ask({ about: "names", of: undefined, count: 5 }, one)).toBe(undefined);
@@ -59,6 +58,6 @@ test("names are those of a finished map, and there are none before", async () =>
 
 test("a name of one's own is added to those there are", async () => {
   const names = await ask({ about: "renamed", names: "", mark: "12", name: "Home" });
-  expect(names).toBe(charts.Chart.renamed("", "12", "Home"));
+  expect(names).toBe(teller.FinishedMap.renamed("", "12", "Home"));
   expect(await ask({ about: "renamed", names: names as string, mark: "12", name: undefined })).toBe("");
 });

@@ -3,6 +3,7 @@ import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/apps/widget/att
 import { RiverSeed } from "../../../src/apps/widget/element.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
 import { engine, parameter } from "../../core.ts";
+import { table } from "../../table.ts";
 
 /** As much of an element as is asked for its attributes. */
 function element(attributes: Record<string, string>): Element {
@@ -11,8 +12,8 @@ function element(attributes: Record<string, string>): Element {
 
 test("the attributes are the table's keys, each of its kind", () => {
   const isNumber = ({ kind }: { kind: string }): boolean => kind === "integer" || kind === "number";
-  const table = engine.parameters();
-  const keys = (isIt: (row: { kind: string }) => boolean): string[] => table.filter(isIt).map(({ key }) => key);
+  const keys = (isIt: (row: { kind: string }) => boolean): string[] =>
+    table.parameters.filter(isIt).map(({ key }) => key);
   expect(NUMBERS.toSorted()).toEqual(keys(isNumber).toSorted());
   expect(TEXTS.toSorted()).toEqual(keys((row) => !isNumber(row)).toSorted());
 });

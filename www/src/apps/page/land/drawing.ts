@@ -3,14 +3,13 @@
 import { setText } from "../../../browser/dom.ts";
 import { isTaken } from "../../../browser/keys.ts";
 import { named } from "../../../engine/errors.ts";
-import type { Lines } from "../../../engine/full.ts";
-import type { Traced } from "../../../engine/tracing.ts";
+import type { Traced, Tracing } from "../../../engine/tracing.ts";
+import type { Lines } from "../../../engine/types.ts";
 import { showLines } from "./overlay.ts";
 import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 
-/** The core's functions for outlines. */
-export interface Outliner {
-  outlineOf(coasts: Float32Array[], ridges: Float32Array[], rivers: Float32Array[]): string;
+/** Reads outlines. */
+export interface OutlineReader {
   outlineLines(text: string): Lines;
 }
 
@@ -31,6 +30,8 @@ export interface DrawingElements {
 export interface DrawingEvents {
   /** Called when another outline is drawn. */
   drawn(outline: string): void;
+  /** Loads the module that makes outlines. */
+  load(): Promise<Tracing>;
   failed(error: unknown): void;
 }
 
@@ -52,10 +53,12 @@ export class Drawing {
   #kept = NOTHING;
   #pointer: number | undefined;
   #frame = 0;
+  /** The module that makes outlines, once it has arrived. */
+  #tracing: Tracing | undefined;
 
   constructor(
     private readonly elements: DrawingElements,
-    private readonly core: Outliner,
+    private readonly core: OutlineReader,
     private readonly events: DrawingEvents,
   ) {
     elements.draw.addEventListener("click", () => this.open());
@@ -75,8 +78,20 @@ export class Drawing {
   open(): void {
     if (this.#isOpen) return;
     this.#switch(true);
+    void this.#load();
     this.#choose(this.#kind);
     this.elements.coast.focus({ preventScroll: true });
+  }
+
+  /** Loads what makes outlines, and then makes one of what has been drawn meanwhile. */
+  async #load(): Promise<void> {
+    try {
+      this.#tracing ??= await this.events.load();
+      if (this.#sketch.lines.length > 0) this.#outlineSketch();
+    } catch (error) {
+      this.close();
+      this.events.failed(error);
+    }
   }
 
   close(): void {
@@ -192,9 +207,10 @@ export class Drawing {
       this.#becomeNothing(HINTS[this.#kind]);
       return;
     }
+    if (!this.#tracing) return;
     try {
       const of = (kind: LineKind) => pointsOf(lines, kind);
-      const outline = this.core.outlineOf(of("coast"), of("ridge"), of("river"));
+      const outline = this.#tracing.outlineOf(of("coast"), of("ridge"), of("river"));
       this.#become(outline, this.core.outlineLines(outline));
       if (!isLive) this.#say(`${tally(this.#kept, this.#sketch.counts)}.`);
     } catch (thrown) {

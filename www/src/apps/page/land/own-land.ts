@@ -3,7 +3,7 @@
 import { isRecoverable, named } from "../../../engine/errors.ts";
 import { loadTracing } from "../../../engine/tracing.ts";
 import { elements } from "../elements.ts";
-import { Drawing, type Outliner } from "./drawing.ts";
+import { Drawing, type OutlineReader } from "./drawing.ts";
 import { listenForImages } from "./image-drop.ts";
 import { pixelsOf } from "./image-file.ts";
 
@@ -21,12 +21,13 @@ export class OwnLand {
   readonly #drawing: Drawing;
 
   constructor(
-    engine: Outliner,
+    engine: OutlineReader,
     private readonly events: OwnLandEvents,
   ) {
     this.#drawing = new Drawing(elements.drawing, engine, {
       drawn: (outline) => events.changed(drawn(outline)),
-      failed: (error) => events.failed(error),
+      load: loadTracing,
+      failed: (error) => this.#fail(error),
     });
     elements.drawing.draw.addEventListener("click", () => this.#showDrawn());
     listenForImages(elements.drawing, (file) => void this.#trace(file));
@@ -68,11 +69,15 @@ export class OwnLand {
       const traced = tracing.traceImage(rgba, width, height);
       this.#drawing.take(traced);
       this.events.changed([["aspect", traced.aspect.toFixed(2)]]);
-    } catch (thrown) {
-      const error = named(thrown);
-      if (isRecoverable(error)) this.events.refused(error.message);
-      else this.events.failed(error);
+    } catch (error) {
+      this.#fail(error);
     }
+  }
+
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    if (isRecoverable(error)) this.events.refused(error.message);
+    else this.events.failed(error);
   }
 }
 

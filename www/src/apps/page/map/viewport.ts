@@ -6,8 +6,7 @@
 
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../../../browser/canvas.ts";
 import { isRecoverable, named, PageError } from "../../../engine/errors.ts";
-import type { Measure } from "../../../engine/full.ts";
-import type { Phase, Summary } from "../../../engine/types.ts";
+import type { Measure, Phase, Summary } from "../../../engine/types.ts";
 import type { Format } from "../../../files/format-names.ts";
 import type { Report } from "../../../host/protocol.ts";
 import type { State } from "../../../player/frame-loop.ts";

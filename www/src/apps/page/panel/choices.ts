@@ -7,8 +7,9 @@ import { LandChoice } from "../../../controls/land-choice.ts";
 import { Padlocks } from "../../../controls/padlocks.ts";
 import { PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
 import { SeedBox } from "../../../controls/seed.ts";
-import type { FullCore, Parameter, Preset } from "../../../engine/full.ts";
+import type { Engine } from "../../../engine/make.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
+import type { Parameter, Preset, Table } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
 import { SeedTrail } from "./seed-trail.ts";
@@ -43,20 +44,21 @@ export class Choices {
   readonly #land: LandChoice;
 
   constructor(
-    private readonly engine: FullCore["engine"],
+    private readonly engine: Engine,
+    table: Table,
     disclosures: Disclosures,
     /** The control of names. */
     names: Control,
     private readonly events: ChoicesEvents,
   ) {
-    const table = engine.parameters();
-    const parameter = (wanted: string): Parameter | undefined => table.find(({ key }) => key === wanted);
+    const { parameters } = table;
+    const parameter = (wanted: string): Parameter | undefined => parameters.find(({ key }) => key === wanted);
     const choose = (values: Values): void => this.#choose(values);
-    this.#controls = controls(table, choose, disclosures, this.#padlocks, new Map([["names", names]]));
-    this.#presets = presets(engine.presets(), (preset) => events.press(preset));
+    this.#controls = controls(parameters, choose, disclosures, this.#padlocks, new Map([["names", names]]));
+    this.#presets = presets(table.presets, (preset) => events.press(preset));
     this.#countries = new PresetButtons(
       "Countries",
-      engine.countries(),
+      table.countries,
       (country) => events.set(this.unkept(country), "watch"),
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
     );

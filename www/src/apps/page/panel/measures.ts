@@ -2,7 +2,7 @@
 
 import { el, setText } from "../../../browser/dom.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
-import type { Measure } from "../../../engine/full.ts";
+import type { Measure } from "../../../engine/types.ts";
 
 /** A measure in words for people who are not hydrologists. */
 interface Plain {

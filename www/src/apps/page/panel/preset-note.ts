@@ -4,7 +4,7 @@
  */
 
 import { unaskedChanges } from "../../../controls/presets.ts";
-import type { Parameter, Preset } from "../../../engine/full.ts";
+import type { Parameter, Preset } from "../../../engine/table.ts";
 import { undoable } from "../status.ts";
 
 /** The recipe from before a preset. */

@@ -1,7 +1,7 @@
 /** The strip of styles: a thumbnail of the map on show in each style. */
 
 import { el } from "../../../browser/dom.ts";
-import type { Parameter } from "../../../engine/full.ts";
+import type { Parameter } from "../../../engine/table.ts";
 import type { Thumbnail } from "../../../player/thumbnails.ts";
 
 /** The size of a thumbnail in CSS pixels. */

@@ -6,8 +6,8 @@
 import { count } from "../../../browser/count.ts";
 import { el, setText } from "../../../browser/dom.ts";
 import { isShown } from "../../../controls/presets.ts";
-import type { Preset } from "../../../engine/full.ts";
 import { linkText } from "../../../engine/link-text.ts";
+import type { Preset } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import type { PageRenderHost } from "../backend.ts";
 import { Variant } from "./variant.ts";

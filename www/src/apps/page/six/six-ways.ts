@@ -5,7 +5,7 @@
 
 import { asksForSix, withSix } from "../../../browser/address.ts";
 import { el } from "../../../browser/dom.ts";
-import type { Preset } from "../../../engine/full.ts";
+import type { Preset } from "../../../engine/table.ts";
 import type { PageRenderHost } from "../backend.ts";
 import { elements } from "../elements.ts";
 import { howFor } from "../preferences.ts";

@@ -2,11 +2,11 @@ import { readFileSync } from "node:fs";
 import { decode } from "fast-png";
 import { afterEach, expect, test, vi } from "vitest";
 import type { PageError } from "../../src/engine/errors.ts";
-import { layChart } from "../../src/player/chart-maker.ts";
+import { annotate } from "../../src/player/annotator.ts";
 import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
-import { charts } from "../charts.ts";
 import { differing, engine, memory, pixelsOf } from "../core.ts";
 import { Display, Image } from "../display.ts";
+import { teller } from "../tell.ts";
 
 const SIZE = { width: 320, height: 300, ratio: 1 };
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&style=ink&labels=many";
@@ -40,7 +40,7 @@ test.each([
 ])("%s has its golden pixels through two modules", (name) => {
   const { link, width, height, data } = golden(name);
   const river = finished(link, { width, height, ratio: 1 });
-  layChart(river, charts);
+  annotate(river, teller);
   const rgb = pixelsOf(river).filter((_, i) => i % 4 !== 3);
   expect(Buffer.compare(rgb, Uint8Array.from(data))).toBe(0);
 });
@@ -48,30 +48,30 @@ test.each([
 test("a chart is wanted by finished rivers whose recipe asks for labels, once", () => {
   const river = new engine.River(LINK);
   river.resize(SIZE.width, SIZE.height);
-  expect(river.wantsChart()).toBe(false);
+  expect(river.wantsAnnotation()).toBe(false);
   while (river.advance(1000));
-  expect(river.wantsChart()).toBe(true);
-  layChart(river, charts);
-  expect(river.wantsChart()).toBe(false);
+  expect(river.wantsAnnotation()).toBe(true);
+  annotate(river, teller);
+  expect(river.wantsAnnotation()).toBe(false);
   const labelled = pixelsOf(river);
   // It stays when the style changes, and goes when the rivers do.
   river.change(`${LINK.replace("ink", "dark")}`);
-  expect(river.wantsChart()).toBe(false);
+  expect(river.wantsAnnotation()).toBe(false);
   river.change(LINK);
   expect(Buffer.compare(pixelsOf(river), labelled)).toBe(0);
   river.change(`${LINK}&width=30`);
   while (river.advance(1000));
-  expect(river.wantsChart()).toBe(true);
+  expect(river.wantsAnnotation()).toBe(true);
   river.change(LINK.replace("labels=many", "labels=none"));
   while (river.advance(1000));
-  expect(river.wantsChart()).toBe(false);
+  expect(river.wantsAnnotation()).toBe(false);
 });
 
 test("letters are as large on a dense screen, so that the map has fewer of them", () => {
   const [usual, dense] = [1, 2].map((ratio) => {
     const river = finished(LINK, { width: 1000, height: 800, ratio });
     const bare = pixelsOf(river);
-    layChart(river, charts, ratio);
+    annotate(river, teller, ratio);
     return differing(bare, pixelsOf(river));
   });
   expect(usual).toBeGreaterThan(500);
@@ -79,20 +79,20 @@ test("letters are as large on a dense screen, so that the map has fewer of them"
   expect(dense).not.toBe(usual);
 });
 
-/** A player on a canvas without pixels, with its display, what it failed with, and how often charts were fetched. */
-function player(load: () => Promise<typeof charts>) {
+/** A player on a canvas without pixels, with its display, what it failed with, and how often teller were fetched. */
+function player(load: () => Promise<typeof teller>) {
   vi.stubGlobal("ImageData", Image);
   const canvas = { width: 0, height: 0, getContext: () => ({ putImageData: () => {} }) } as unknown as Canvas;
   const display = new Display();
   const errors: PageError[] = [];
-  const loadCharts = vi.fn(load);
+  const loadTeller = vi.fn(load);
   const events = {
     sizeFor: () => SIZE,
     changed: () => {},
     failed: (error: unknown) => void errors.push(error as PageError),
   };
-  const one = new RiverPlayer({ engine, memory, loadCharts }, canvas, { text: LINK }, display, events);
-  return { one, display, errors, loadCharts };
+  const one = new RiverPlayer({ engine, memory, loadTeller }, canvas, { text: LINK }, display, events);
+  return { one, display, errors, loadTeller };
 }
 
 async function frames(display: Display): Promise<void> {
@@ -103,27 +103,27 @@ async function frames(display: Display): Promise<void> {
 }
 
 test("labels come when what makes them has come, and with every picture after that", async () => {
-  const { one, display, errors, loadCharts } = player(() => Promise.resolve(charts));
+  const { one, display, errors, loadTeller } = player(() => Promise.resolve(teller));
   const shown = () => pixelsOf(one.river as engine.River);
   one.start("watch");
   display.frame();
-  expect(loadCharts).not.toHaveBeenCalled();
+  expect(loadTeller).not.toHaveBeenCalled();
   for (let i = 0; i < 5; i++) await frames(display);
   const labelled = finished(LINK);
-  layChart(labelled, charts);
+  annotate(labelled, teller);
   expect(Buffer.compare(shown(), pixelsOf(labelled))).toBe(0);
   one.show({ text: `${LINK}&width=30` }, "settle");
   await frames(display);
   const wider = finished(`${LINK}&width=30`);
-  layChart(wider, charts);
+  annotate(wider, teller);
   expect(Buffer.compare(shown(), pixelsOf(wider))).toBe(0);
   one.resize();
-  expect(loadCharts).toHaveBeenCalledTimes(1);
+  expect(loadTeller).toHaveBeenCalledTimes(1);
   expect(errors).toEqual([]);
 });
 
 test("without what makes labels the map is shown bare, and its audience told once", async () => {
-  const { one, display, errors, loadCharts } = player(() => Promise.reject(new TypeError("offline")));
+  const { one, display, errors, loadTeller } = player(() => Promise.reject(new TypeError("offline")));
   one.start("still");
   for (let i = 0; i < 5; i++) await frames(display);
   one.show({ text: `${LINK}&width=30` }, "settle");
@@ -131,19 +131,19 @@ test("without what makes labels the map is shown bare, and its audience told onc
   expect(one.state).toBe("finished");
   expect(Buffer.compare(pixelsOf(one.river as engine.River), pixelsOf(finished(`${LINK}&width=30`)))).toBe(0);
   expect(errors.map(({ code }) => code)).toEqual(["no-chart"]);
-  expect(loadCharts).toHaveBeenCalledTimes(1);
+  expect(loadTeller).toHaveBeenCalledTimes(1);
 });
 
-test("a map that no chart can be made of is shown bare", async () => {
+test("a map that no labels can be made of is shown bare", async () => {
   const broken = class {
     constructor() {
       throw new WebAssembly.RuntimeError("unreachable");
     }
-  } as unknown as typeof charts.Chart;
-  const { one, display, errors } = player(() => Promise.resolve({ Chart: broken }));
+  } as unknown as typeof teller.FinishedMap;
+  const { one, display, errors } = player(() => Promise.resolve({ ...teller, FinishedMap: broken }));
   one.start("still");
   for (let i = 0; i < 5; i++) await frames(display);
   expect(one.state).toBe("finished");
-  expect(one.river?.wantsChart()).toBe(false);
+  expect(one.river?.wantsAnnotation()).toBe(false);
   expect(errors.map(({ code }) => code)).toEqual(["no-chart"]);
 });

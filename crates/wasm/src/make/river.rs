@@ -1,51 +1,22 @@
-//! Links and rivers.
+//! A river: its recipe, its growth and its picture.
 
-use js_sys::{Array, Object, Reflect};
+use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
+use super::link::{list, read_options};
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
-use riverseed::land::Land;
-use riverseed::paint::{ChartMasks, PaintError, Painted, Rect, View};
+use riverseed::paint::{ChartMasks, Framing, PaintError, Painted, Rect, View};
 use riverseed::picture::{Picture, is_to_be_charted};
 use riverseed::recipe::link::{self, Notice};
-use riverseed::recipe::reading::{self, ReadOptions, Reading};
-use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Parameter, Stage, Value};
+use riverseed::recipe::reading::{self, Reading};
+use riverseed::recipe::{Key, Stage, Value};
 use riverseed::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
 /** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
 export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
-/** Something in a link that had to be corrected. */
-export interface Notice {
-  readonly key: string;
-  readonly message: string;
-}
-/** Where the rivers of a link are to be seen. */
-export interface ReadOptions {
-  /** In a widget: the recipe is kept within its limits. */
-  readonly widget?: boolean;
-  /** On a dark page: if the link names no style, it is the one for dark pages. */
-  readonly dark?: boolean;
-}
-/** A link as it was understood. */
-export interface Reading {
-  /** The canonical link of what is drawn: defaults left out. */
-  readonly link: string;
-  /** The canonical link to share: it names a style only where the text that was read did. */
-  readonly sharedLink: string;
-  /** Whether the text names a style. */
-  readonly namesStyle: boolean;
-  /** Every parameter's value as link text. */
-  readonly values: readonly (readonly [key: string, value: string])[];
-  /** The keys that do nothing in this recipe, and why. */
-  readonly idle: readonly (readonly [key: string, reason: string])[];
-  readonly notices: readonly Notice[];
-}
 /** What a picture shows, in numbers. */
 export interface Summary {
   /** How its rivers grow: a word of the parameter `growth`. */
@@ -70,40 +41,6 @@ export interface Summary {
 }
 "#;
 
-/// Reads a link leniently. It never throws, whatever the text.
-#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
-pub fn read_link(
-    text: &str,
-    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
-) -> Object {
-    let reading = reading::read(text, read_options(options));
-    let Reading { recipe, .. } = &reading;
-    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let land = Land::kind_of(recipe);
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
-    object(&[
-        ("link", link::write(recipe).into()),
-        ("sharedLink", reading.shared_link().into()),
-        ("namesStyle", reading.names_style.into()),
-        ("values", TABLE.iter().map(value).collect::<Array>().into()),
-        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
-        ("notices", list(&reading.notices).into()),
-    ])
-}
-
-/// Reads a page's options; options that are left out are off.
-pub(super) fn read_options(given: &JsValue) -> ReadOptions {
-    let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
-    ReadOptions { widget: is("widget"), dark: is("dark") }
-}
-
-fn list(notices: &[Notice]) -> Array {
-    let notice = |Notice { key, message }: &Notice| {
-        object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
-    };
-    notices.iter().map(notice).collect()
-}
-
 /// A river: a recipe, its tree as far as it has grown, and its picture, once it has a size.
 #[wasm_bindgen]
 pub struct River {
@@ -112,31 +49,20 @@ pub struct River {
     pub(super) picture: Option<Picture>,
     pub(super) dirty: Option<Rect>,
     /// The recipe shown by drafts.
-    #[cfg(feature = "controls")]
     pub(super) drafted: Option<Reading>,
 }
 
 impl River {
     /// Makes a river without a picture.
     pub(super) fn of(session: Session, notices: Vec<Notice>) -> Self {
-        Self {
-            session,
-            notices,
-            picture: None,
-            dirty: None,
-            #[cfg(feature = "controls")]
-            drafted: None,
-        }
+        Self { session, notices, picture: None, dirty: None, drafted: None }
     }
 
     /// Changes to a recipe and returns the earliest stage that has to run again. After an error nothing has changed.
     pub(super) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
         let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
         self.notices = notices;
-        #[cfg(feature = "controls")]
-        {
-            self.drafted = None;
-        }
+        self.drafted = None;
         Ok(stage.map_or("none", Stage::name).into())
     }
 }
@@ -197,6 +123,17 @@ impl River {
         Ok(())
     }
 
+    /// Shows another part of the map or its surroundings. The first three numbers are in widths of the map: the
+    /// distance of the picture's western edge east of the map's, that of its northern edge south of the map's, and the
+    /// picture's width. Four more numbers may follow: the depths that other things cover along its western, northern,
+    /// eastern and southern edges. For any other count of numbers, and for values that are too large, too small or too
+    /// far away, the whole map is shown, cut to cover the picture.
+    pub fn frame(&mut self, framing: &[f32]) {
+        if let Some(picture) = &mut self.picture {
+            picture.frame(&self.session, Framing::of(framing));
+        }
+    }
+
     /// Goes back to tick 0.
     pub fn restart(&mut self) -> Result<(), JsValue> {
         self.session.restart().map_err(|error| session_error(&error))
@@ -208,6 +145,19 @@ impl River {
     /// show the whole recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
+    }
+
+    /// Copies the river without its picture; the copies are independent. Throws an Error if there is not enough memory.
+    pub fn copy(&self) -> Result<Self, JsValue> {
+        let session = self.session.try_clone().map_err(|error| session_error(&error))?;
+        Ok(Self::of(session, self.notices.clone()))
+    }
+
+    /// Makes a step of the relief of finished rivers, even if the style shows none, so that files find it ready.
+    /// Returns `true` if a step was left to make. Throws an Error if there is not enough memory.
+    #[wasm_bindgen(js_name = raiseRelief)]
+    pub fn raise_relief(&mut self) -> Result<bool, JsValue> {
+        self.session.raise_relief().map_err(|error| session_error(&error))
     }
 
     /// The kind of the next step.
@@ -231,24 +181,39 @@ impl River {
         painted == Some(Painted::Part)
     }
 
+    /// The share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
+    #[wasm_bindgen(getter)]
+    pub fn painted(&self) -> f32 {
+        self.picture.as_ref().map_or(0.0, |picture| picture.progress(&self.session))
+    }
+
+    /// Makes the background of the painted picture transparent: the sea, or in line styles the paper. Pixels are then
+    /// RGBA, not premultiplied, until the picture is painted again.
+    #[wasm_bindgen(js_name = cutOut)]
+    pub fn cut_out(&mut self) {
+        if let Some(picture) = &mut self.picture {
+            picture.cut_out(&self.session);
+        }
+    }
+
     /// Returns `true` if the rivers are finished and the recipe wants a chart, but the picture, if there is one, does
     /// not have it.
-    #[wasm_bindgen(js_name = wantsChart)]
-    pub fn wants_chart(&self) -> bool {
+    #[wasm_bindgen(js_name = wantsAnnotation)]
+    pub fn wants_annotation(&self) -> bool {
         let has_none = |picture: &Picture| picture.wants_chart(&self.session);
         self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
     }
 
-    /// Returns the finished map, for a `Chart`; an empty list until it is finished.
+    /// Returns the finished map, for a `FinishedMap` of the other module; an empty list until it is finished.
     #[wasm_bindgen(js_name = mapData)]
     pub fn map_data(&self) -> Vec<u32> {
         self.session.map().map_or_else(Vec::new, |map| map.to_wire())
     }
 
-    /// Takes the chart of the present rivers: the `masks` of a `Chart` for a picture of this size. The next `paint`
+    /// Takes the chart of the present rivers: the `masks` of a `FinishedMap` for a picture of this size. The next `paint`
     /// shows it. Bytes that are not a chart count as an empty one.
-    #[wasm_bindgen(js_name = takeChart)]
-    pub fn take_chart(&mut self, masks: &[u8]) {
+    #[wasm_bindgen(js_name = takeAnnotation)]
+    pub fn take_annotation(&mut self, masks: &[u8]) {
         if let Some(picture) = &mut self.picture {
             picture.take_chart(&self.session, ChartMasks::from_bytes(masks).unwrap_or_default());
         }
@@ -352,8 +317,4 @@ pub(super) fn paint_error(error: &PaintError) -> JsValue {
         _ => "too-large",
     };
     coded(code, &error.to_string())
-}
-
-pub(super) fn pair(name: &str, text: &str) -> Array {
-    [name, text].into_iter().map(JsValue::from_str).collect()
 }

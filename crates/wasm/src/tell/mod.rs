@@ -1,23 +1,29 @@
-//! A chart: names and letters, in a separate wasm package. It knows rivers only by their `River.mapData`.
+//! The package `tell`: tells about a finished map. It gives names, labels and scenery, files, measures, and what lies at
+//! a place. It knows the map only by the `mapData` of a `River`.
 
+mod files;
+mod inspector;
+mod measures;
+
+use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
 use riverseed::Map;
 use riverseed::annotate::builder::ChartBuilder;
 use riverseed::annotate::names::Names;
-use riverseed::export::svg::ChartText;
-use riverseed::export::svg::labels::chart;
+use riverseed::digest;
+use riverseed::export::ExportError;
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
 
-/// The names, labels and scenery on a map whose rivers are in another module.
+/// A finished map whose rivers were made in another module.
 #[wasm_bindgen]
-pub struct Chart(Map);
+pub struct FinishedMap(Map);
 
 #[wasm_bindgen]
-impl Chart {
-    /// Makes the chart of a river from its `mapData`. Throws an Error if the data is not a map.
+impl FinishedMap {
+    /// Reads the map from the `mapData` of a river. Throws an Error if the data is not a map.
     #[wasm_bindgen(constructor)]
     pub fn new(data: &[u32]) -> Result<Self, JsValue> {
         Map::from_wire(data).map(Self).ok_or_else(|| coded("bad-params", "This data is of no map."))
@@ -47,18 +53,14 @@ impl Chart {
         own.map(|own| own.to_string()).map_err(|error| coded("bad-params", &error.to_string()))
     }
 
-    /// Returns all names, for the files of `River`.
-    pub fn names(&self) -> Vec<u32> {
-        Names::of(&self.0).to_wire()
+    /// Returns the digest of the map, which proves that two browsers draw and write the same. It takes the map's picture,
+    /// `digestWidth()` pixels square, as RGBA bytes, and the attractors of its `River` (`scattered`).
+    pub fn digest(&self, picture: &[u8], attractors: &[f32]) -> Result<String, JsValue> {
+        let attractors: Vec<Vec2> = attractors.chunks_exact(2).map(Vec2::from_slice).collect();
+        digest::digest_of(&self.0, picture, &attractors).map_err(|error| export_error(&error))
     }
 
-    /// Returns the parts that the chart adds to an SVG file, for `River.svg`.
-    pub fn svg(&self) -> Vec<String> {
-        let ChartText { halo, labels } = chart(&self.0, false);
-        vec![halo, labels]
-    }
-
-    /// Returns the masks that the chart lays over a picture of this size, for `River.takeChart`. `ratio` is picture
+    /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeChart`. `ratio` is picture
     /// pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the picture's `frame`,
     /// or empty.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
@@ -68,4 +70,14 @@ impl Chart {
         let view = view.framed(&domain, Framing::of(framing));
         Ok(ChartBuilder::whole(&self.0, &view, ratio).to_bytes())
     }
+}
+
+/// The width and height, in pixels, of the picture that goes into a digest.
+#[wasm_bindgen(js_name = digestWidth)]
+pub fn digest_width() -> u32 {
+    digest::WIDTH
+}
+
+fn export_error(error: &ExportError) -> JsValue {
+    coded("too-large", &error.to_string())
 }

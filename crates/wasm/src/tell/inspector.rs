@@ -4,11 +4,11 @@ use glam::Vec2;
 use js_sys::{Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use super::rivers::River;
+use super::FinishedMap;
 use crate::objects::object;
-use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
+use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
 use riverseed::export::svg::overlay;
-use riverseed::land::{Land, SmoothedDistance};
+use riverseed::land::Land;
 use riverseed::network::NONE;
 use riverseed::recipe::{CourseShape, LandKind};
 
@@ -52,56 +52,13 @@ pub struct Inspector {
 }
 
 #[wasm_bindgen]
-impl River {
-    /// Returns a layer that can be drawn over the map at any moment, as an SVG path in units. 0: its attractors, or the
-    /// parcels of drainage. 1: those that still pull, or have found no way to the sea yet. 2: the sources of its
-    /// rivers, as far as they have grown. 3: the border of all land, beyond which there is water. 4: ridges. No river
-    /// may cross 3 or 4; both are empty if all is land. In drainage, 5: the places where the greatest streams were
-    /// captured; 6: their former ways.
-    pub fn shapes(&self, of: u8) -> String {
-        let growth = self.session.growth();
-        let dots = match of {
-            0 => growth.scattered(),
-            1 => growth.left(),
-            2 => tips(&self.session),
-            3 | 4 => return self.masks(of == 3),
-            _ => {
-                let ways = former_ways(&self.session);
-                if of > 5 {
-                    return overlay::lines(&ways, CourseShape::Grown);
-                }
-                ways.iter().map(|way| way[0]).collect()
-            }
-        };
-        overlay::dots(&dots)
-    }
-
-    /// Width and height of the map, the distance over which an attractor pulls, and the distance at which a river uses
-    /// it up, in units.
-    pub fn lengths(&self) -> Vec<f32> {
-        let growth = self.session.growth().settings();
-        let Vec2 { x, y } = self.session.domain().size;
-        vec![x, y, growth.reach, growth.kill]
-    }
-
-    /// Prepares the finished rivers for queries. Returns nothing until they are finished, or if there is not enough
-    /// memory.
+impl FinishedMap {
+    /// Prepares the rivers for queries. Returns nothing if there is not enough memory.
     pub fn inspector(&self) -> Option<Inspector> {
-        let rivers = Rivers::new(&self.session.map()?)?;
-        let (size, recipe) = (self.session.domain().size, self.session.recipe());
+        let rivers = Rivers::new(&self.0)?;
+        let (size, recipe) = (self.0.domain().size, self.0.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
         Some(Inspector { rivers, size, courses: recipe.get(), ends_in, last: (NONE, String::new()) })
-    }
-}
-
-impl River {
-    fn masks(&self, is_water: bool) -> String {
-        let Some(land) = self.session.land() else { return String::new() };
-        if is_water {
-            overlay::area(&SmoothedDistance::of(land.coast_distance()).rings_above(0.0))
-        } else {
-            overlay::lines(land.ridges(), CourseShape::Grown)
-        }
     }
 }
 

@@ -1,10 +1,12 @@
-//! The tracing of pictures: a separate wasm package, which a page fetches when somebody opens a picture.
+//! The package `trace`: makes outlines of land from pictures and from drawn lines.
 
-use js_sys::Object;
+use glam::Vec2;
+use js_sys::{Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::objects::{coded, object};
 use riverseed::land::trace;
+use riverseed::recipe::Outline;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -38,4 +40,22 @@ pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<Object,
 #[wasm_bindgen(js_name = longestTracedSide)]
 pub fn longest_traced_side() -> u32 {
     trace::LONGEST_SIDE
+}
+
+/// Makes an outline from lines with any number of points, simplified until it fits a link. Throws an Error if they
+/// enclose no land.
+#[wasm_bindgen(js_name = outlineOf)]
+pub fn outline_of(
+    coasts: Vec<Float32Array>,
+    ridges: Vec<Float32Array>,
+    rivers: Vec<Float32Array>,
+) -> Result<String, JsValue> {
+    let [coasts, ridges, rivers] = [coasts, ridges, rivers].map(|lines| lines.iter().map(points).collect());
+    let outline = Outline::from_polylines(coasts, ridges, rivers);
+    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
+}
+
+/// The points of a line given as x and y in turn; an odd number at the end is ignored.
+fn points(line: &Float32Array) -> Vec<Vec2> {
+    line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
 }

@@ -3,7 +3,7 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::rivers::River;
+use super::FinishedMap;
 use crate::objects::{object, set};
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 
@@ -24,12 +24,12 @@ export interface Measure {
 "#;
 
 #[wasm_bindgen]
-impl River {
-    /// Returns the measures of the rivers; an empty list until they are finished.
+impl FinishedMap {
+    /// Returns the measures of the rivers.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
-        let measures = self.session.map().as_ref().map(Measures::of);
-        measures.iter().flat_map(|measures| TABLE.iter().map(move |measure| row(measure, measures))).collect()
+        let measures = Measures::of(&self.0);
+        TABLE.iter().map(|measure| row(measure, &measures)).collect()
     }
 }
 

@@ -1,0 +1,82 @@
+//! `riverseed table --json`: all parameters, presets and countries as data, for programs and the page.
+
+use std::io::{self, Write};
+
+use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
+use serde_json::{Map, Value, json};
+
+/// Writes the data.
+pub fn print() -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    let rows: Vec<Value> = TABLE.iter().map(row).collect();
+    let [presets, countries] = [PRESETS, COUNTRIES].map(|list| list.iter().map(preset).collect::<Vec<_>>());
+    let table = json!({ "parameters": rows, "presets": presets, "countries": countries });
+    writeln!(out, "{table:#}")
+}
+
+fn row(parameter: &Parameter) -> Value {
+    let mut row = Map::new();
+    let mut set = |name: &str, value: Value| row.insert(name.into(), value);
+    set("key", parameter.name.into());
+    set("label", parameter.label.into());
+    set("help", parameter.help.into());
+    set("group", parameter.group.into());
+    set("stage", parameter.stage.name().into());
+    set("kind", kind_name(parameter.kind).into());
+    set("unit", parameter.unit.into());
+    set("scale", if parameter.logarithmic { "log" } else { "linear" }.into());
+    set("default", parameter.text_of(&parameter.default_value()).into());
+    row.extend(range(parameter.kind));
+    row.into()
+}
+
+fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Text { .. } => "text",
+        Kind::Integer { .. } => "integer",
+        Kind::Number { .. } => "number",
+        Kind::Outline => "outline",
+        Kind::Choice { .. } => "choice",
+        Kind::Sides { .. } => "sides",
+    }
+}
+
+/// The range or the choices of a kind of value.
+fn range(kind: Kind) -> Vec<(String, Value)> {
+    let named = |name: &str, value: Value| (name.to_owned(), value);
+    match kind {
+        Kind::Text { longest, .. } => vec![named("maxLength", longest.into())],
+        Kind::Outline => vec![named("maxLength", LONGEST_OUTLINE.into())],
+        Kind::Integer { min, max, .. } => {
+            vec![named("min", min.into()), named("max", max.into()), named("step", 1.into())]
+        }
+        Kind::Number { min, max, step, .. } => {
+            let number = |name: &str, value: riverseed::recipe::Decimal| named(name, value.to_f64().into());
+            vec![number("min", min), number("max", max), number("step", step)]
+        }
+        Kind::Choice { choices } => {
+            vec![named("choices", choices.iter().map(|word| choice(word.name, word.label)).collect())]
+        }
+        Kind::Sides { .. } => {
+            let sides = [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")];
+            vec![named("choices", sides.into_iter().map(|(value, label)| choice(value, label)).collect())]
+        }
+    }
+}
+
+fn choice(value: &str, label: &str) -> Value {
+    json!({ "value": value, "label": label })
+}
+
+fn preset(preset: &Preset) -> Value {
+    let values =
+        preset.values.iter().map(|&(key, text)| json!([key.parameter().name, canonical(key.parameter(), text)]));
+    json!({ "name": preset.name, "label": preset.label, "help": preset.help, "values": values.collect::<Vec<_>>() })
+}
+
+/// A value in the spelling that links use.
+fn canonical(parameter: &Parameter, text: &str) -> String {
+    parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
+}

@@ -1,0 +1,60 @@
+//! Points and lines over a map that may still be growing. Each is a list of coordinates, x and y in turn, in units.
+
+use glam::Vec2;
+use js_sys::Float32Array;
+use wasm_bindgen::prelude::*;
+
+use super::river::River;
+use riverseed::analyse::query::{former_ways, tips};
+use riverseed::land::SmoothedDistance;
+
+#[wasm_bindgen]
+impl River {
+    /// The attractors that the tree grows to, or the parcels of drainage.
+    pub fn scattered(&self) -> Vec<f32> {
+        flat(&self.session.growth().scattered())
+    }
+
+    /// The attractors that still pull, or the parcels that have found no way to the sea yet.
+    pub fn left(&self) -> Vec<f32> {
+        flat(&self.session.growth().left())
+    }
+
+    /// The sources of the rivers, as far as they have grown.
+    pub fn tips(&self) -> Vec<f32> {
+        flat(&tips(&self.session))
+    }
+
+    /// Rings around all land, beyond which there is water; none if all is land. No river may cross them.
+    pub fn coasts(&self) -> Vec<Float32Array> {
+        let land = self.session.land();
+        lines(&land.map_or_else(Vec::new, |land| SmoothedDistance::of(land.coast_distance()).rings_above(0.0)))
+    }
+
+    /// The ridges, which no river may cross.
+    pub fn ridges(&self) -> Vec<Float32Array> {
+        self.session.land().map_or_else(Vec::new, |land| lines(land.ridges()))
+    }
+
+    /// In drainage, the former ways of the greatest streams that were captured, each from the place of its capture.
+    #[wasm_bindgen(js_name = formerWays)]
+    pub fn former_ways(&self) -> Vec<Float32Array> {
+        lines(&former_ways(&self.session))
+    }
+
+    /// Width and height of the map, the distance over which an attractor pulls, and the distance at which a river uses
+    /// it up, in units.
+    pub fn lengths(&self) -> Vec<f32> {
+        let growth = self.session.growth().settings();
+        let Vec2 { x, y } = self.session.domain().size;
+        vec![x, y, growth.reach, growth.kill]
+    }
+}
+
+fn lines(lines: &[Vec<Vec2>]) -> Vec<Float32Array> {
+    lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect()
+}
+
+fn flat(points: &[Vec2]) -> Vec<f32> {
+    points.iter().flat_map(|at| at.to_array()).collect()
+}

@@ -1,0 +1,81 @@
+//! Links, as the page reads them.
+
+use js_sys::{Array, Object, Reflect};
+use wasm_bindgen::prelude::*;
+
+use crate::objects::object;
+use riverseed::land::Land;
+use riverseed::recipe::Parameter;
+use riverseed::recipe::link::{self, Notice};
+use riverseed::recipe::reading::{self, ReadOptions, Reading};
+use riverseed::recipe::table::TABLE;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The stages of a river, in the order in which they run. */
+export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
+/** Something in a link that had to be corrected. */
+export interface Notice {
+  readonly key: string;
+  readonly message: string;
+}
+/** Where the rivers of a link are to be seen. */
+export interface ReadOptions {
+  /** In a widget: the recipe is kept within its limits. */
+  readonly widget?: boolean;
+  /** On a dark page: if the link names no style, it is the one for dark pages. */
+  readonly dark?: boolean;
+}
+/** A link as it was understood. */
+export interface Reading {
+  /** The canonical link of what is drawn: defaults left out. */
+  readonly link: string;
+  /** The canonical link to share: it names a style only where the text that was read did. */
+  readonly sharedLink: string;
+  /** Whether the text names a style. */
+  readonly namesStyle: boolean;
+  /** Every parameter's value as link text. */
+  readonly values: readonly (readonly [key: string, value: string])[];
+  /** The keys that do nothing in this recipe, and why. */
+  readonly idle: readonly (readonly [key: string, reason: string])[];
+  readonly notices: readonly Notice[];
+}
+"#;
+
+/// Reads a link leniently. It never throws, whatever the text.
+#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
+pub fn read_link(
+    text: &str,
+    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+) -> Object {
+    let reading = reading::read(text, read_options(options));
+    let Reading { recipe, .. } = &reading;
+    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let land = Land::kind_of(recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
+    object(&[
+        ("link", link::write(recipe).into()),
+        ("sharedLink", reading.shared_link().into()),
+        ("namesStyle", reading.names_style.into()),
+        ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
+        ("notices", list(&reading.notices).into()),
+    ])
+}
+
+/// Reads a page's options; options that are left out are off.
+pub(super) fn read_options(given: &JsValue) -> ReadOptions {
+    let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
+    ReadOptions { widget: is("widget"), dark: is("dark") }
+}
+
+pub(super) fn list(notices: &[Notice]) -> Array {
+    let notice = |Notice { key, message }: &Notice| {
+        object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
+    };
+    notices.iter().map(notice).collect()
+}
+
+fn pair(name: &str, text: &str) -> Array {
+    [name, text].into_iter().map(JsValue::from_str).collect()
+}

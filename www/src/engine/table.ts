@@ -1,0 +1,51 @@
+/** The parameter table, the presets and the countries. They are data, written by the library (`make docs`). */
+
+import { PageError } from "./errors.ts";
+import type { Stage } from "./types.ts";
+
+/** A row of the parameter table. */
+export interface Parameter {
+  readonly key: string;
+  readonly label: string;
+  readonly help: string;
+  /** The heading it stands under. */
+  readonly group: string;
+  /** The earliest stage that runs again when it changes. */
+  readonly stage: Stage;
+  readonly kind: "text" | "integer" | "number" | "choice" | "sides" | "outline";
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+  readonly unit?: string;
+  readonly scale?: "linear" | "log";
+  readonly maxLength?: number;
+  readonly choices?: readonly { readonly value: string; readonly label: string }[];
+  /** As link text. */
+  readonly default: string;
+}
+
+/** A named set of values; what it leaves out keeps its default. */
+export interface Preset {
+  readonly name: string;
+  readonly label: string;
+  readonly help: string;
+  readonly values: readonly (readonly [key: string, value: string])[];
+}
+
+export interface Table {
+  readonly parameters: readonly Parameter[];
+  /** The presets of links. */
+  readonly presets: readonly Preset[];
+  /** Countries to start with. Links cannot name them. */
+  readonly countries: readonly Preset[];
+}
+
+/** Fetches the table. */
+export async function loadTable(): Promise<Table> {
+  try {
+    const { default: table } = await import("./parameters.json");
+    return table as unknown as Table;
+  } catch (error) {
+    throw new PageError("file-missing", String(error));
+  }
+}
