@@ -50,11 +50,9 @@ pub(crate) use annotation::letters;
 pub(crate) use annotation::scenery::SceneryPainter;
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
-#[cfg(all(feature = "files", feature = "names"))]
-pub(crate) use styles::labels::LabelLook;
-#[cfg(feature = "names")]
-pub(crate) use styles::labels::{Marks, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;
+#[cfg(all(feature = "files", feature = "names"))]
+pub(crate) use styles::{LabelLook, label_look};
 #[cfg(feature = "names")]
-pub(crate) use styles::scenery::{SceneryLook, scenery_look};
+pub(crate) use styles::{SceneryLook, scenery_look};
