@@ -21,7 +21,7 @@ use crate::land::Land;
 use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Key, Recipe, Stage, Style};
+use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
@@ -202,9 +202,9 @@ impl Session {
     /// depend on the width.
     #[cfg(feature = "controls")]
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
-        let times = other.number(Key::Width) / self.recipe.number(Key::Width);
+        let times = other.number(NumberKey::Width) / self.recipe.number(NumberKey::Width);
         let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
-        (is_told && self.recipe.differs_in(other, &[Key::Width])).then_some(times)
+        (is_told && self.recipe.differs_in(other, &[NumberKey::Width.into()])).then_some(times)
     }
 
     /// Goes back to tick 0.
@@ -432,7 +432,7 @@ impl Session {
 
     /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
-        let length = self.recipe.number(Key::Trim);
+        let length = self.recipe.number(NumberKey::Trim);
         let channel_area = if self.growth.covers_hillsides() { self.channel_area() } else { 0 };
         let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
         Trim { channel_area, ..trim }
@@ -441,7 +441,7 @@ impl Session {
     /// The drained area at which rivers begin. If no basin is that large, it is the area of the largest, so that no map
     /// stays empty.
     fn channel_area(&self) -> u32 {
-        let asked = self.recipe.integer(Key::ChannelArea);
+        let asked = self.recipe.integer(IntegerKey::ChannelArea);
         self.growth.largest_basin().map_or(asked, |largest| asked.min(largest))
     }
 

@@ -7,7 +7,7 @@ use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};
-use riverseed::recipe::{Key, link};
+use riverseed::recipe::{NumberKey, link};
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
@@ -110,7 +110,7 @@ fn grown_and_threshold(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(link)).unwrap();
     let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
     while growth.tick() {}
-    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    let threshold = Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen());
     (Tree::clone(growth.tree()), threshold)
 }
 

@@ -4,7 +4,7 @@ use glam::Vec2;
 use riverseed::grow::Growth;
 use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
 use riverseed::prune::{self, Trim};
-use riverseed::recipe::{Key, Recipe};
+use riverseed::recipe::{Key, NumberKey, Recipe};
 use riverseed::session::Session;
 use riverseed::tree::Hydrology;
 
@@ -28,7 +28,7 @@ fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
     let pruned = prune::trim(
         growth.tree(),
         &Hydrology::of(growth.tree()),
-        Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen()),
+        Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen()),
     );
     let settings = network::NetworkSettings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
     Shaping::new(&pruned.tree, growth.may_cross(), settings).ok()

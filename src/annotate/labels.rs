@@ -16,7 +16,7 @@ use crate::land::{CELL_SIZE, Land, Region, Run};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::choice::Shown;
-use crate::recipe::{self, Key, Labels, Recipe, Style};
+use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
 /// The smallest letters that can be read: their em in pixels.
@@ -52,7 +52,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     Some(Input {
         frame: [frame[0] + margin, frame[1] - margin],
         least_em,
-        label_size: recipe.number(Key::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
+        label_size: recipe.number(NumberKey::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
         most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
@@ -106,7 +106,7 @@ fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetG
     /// The length of the em, in units, and the most of it, as a share of the grid.
     const EM: f32 = 11.0;
     const MOST: f32 = 0.25;
-    let em = EM.max(least_em) * recipe.number(Key::LabelSize);
+    let em = EM.max(least_em) * recipe.number(NumberKey::LabelSize);
     (em <= MOST * EVERY).then_some(SheetGrid { sheet, every: EVERY, em })
 }
 

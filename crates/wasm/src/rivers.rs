@@ -11,7 +11,7 @@ use riverseed::picture::{Picture, is_to_be_charted};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, ReadOptions, Reading};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Parameter, Stage, Value};
+use riverseed::recipe::{IntegerKey, Key, Parameter, Stage, Value};
 use riverseed::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -301,7 +301,7 @@ impl River {
     /// Number of rounds that the rivers will have meandered at the end.
     #[wasm_bindgen(getter)]
     pub fn rounds(&self) -> u32 {
-        self.session.recipe().integer(Key::MeanderRounds)
+        self.session.recipe().integer(IntegerKey::MeanderRounds)
     }
 
     /// The picture in numbers.
