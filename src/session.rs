@@ -68,6 +68,7 @@ pub struct Session {
 
 /// The kind of a session's next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Phase {
     /// A tick of growth.
     Growing,
@@ -79,6 +80,19 @@ pub enum Phase {
     Relief,
     /// No step is left.
     Finished,
+}
+
+impl Phase {
+    /// Its name, lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Growing => "growing",
+            Self::Shaping => "shaping",
+            Self::Meandering => "meandering",
+            Self::Relief => "relief",
+            Self::Finished => "finished",
+        }
+    }
 }
 
 impl Session {

@@ -83,7 +83,7 @@ proptest! {
         let all_drained: u32 = tree.drained.iter().sum();
         let pruned = trim(&tree, &hydrology, nodes(t));
         for (tree, hydrology) in [(&tree, &hydrology), (&pruned.tree, &pruned.hydrology)] {
-            let Hydrology { magnitude, order, discharge, depth } = hydrology;
+            let Hydrology { magnitude, order, discharge, depth, .. } = hydrology;
             prop_assert!(order.iter().zip(magnitude).all(|(&order, &magnitude)| magnitude >= 1 << (order - 1)));
             prop_assert!(depth.iter().zip(magnitude).all(|(&depth, &magnitude)| depth > 0 || magnitude == 1));
             let mouths = (0..tree.len()).filter(|&node| tree.parent_of(node).is_none());

@@ -13,6 +13,7 @@ use crate::recipe::{GrowthMethod, IntegerKey, LandKind, NumberKey, Recipe, Scatt
 
 /// The settings of growth, with ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,

@@ -12,6 +12,7 @@ use crate::recipe::{CourseShape, IntegerKey, MeanderModel, NumberKey, Recipe};
 
 /// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct NetworkSettings {
     /// The seed's 64 bits.
     pub seed: Seed,

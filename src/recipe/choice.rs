@@ -15,6 +15,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 
 /// The word of a choice, with its label and help text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Word {
     /// The word in links, attributes, options and JSON.
     pub name: &'static str,

@@ -6,6 +6,7 @@ use super::table::TABLE;
 /// A parameter's key: the index of its row in the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "each key is explained by its row of the table")]
+#[non_exhaustive]
 pub enum Key {
     Seed,
     Edition,
@@ -72,6 +73,7 @@ macro_rules! keys_of {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[expect(missing_docs, reason = "each key is explained by its row of the table")]
+        #[non_exhaustive]
         pub enum $Keys {
             $($Key = Key::$Key as isize,)+
         }

@@ -25,6 +25,7 @@ pub const PRESET: &str = "preset";
 
 /// A correction that lenient reading made.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Notice {
     /// The corrected key; empty for the link as a whole.
     pub key: String,

@@ -18,6 +18,7 @@ pub struct ReadOptions {
 
 /// A link as read for a page or a widget.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Reading {
     /// The recipe to draw.
     pub recipe: Recipe,

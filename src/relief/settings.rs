@@ -12,6 +12,7 @@ use crate::recipe::{NumberKey, Recipe, Sides};
 
 /// The settings of the relief stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ReliefSettings {
     /// The seed's 64 bits.
     pub seed: Seed,

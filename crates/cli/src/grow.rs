@@ -33,6 +33,7 @@ pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Sessio
             let advice = "a gap in the ridges that cut them off, or more 'mouths' (0 for all), helps";
             say(&format!("{unreached} of {parcels} parcels have no way to a river mouth; {advice}"));
         }
+        Some(_) => say("rivers leave much of the land dry"),
         None => {}
     }
     Ok(session)

@@ -12,7 +12,7 @@ use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, ReadOptions, Reading};
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{IntegerKey, Key, Parameter, Stage, Value};
-use riverseed::session::{Phase, Session, SessionError, Shortfall};
+use riverseed::session::{Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -98,7 +98,7 @@ pub(super) fn read_options(given: &JsValue) -> ReadOptions {
 }
 
 fn list(notices: &[Notice]) -> Array {
-    let notice = |Notice { key, message }: &Notice| {
+    let notice = |Notice { key, message, .. }: &Notice| {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };
     notices.iter().map(notice).collect()
@@ -213,14 +213,7 @@ impl River {
     /// The kind of the next step.
     #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
     pub fn phase(&self) -> String {
-        match self.session.phase() {
-            Phase::Growing => "growing",
-            Phase::Shaping => "shaping",
-            Phase::Meandering => "meandering",
-            Phase::Relief => "relief",
-            Phase::Finished => "finished",
-        }
-        .into()
+        self.session.phase().name().into()
     }
 
     /// Paints what is new, or a part of it that takes a few milliseconds. Returns `true` if there is more to do; until
@@ -314,6 +307,7 @@ impl River {
             (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
             (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
             (_, Some(Shortfall::CutOff)) => Some(CUT_OFF),
+            (_, Some(_)) => Some("Rivers leave much of the land dry."),
             (_, None) => None,
         };
         object(&[

@@ -38,6 +38,7 @@ pub const ANGLE_SPACINGS: f32 = 3.0;
 /// A *spacing* is the distance that attractors would have if all of the domain were land, so maps of space colonization
 /// and of drainage share one ruler. For a Brownian tree it is the sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Measures {
     /// Horton's bifurcation ratio.
     pub bifurcation_ratio: Option<f64>,

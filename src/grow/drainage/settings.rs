@@ -8,6 +8,7 @@ use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DrainageSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
