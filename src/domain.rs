@@ -5,7 +5,7 @@
 
 use glam::Vec2;
 
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{NumberKey, Recipe};
 
 /// The area of every domain, in square units.
 pub const AREA: f32 = 1_000_000.0;
@@ -20,7 +20,7 @@ pub struct Domain {
 impl Domain {
     /// The domain of a recipe.
     pub fn of(recipe: &Recipe) -> Self {
-        Self::with_aspect(recipe.number(Key::Aspect))
+        Self::with_aspect(recipe.number(NumberKey::Aspect))
     }
 
     /// The domain with a given ratio of width to height.

@@ -46,8 +46,8 @@ pub use map::{Map, MapId};
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{
-    Cartouche, CourseShape, GrowthMethod, Key, Labels, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides,
-    Style, Value,
+    Cartouche, CourseShape, GrowthMethod, IntegerKey, Key, Labels, LandKind, MeanderModel, NumberKey, Recipe,
+    RecipeError, Scatter, Sides, Style, Value,
 };
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;

@@ -12,7 +12,7 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::map::MapId;
 use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
-use crate::recipe::{Key, Style};
+use crate::recipe::{NumberKey, Style};
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
 
@@ -126,7 +126,7 @@ impl Picture {
         }
         let chart = self.chart.as_ref().map(|(_, chart)| chart);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
-            let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
+            let relief = session.relief().map(|relief| (relief, recipe.number(NumberKey::Shade)));
             return self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, chart, style });
         }
         let growth = session.growth();
@@ -135,7 +135,7 @@ impl Picture {
             finished: growth.ending().is_some(),
             trim: session.trim(),
             total_discharge: growth.total_discharge(),
-            max_width: recipe.number(Key::Width),
+            max_width: recipe.number(NumberKey::Width),
             courses,
             land,
             style,

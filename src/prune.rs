@@ -32,6 +32,7 @@ impl Trim {
 
 /// A trimmed tree and its hydrology.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Pruned {
     /// The nodes that stay, in their original order.
     pub tree: Tree,

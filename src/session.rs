@@ -19,7 +19,7 @@ use crate::land::Land;
 use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Key, Recipe, Stage, Style};
+use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
@@ -63,6 +63,7 @@ pub struct Session {
 
 /// The kind of a session's next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Phase {
     /// A tick of growth.
     Growing,
@@ -74,6 +75,19 @@ pub enum Phase {
     Relief,
     /// No step is left.
     Finished,
+}
+
+impl Phase {
+    /// Its name, lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Growing => "growing",
+            Self::Shaping => "shaping",
+            Self::Meandering => "meandering",
+            Self::Relief => "relief",
+            Self::Finished => "finished",
+        }
+    }
 }
 
 impl Session {
@@ -194,9 +208,9 @@ impl Session {
     /// differ. `None` if it differs in more than width, or if it differs while rivers still change their courses, which
     /// depend on the width.
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
-        let times = other.number(Key::Width) / self.recipe.number(Key::Width);
+        let times = other.number(NumberKey::Width) / self.recipe.number(NumberKey::Width);
         let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
-        (is_told && self.recipe.differs_in(other, &[Key::Width])).then_some(times)
+        (is_told && self.recipe.differs_in(other, &[NumberKey::Width.into()])).then_some(times)
     }
 
     /// Goes back to tick 0.
@@ -422,7 +436,7 @@ impl Session {
 
     /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
-        let length = self.recipe.number(Key::Trim);
+        let length = self.recipe.number(NumberKey::Trim);
         let channel_area = if self.growth.covers_hillsides() { self.channel_area() } else { 0 };
         let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
         Trim { channel_area, ..trim }
@@ -431,7 +445,7 @@ impl Session {
     /// The drained area at which rivers begin. If no basin is that large, it is the area of the largest, so that no map
     /// stays empty.
     fn channel_area(&self) -> u32 {
-        let asked = self.recipe.integer(Key::ChannelArea);
+        let asked = self.recipe.integer(IntegerKey::ChannelArea);
         self.growth.largest_basin().map_or(asked, |largest| asked.min(largest))
     }
 

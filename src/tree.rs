@@ -16,6 +16,7 @@ pub const LEAST_SLOPE: f32 = 0.055 / 14.0;
 
 /// The nodes that grew from river mouths. Strictly a forest: one tree for each mouth.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Tree {
     /// The position of each node, in domain units.
     pub at: Vec<Vec2>,
@@ -75,6 +76,7 @@ impl Tree {
 
 /// The hydrology of a tree, for each node.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Hydrology {
     /// The paper's depth (section 4.4): 0 at a source, otherwise one more than that of the deepest child.
     pub depth: Vec<u32>,

@@ -31,7 +31,7 @@ proptest! {
     #[test]
     fn no_two_things_on_a_map_have_one_name(link in random_link(600)) {
         let session = finished(&link, "style=ink");
-        let Names { rivers, reaches, places, title } = Names::of(&session.map().unwrap());
+        let Names { rivers, reaches, places, title, .. } = Names::of(&session.map().unwrap());
         prop_assert_eq!(rivers.len(), session.network().unwrap().rivers.len());
         let rivers = rivers.into_iter().map(|river| river.name);
         let all: Vec<String> = rivers

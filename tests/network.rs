@@ -10,7 +10,7 @@ use riverseed::grow::{Growth, GrowthSettings};
 use riverseed::land::Land;
 use riverseed::network::{self, ClearanceGrid, Meander, NONE, Network, Shaping, hydrology, meet};
 use riverseed::prune;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::recipe::{NumberKey, Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
@@ -20,7 +20,7 @@ fn shaped(recipe: &Recipe) -> Meander {
     let pruned = prune::trim(
         growth.tree(),
         &Hydrology::of(growth.tree()),
-        prune::Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen()),
+        prune::Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen()),
     );
     let settings = network::NetworkSettings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
     let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), settings).unwrap();

@@ -5,7 +5,7 @@ use riverseed::grow::{Colonize, GrowthSettings};
 use riverseed::land::Land;
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::preset::{PRESETS, Preset};
-use riverseed::recipe::{Key, Recipe, link, table::TABLE};
+use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
@@ -45,7 +45,7 @@ const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attr
 
 fn tree(recipe: &Recipe) -> u64 {
     let settings = GrowthSettings::of(recipe);
-    let threshold = Trim::new(recipe.number(Key::Trim), settings.step, false);
+    let threshold = Trim::new(recipe.number(NumberKey::Trim), settings.step, false);
     let mut growth = Colonize::new(settings).unwrap();
     while growth.tick() {}
     let trimmed = trim(growth.tree(), &Hydrology::of(growth.tree()), threshold).tree;

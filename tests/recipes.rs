@@ -179,7 +179,7 @@ fn a_preset_named_twice_is_refused_or_said() {
 fn presets_override_nothing_that_is_given() {
     for preset in preset::PRESETS {
         let recipe = link::read(&format!("trim=17&preset={}", preset.name)).unwrap();
-        assert_eq!(recipe.number(riverseed::recipe::Key::Trim), 17.0, "{}", preset.name);
+        assert_eq!(recipe.number(riverseed::recipe::NumberKey::Trim), 17.0, "{}", preset.name);
     }
     assert!(matches!(link::read("preset=curl&preset=curl"), Err(RecipeError::Duplicate { .. })));
 }

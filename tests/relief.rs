@@ -38,7 +38,7 @@ fn around(relief: &Relief, cell: usize) -> Vec<usize> {
 
 /// Returns `true` if the sea lies beyond the border of the map at a cell.
 fn leaves_the_map(session: &Session, relief: &Relief, cell: usize) -> bool {
-    let sides = session.recipe().sides(Key::Sides);
+    let sides = session.recipe().sides();
     let (column, row) = (cell % relief.columns(), cell / relief.columns());
     let is_at =
         [('w', column == 0), ('e', column + 1 == relief.columns()), ('n', row == 0), ('s', row + 1 == relief.rows())];

@@ -10,7 +10,7 @@ use riverseed::domain::AREA;
 use riverseed::network::{NONE, Network};
 use riverseed::recipe::link;
 use riverseed::session::Session;
-use riverseed::{Key, Recipe};
+use riverseed::{IntegerKey, Key, Recipe};
 
 /// The table's defaults, written out as they were when these bars were set. Courses are what growth and shaping make:
 /// no meanders.
@@ -35,7 +35,7 @@ struct Courses {
 
 impl Courses {
     fn of(recipe: Recipe) -> Self {
-        let spacing = (AREA / recipe.number(Key::Attractors)).sqrt();
+        let spacing = (AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt();
         let mut session = Session::new(recipe).unwrap();
         Self { spacing, points: points(session.finish().unwrap().network(), spacing / 16.0) }
     }
@@ -78,7 +78,8 @@ fn kept(link: &str) -> Vec<f64> {
         let recipe = |seed: u32| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
         let notched = |&(key, change): &(Key, &str)| {
             let mut recipe = recipe(seed);
-            let value = f64::from(recipe.number(key)) + change.parse::<f64>().unwrap();
+            let value =
+                key.parameter().text_of(recipe.value(key)).parse::<f64>().unwrap() + change.parse::<f64>().unwrap();
             recipe.set(key, format!("{value:.2}").trim_end_matches(".00")).unwrap();
             recipe
         };

@@ -7,7 +7,7 @@ use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};
-use riverseed::recipe::{Key, link};
+use riverseed::recipe::{NumberKey, link};
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
@@ -83,7 +83,7 @@ proptest! {
         let all_drained: u32 = tree.drained.iter().sum();
         let pruned = trim(&tree, &hydrology, nodes(t));
         for (tree, hydrology) in [(&tree, &hydrology), (&pruned.tree, &pruned.hydrology)] {
-            let Hydrology { magnitude, order, discharge, depth } = hydrology;
+            let Hydrology { magnitude, order, discharge, depth, .. } = hydrology;
             prop_assert!(order.iter().zip(magnitude).all(|(&order, &magnitude)| magnitude >= 1 << (order - 1)));
             prop_assert!(depth.iter().zip(magnitude).all(|(&depth, &magnitude)| depth > 0 || magnitude == 1));
             let mouths = (0..tree.len()).filter(|&node| tree.parent_of(node).is_none());
@@ -110,7 +110,7 @@ fn grown_and_threshold(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(link)).unwrap();
     let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
     while growth.tick() {}
-    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    let threshold = Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen());
     (Tree::clone(growth.tree()), threshold)
 }
 

@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 use riverseed::grow::Growth;
-use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
+use riverseed::network::{self, Meander, NONE, Network, Shaping};
 use riverseed::prune::{self, Trim};
-use riverseed::recipe::{Key, Recipe};
+use riverseed::recipe::{Key, NumberKey, Recipe};
 use riverseed::session::Session;
 use riverseed::tree::Hydrology;
 
@@ -28,7 +28,7 @@ fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
     let pruned = prune::trim(
         growth.tree(),
         &Hydrology::of(growth.tree()),
-        Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen()),
+        Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen()),
     );
     let settings = network::NetworkSettings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
     Shaping::new(&pruned.tree, growth.may_cross(), settings).ok()
@@ -61,14 +61,13 @@ fn side_by_side(network: &Network, maps: u32, size: Vec2) -> Network {
         let (east, first) = (Vec2::new(size.x * map as f32, 0.0), all.vertices.len() as u32);
         let rivers = all.rivers.len() as u32;
         let moved = |number: u32, by: u32| if number == NONE { NONE } else { number + by };
-        all.vertices.extend(network.vertices.iter().map(|vertex| Vertex { at: vertex.at + east, ..*vertex }));
-        all.rivers.extend(network.rivers.iter().map(|river| River {
-            start: river.start + first,
-            end: river.end + first,
-            junction: moved(river.junction, first),
-            parent: moved(river.parent, rivers),
-            ..*river
-        }));
+        all.vertices.extend_from_slice(&network.vertices);
+        all.vertices[first as usize..].iter_mut().for_each(|vertex| vertex.at += east);
+        all.rivers.extend_from_slice(&network.rivers);
+        for river in &mut all.rivers[rivers as usize..] {
+            (river.start, river.end) = (river.start + first, river.end + first);
+            (river.junction, river.parent) = (moved(river.junction, first), moved(river.parent, rivers));
+        }
     }
     all
 }

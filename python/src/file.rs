@@ -98,6 +98,7 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
             }
             map.read(py, |map| written(|out| write_text(out, map, options)))
         }
+        form => Err(Failure::Refused(format!("form: '{}' cannot be made here", form.name())).into()),
     }
 }
 

@@ -73,11 +73,7 @@ fn value<'py>(py: Python<'py>, parameter: &Parameter, value: &Value) -> PyResult
 
 /// Makes the fields of `riverseed.Summary`.
 pub fn of_summary<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyDict>> {
-    let shortfall = summary.shortfall().map(|shortfall| match shortfall {
-        Shortfall::NoRiver => "no-river",
-        Shortfall::Unreached => "unreached",
-        Shortfall::CutOff => "cut-off",
-    });
+    let shortfall = summary.shortfall().map(Shortfall::name);
     let fields = PyDict::new(py);
     fields.set_item("ticks", summary.ticks)?;
     fields.set_item("nodes", summary.nodes)?;

@@ -15,8 +15,8 @@ use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region, Run};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::paint::{self, label_look};
-use crate::recipe::{self, Key, Labels, Recipe};
+use crate::recipe::choice::Shown;
+use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
 /// The smallest letters that can be read: their em in pixels.
@@ -52,7 +52,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     Some(Input {
         frame: [frame[0] + margin, frame[1] - margin],
         least_em,
-        label_size: recipe.number(Key::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
+        label_size: recipe.number(NumberKey::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
         most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
@@ -79,15 +79,14 @@ fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
 /// What the style has besides names.
 fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
     let recipe = map.recipe();
-    match label_look(recipe.get()).marks {
-        paint::Marks::None => Marks::default(),
-        paint::Marks::SpotHeights { grid } => Marks {
-            elevations: map.shown_relief().map(|relief| elevations(relief, recipe.get())),
-            grid: sheet_grid(recipe, sheet, least_em, grid),
-            ..Marks::default()
-        },
-        paint::Marks::Legend => Marks { legend: Some(legend(recipe, map.network(), names)), ..Marks::default() },
-        paint::Marks::Seal => Marks { seal: Some(seal(recipe.seed(), &names.title)), ..Marks::default() },
+    let style: Style = recipe.get();
+    let has_heights = style.shows(Shown::SpotHeights);
+    let relief = map.shown_relief().filter(|_| has_heights);
+    Marks {
+        elevations: relief.map(|relief| elevations(relief, recipe.get())),
+        grid: sheet_grid(recipe, sheet, least_em).filter(|_| has_heights),
+        legend: style.shows(Shown::Legend).then(|| legend(recipe, map.network(), names)),
+        seal: style.shows(Shown::Seal).then(|| seal(recipe.seed(), &names.title)),
     }
 }
 
@@ -101,12 +100,14 @@ fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
 }
 
 /// The grid's letters, in pictures that have room for them.
-fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32, every: f32) -> Option<SheetGrid> {
+fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetGrid> {
+    /// The distance between two lines of the grid, in units.
+    const EVERY: f32 = 120.0;
     /// The length of the em, in units, and the most of it, as a share of the grid.
     const EM: f32 = 11.0;
     const MOST: f32 = 0.25;
-    let em = EM.max(least_em) * recipe.number(Key::LabelSize);
-    (em <= MOST * every).then_some(SheetGrid { sheet, every, em })
+    let em = EM.max(least_em) * recipe.number(NumberKey::LabelSize);
+    (em <= MOST * EVERY).then_some(SheetGrid { sheet, every: EVERY, em })
 }
 
 fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {

@@ -4,6 +4,7 @@ use super::rasters::Layer;
 
 /// The forms of a file, each named after the ending of its files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Form {
     /// The picture.
     Png,

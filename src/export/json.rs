@@ -12,7 +12,7 @@ use crate::map::Map;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, Key, Recipe, Stage};
+use crate::recipe::{self, IntegerKey, Key, NumberKey, Recipe, Stage};
 use crate::tree::NO_PARENT;
 
 /// Makes the JSON of a map's network, ready to be written. It includes the attractors that the tree grew to if they are
@@ -103,11 +103,11 @@ fn resolved<'a>(map: &Map) -> Members<'a> {
         .single("reach", grown.reach)
         .single("kill", grown.kill)
         .single("step", grown.step)
-        .single("momentum", recipe.number(Key::Momentum))
-        .single("curl", recipe.number(Key::Curl))
-        .whole("stretch", recipe.integer(Key::Stretch))
-        .single("sensitivity", recipe.number(Key::Sensitivity))
-        .single("trim", recipe.number(Key::Trim))
+        .single("momentum", recipe.number(NumberKey::Momentum))
+        .single("curl", recipe.number(NumberKey::Curl))
+        .whole("stretch", recipe.integer(IntegerKey::Stretch))
+        .single("sensitivity", recipe.integer(IntegerKey::Sensitivity) as f32)
+        .single("trim", recipe.number(NumberKey::Trim))
         .whole("trim-nodes", map.trim().nodes)
         .single("width", shaped.max_width)
         .whole("total-discharge", shaped.total_discharge)

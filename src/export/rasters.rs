@@ -43,6 +43,7 @@ pub struct Rasters {
 
 /// One of the rasters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Layer {
     /// Heights, in steps of the scale.
     Heights,

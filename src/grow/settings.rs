@@ -9,10 +9,11 @@ use super::{DrainageSettings, Start};
 use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region};
-use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
+use crate::recipe::{GrowthMethod, IntegerKey, LandKind, NumberKey, Recipe, Scatter, Sides};
 
 /// The settings of growth, with ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
@@ -76,7 +77,7 @@ impl GrowthSettings {
 
     /// Resolves a recipe with given land; `None` if the whole domain is land.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
-        let attractors = recipe.integer(Key::Attractors);
+        let attractors = recipe.integer(IntegerKey::Attractors);
         let domain = Domain::of(recipe);
         let starts = starts(recipe, &domain, land.as_deref());
         let is_drawn = !starts.is_empty();
@@ -105,20 +106,20 @@ impl GrowthSettings {
             starts,
             basins,
             mouths,
-            mouth_spacing: recipe.number(Key::MouthSpacing),
+            mouth_spacing: recipe.number(NumberKey::MouthSpacing),
             sides: recipe.open_sides(),
-            shores: recipe.sides(Key::Shores),
+            shores: recipe.shores(),
             method: recipe.get(),
-            sensitivity: recipe.number(Key::Sensitivity),
+            sensitivity: recipe.integer(IntegerKey::Sensitivity) as f32,
             attractors,
             scatter: recipe.get(),
             spacing,
-            reach: spacings(Key::Reach),
-            kill: spacings(Key::Kill),
-            step: spacings(Key::Step),
-            momentum: recipe.number(Key::Momentum),
-            curl: recipe.number(Key::Curl),
-            stretch: recipe.integer(Key::Stretch),
+            reach: spacings(NumberKey::Reach),
+            kill: spacings(NumberKey::Kill),
+            step: spacings(NumberKey::Step),
+            momentum: recipe.number(NumberKey::Momentum),
+            curl: recipe.number(NumberKey::Curl),
+            stretch: recipe.integer(IntegerKey::Stretch),
             drainage,
         }
     }
@@ -198,7 +199,7 @@ impl GrowthSettings {
 /// The requested number of mouths. In drainage, 0 means all along the coast.
 fn mouths_of(recipe: &Recipe) -> u32 {
     const USUAL: u32 = 8;
-    match recipe.integer(Key::Mouths) {
+    match recipe.integer(IntegerKey::Mouths) {
         0 if recipe.get::<GrowthMethod>() != GrowthMethod::Drainage => USUAL,
         mouths => mouths,
     }

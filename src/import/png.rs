@@ -23,6 +23,7 @@ const MEMORY: usize = (LONGEST_SIDE as usize).pow(2) * 8 + (1 << 20);
 
 /// A decoded picture.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Image {
     /// Width, in pixels.
     pub width: u32,

@@ -7,7 +7,7 @@ use super::CoastDistance;
 use crate::base::geometry::length;
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
-use crate::recipe::{Key, LandKind, Recipe, Sides};
+use crate::recipe::{LandKind, NumberKey, Recipe, Sides};
 
 /// The description of a shape.
 #[derive(Clone, Debug)]
@@ -28,10 +28,10 @@ impl Shape {
         Self {
             kind: recipe.get(),
             domain: Domain::of(recipe),
-            sides: recipe.sides(Key::Sides),
+            sides: recipe.sides(),
             seed: Seed::from_text(recipe.seed()),
-            sea: recipe.number(Key::Sea),
-            roughness: recipe.number(Key::Roughness),
+            sea: recipe.number(NumberKey::Sea),
+            roughness: recipe.number(NumberKey::Roughness),
         }
     }
 

@@ -30,6 +30,7 @@ pub struct Shore {
 
 /// Cells that are connected by their sides.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Region {
     /// The cells, row by row.
     pub runs: Vec<Run>,

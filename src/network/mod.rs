@@ -55,6 +55,7 @@ pub const NONE: u32 = u32::MAX;
 
 /// A point of a course.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Vertex {
     /// Where it lies, in domain units.
     pub at: Vec2,
@@ -80,6 +81,7 @@ impl Vertex {
 
 /// A river: a run of the network's vertices, source first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct River {
     /// Its first vertex, the source.
     pub start: u32,
@@ -108,6 +110,7 @@ impl River {
 
 /// A lake left by a river that cut off one of its loops.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Oxbow {
     /// The river that left it.
     pub river: u32,
@@ -155,6 +158,7 @@ impl Oxbow {
 
 /// Rivers with their junctions and oxbow lakes.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Network {
     /// All vertices, river by river.
     pub vertices: Vec<Vertex>,

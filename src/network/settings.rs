@@ -8,10 +8,11 @@ use crate::base::geometry::{fast_max, fast_min};
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::recipe::{CourseShape, Key, MeanderModel, Recipe};
+use crate::recipe::{CourseShape, IntegerKey, MeanderModel, NumberKey, Recipe};
 
 /// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct NetworkSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
@@ -66,23 +67,23 @@ impl NetworkSettings {
             spacing: (stream_spacing * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
             total_discharge: total_discharge.max(1),
             hairline: fast_min(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
-            max_width: recipe.number(Key::Width),
+            max_width: recipe.number(NumberKey::Width),
             courses: recipe.get(),
-            simplify: recipe.number(Key::Simplify) / 100.0,
-            bank_variation: recipe.number(Key::BankVariation),
+            simplify: recipe.number(NumberKey::Simplify) / 100.0,
+            bank_variation: recipe.number(NumberKey::BankVariation),
             model: match recipe.get() {
                 CourseShape::Grown => MeanderModel::None,
                 CourseShape::Smooth => recipe.get(),
             },
-            rounds: recipe.integer(Key::MeanderRounds),
-            strength: recipe.number(Key::MeanderStrength),
-            mix: recipe.number(Key::MeanderMix),
-            meander_elsewhere: recipe.number(Key::MeanderElsewhere),
-            great_rivers: recipe.integer(Key::GreatRivers),
-            flat_share: recipe.number(Key::FlatShare),
-            neck: recipe.number(Key::Neck),
-            min_clearance: recipe.number(Key::Clearance) * stream_spacing,
-            taper: recipe.number(Key::Taper),
+            rounds: recipe.integer(IntegerKey::MeanderRounds),
+            strength: recipe.number(NumberKey::MeanderStrength),
+            mix: recipe.number(NumberKey::MeanderMix),
+            meander_elsewhere: recipe.number(NumberKey::MeanderElsewhere),
+            great_rivers: recipe.integer(IntegerKey::GreatRivers),
+            flat_share: recipe.number(NumberKey::FlatShare),
+            neck: recipe.number(NumberKey::Neck),
+            min_clearance: recipe.number(NumberKey::Clearance) * stream_spacing,
+            taper: recipe.number(NumberKey::Taper),
         }
     }
 

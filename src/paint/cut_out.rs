@@ -5,8 +5,7 @@ use tiny_skia::Pixmap;
 
 use super::annotation::masks::{ChartMasks, SparseMask};
 use super::palette::{Colour, Palette};
-use super::styles::labels::label_look;
-use super::styles::palette;
+use super::styles::{label_look, palette};
 use crate::recipe::Style;
 
 /// The opacity of a pixel that is fully covered.

@@ -48,10 +48,8 @@ pub(crate) use annotation::letters;
 #[cfg(feature = "names")]
 pub(crate) use annotation::scenery::SceneryPainter;
 pub(crate) use palette::Lines;
-#[cfg(feature = "names")]
-pub(crate) use styles::labels::LabelLook;
-#[cfg(feature = "names")]
-pub(crate) use styles::labels::{Marks, label_look};
 pub(crate) use styles::palette as palette_of;
 #[cfg(feature = "names")]
-pub(crate) use styles::scenery::{SceneryLook, scenery_look};
+pub(crate) use styles::{LabelLook, label_look};
+#[cfg(feature = "names")]
+pub(crate) use styles::{SceneryLook, scenery_look};

@@ -52,6 +52,7 @@ pub struct Progress<'a> {
 
 /// The result of a part of painting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Painted {
     /// There is more to do, and nothing to see yet.
     Part,

@@ -2,7 +2,9 @@
 
 use super::Recipe;
 use super::choice::{Cartouche, Labels, Style};
+#[cfg(feature = "names")]
 use super::key::Key;
+use super::key::NumberKey;
 #[cfg(feature = "names")]
 use super::names::OwnNames;
 
@@ -11,7 +13,7 @@ impl Recipe {
     pub fn scenery(&self) -> [f32; 2] {
         let style: Style = self.get();
         let shown = |key, is_shown: bool| if is_shown { self.number(key) } else { 0.0 };
-        [shown(Key::Woods, style.has_woods()), shown(Key::Hills, style.has_hills())]
+        [shown(NumberKey::Woods, style.has_woods()), shown(NumberKey::Hills, style.has_hills())]
     }
 
     /// Returns `true` if the map has woods or hills.

@@ -15,6 +15,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 
 /// The word of a choice, with its label and help text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Word {
     /// The word in links, attributes, options and JSON.
     pub name: &'static str,
@@ -166,16 +167,20 @@ choices! {
     }
 }
 
-/// What only some styles show of a map.
+/// Parts of a map that only some styles show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shown {
+pub(crate) enum Shown {
     /// How high the land is.
     Relief,
     Woods,
     /// Hills as symbols; most styles have their relief for that.
     Hills,
-    /// Labels that are no names: spot heights and grid letters, a legend, or a seal.
-    Marks,
+    /// Marks: heights beside summits, and letters along the edge for a grid.
+    SpotHeights,
+    /// A mark: a box with title, scale and counts.
+    Legend,
+    /// A mark: a painter's seal.
+    Seal,
     /// The beds in which great rivers ran before.
     Beds,
 }
@@ -183,46 +188,51 @@ enum Shown {
 impl Style {
     /// The row of a style in the table of what styles show.
     const fn shown(self) -> &'static [Shown] {
-        use Shown::{Beds, Hills, Marks, Relief, Woods};
+        use Shown::{Beds, Hills, Legend, Relief, Seal, SpotHeights, Woods};
         match self {
             Self::Ink => &[Woods, Hills],
             Self::Skeleton => &[],
             Self::Atlas => &[Relief, Woods],
             Self::Night => &[Relief, Woods],
-            Self::Survey => &[Relief, Woods, Marks],
+            Self::Survey => &[Relief, Woods, SpotHeights],
             Self::Basins => &[Relief, Woods, Hills],
             Self::Parchment => &[Relief, Woods],
             Self::PastCourses => &[Woods, Hills, Beds],
-            Self::InkWash => &[Relief, Woods, Marks],
+            Self::InkWash => &[Relief, Woods, Seal],
             Self::Orbit => &[Relief],
-            Self::Blueprint => &[Relief, Woods, Marks],
+            Self::Blueprint => &[Relief, Woods, Legend],
             Self::Dark => &[Woods, Hills],
         }
     }
 
+    /// Returns `true` if it shows a part of the map.
+    pub(crate) fn shows(self, part: Shown) -> bool {
+        self.shown().contains(&part)
+    }
+
     /// Returns `true` if it shows how high the land is.
     pub fn has_relief(self) -> bool {
-        self.shown().contains(&Shown::Relief)
+        self.shows(Shown::Relief)
     }
 
     /// Returns `true` if woods can be drawn in it.
     pub fn has_woods(self) -> bool {
-        self.shown().contains(&Shown::Woods)
+        self.shows(Shown::Woods)
     }
 
     /// Returns `true` if hills can be drawn in it.
     pub fn has_hills(self) -> bool {
-        self.shown().contains(&Shown::Hills)
+        self.shows(Shown::Hills)
     }
 
     /// Returns `true` if it has labels that are no names: spot heights and grid letters, a legend, or a seal.
     pub fn has_marks(self) -> bool {
-        self.shown().contains(&Shown::Marks)
+        self.shown().iter().any(|part| matches!(part, Shown::SpotHeights | Shown::Legend | Shown::Seal))
     }
 
     /// Returns `true` if it shows the beds in which great rivers ran before.
     pub fn has_beds(self) -> bool {
-        self.shown().contains(&Shown::Beds)
+        self.shows(Shown::Beds)
     }
 }
 

@@ -130,7 +130,7 @@ fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recipe::Key;
+    use crate::recipe::NumberKey;
 
     #[test]
     fn written_recipe_reads_back() {
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn recipe_of_a_network_is_read() {
         let json = r#"{"recipe": {"trim": 7}, "nodes": {"x": [1, 2]}}"#;
-        assert_eq!(read(json).unwrap().number(Key::Trim), 7.0);
+        assert_eq!(read(json).unwrap().number(NumberKey::Trim), 7.0);
     }
 
     #[test]

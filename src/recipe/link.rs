@@ -25,6 +25,7 @@ pub const PRESET: &str = "preset";
 
 /// A correction that lenient reading made.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Notice {
     /// The corrected key; empty for the link as a whole.
     pub key: String,
@@ -209,6 +210,7 @@ fn split(link: &str) -> Vec<(String, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recipe::{IntegerKey, NumberKey};
 
     #[test]
     fn defaults_are_left_out_and_the_edition_is_not() {
@@ -220,8 +222,8 @@ mod tests {
     #[test]
     fn preset_is_read_first_wherever_it_stands() {
         let recipe = read("trim=9&preset=trimmed-curl").unwrap();
-        assert_eq!(recipe.number(Key::Trim), 9.0);
-        assert!(recipe.number(Key::Curl) > 0.0);
+        assert_eq!(recipe.number(NumberKey::Trim), 9.0);
+        assert!(recipe.number(NumberKey::Curl) > 0.0);
         assert!(!write(&recipe).contains("preset"));
     }
 
@@ -243,10 +245,10 @@ mod tests {
     #[test]
     fn lenient_reading_clamps_and_tells() {
         let (recipe, notices) = read_leniently("?curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
-        assert_eq!(recipe.number(Key::Curl), 2.0);
-        assert_eq!(recipe.integer(Key::Mouths), 3);
+        assert_eq!(recipe.number(NumberKey::Curl), 2.0);
+        assert_eq!(recipe.integer(IntegerKey::Mouths), 3);
         assert_eq!(recipe.value(Key::Trim), &Key::Trim.parameter().default_value());
-        assert_eq!(recipe.number(Key::Kill), 0.5);
+        assert_eq!(recipe.number(NumberKey::Kill), 0.5);
         let keys: Vec<_> = notices.iter().map(|notice| notice.key.as_str()).collect();
         assert_eq!(keys, ["curl", "mouths", "trim", "curl", "depth", "style", "kill"]);
         assert_eq!(notices[0].message, "curl: 3 is not between 0 and 2: 2 is used");

@@ -27,7 +27,7 @@ mod value;
 pub use choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
-pub use key::Key;
+pub use key::{IntegerKey, Key, NumberKey};
 #[cfg(feature = "names")]
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
@@ -66,21 +66,27 @@ impl Recipe {
         }
     }
 
-    /// A number, in the parameter's unit; 0 for a parameter that is not a number.
+    /// A number, in the parameter's unit.
+    ///
+    /// ```
+    /// use riverseed::recipe::{NumberKey, link};
+    ///
+    /// assert_eq!(link::read("width=12.5")?.number(NumberKey::Width), 12.5);
+    /// # Ok::<(), riverseed::recipe::RecipeError>(())
+    /// ```
     #[inline(never)] // each copy weighs a hundred bytes
-    pub fn number(&self, key: Key) -> f32 {
-        match self.value(key) {
+    pub fn number(&self, key: NumberKey) -> f32 {
+        match &self.values[key as usize] {
             Value::Number(number) => number.to_f64() as f32,
-            Value::Integer(integer) => *integer as f32,
-            _ => 0.0,
+            _ => f32::NAN, // never: the row of such a key holds numbers
         }
     }
 
-    /// A whole number; 0 for a parameter that is not one.
-    pub fn integer(&self, key: Key) -> u32 {
-        match self.value(key) {
+    /// A whole number.
+    pub fn integer(&self, key: IntegerKey) -> u32 {
+        match &self.values[key as usize] {
             Value::Integer(integer) => *integer,
-            _ => 0,
+            _ => 0, // never: the row of such a key holds whole numbers
         }
     }
 
@@ -103,11 +109,20 @@ impl Recipe {
         words.iter().position(is_chosen).unwrap_or(0)
     }
 
-    /// A set of sides of the domain; south for a parameter that is not one.
-    pub fn sides(&self, key: Key) -> Sides {
+    /// The sides beyond which the sea lies.
+    pub fn sides(&self) -> Sides {
+        self.sides_of(Key::Sides)
+    }
+
+    /// The directions in which river mouths may lie.
+    pub fn shores(&self) -> Sides {
+        self.sides_of(Key::Shores)
+    }
+
+    fn sides_of(&self, key: Key) -> Sides {
         match self.value(key) {
             Value::Sides(sides) => *sides,
-            _ => Sides::SOUTH,
+            _ => Sides::ALL,
         }
     }
 
@@ -128,7 +143,7 @@ impl Recipe {
     /// The sides of a plain rectangle beyond which the sea lies: the chosen ones or, where rivers are drawn, all,
     /// because drawn rivers leave the map wherever they begin.
     pub fn open_sides(&self) -> Sides {
-        if self.rivers().is_empty() { self.sides(Key::Sides) } else { Sides::ALL }
+        if self.rivers().is_empty() { self.sides() } else { Sides::ALL }
     }
 
     /// Sets a parameter from text, spelled as in a link, an option or a JSON string.

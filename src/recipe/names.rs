@@ -14,6 +14,7 @@ const MOST: usize = 12;
 
 /// A thing on the map that an own name is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Mark {
     /// A river, by its [identity](crate::River::identity).
     River(u32),

@@ -57,6 +57,7 @@ fn value_of(digit: u8) -> Option<u16> {
 
 /// The kind of a line of an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LineKind {
     /// A closed line between land and water.
     Coast,

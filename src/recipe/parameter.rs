@@ -11,6 +11,7 @@ use super::value::{Decimal, Sides, Value};
 
 /// A stage that parameters belong to. Stages run in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Stage {
     /// Shaping the land.
     Land,
@@ -43,7 +44,7 @@ impl Stage {
     }
 }
 
-/// The kind of values that a parameter takes, and its default.
+/// The kind of values that a parameter takes, and its default. Exhaustive, since whoever shows or draws recipes has a way for each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Text of at most `longest` characters.
@@ -89,6 +90,7 @@ pub enum Kind {
 
 /// A row of the table.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Parameter {
     /// The key in code.
     pub key: Key,

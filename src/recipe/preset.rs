@@ -4,6 +4,7 @@ use super::key::Key;
 
 /// A named set of values. Parameters that it leaves out keep their defaults.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Preset {
     /// The name in links.
     pub name: &'static str,

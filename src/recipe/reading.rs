@@ -3,7 +3,7 @@
 
 use super::Recipe;
 use super::choice::{GrowthMethod, Style};
-use super::key::Key;
+use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
 use super::value::Value;
 
@@ -18,6 +18,7 @@ pub struct ReadOptions {
 
 /// A link as read for a page or a widget.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Reading {
     /// The recipe to draw.
     pub recipe: Recipe,
@@ -57,8 +58,8 @@ const DARK_PAGES: Style = Style::Night;
 /// The limit of a widget for one growth method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum WidgetLimit {
-    AtMost(Key, u32),
-    AtLeast(Key, u32),
+    AtMost(IntegerKey, u32),
+    AtLeast(IntegerKey, u32),
 }
 
 /// Returns a widget's limit for a growth method. Within it no step, not even those that turn the tree into rivers,
@@ -66,8 +67,8 @@ enum WidgetLimit {
 /// that a tag gives the same river everywhere. Authors who want more can use a picture.
 fn widget_limit(method: GrowthMethod) -> WidgetLimit {
     match method {
-        GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(Key::Attractors, 20_000),
-        GrowthMethod::Brownian => WidgetLimit::AtLeast(Key::Sensitivity, 16),
+        GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(IntegerKey::Attractors, 20_000),
+        GrowthMethod::Brownian => WidgetLimit::AtLeast(IntegerKey::Sensitivity, 16),
     }
 }
 
@@ -82,6 +83,7 @@ impl WidgetLimit {
         if !is_beyond(&value, &limit) {
             return None;
         }
+        let key = Key::from(key);
         recipe.put(key, Value::Integer(limit));
         let name = key.parameter().name;
         let message = format!("{name}: {value} {exceeds} the widget's limit: {limit} is used");
@@ -101,8 +103,8 @@ mod tests {
 
     fn bound(limit: WidgetLimit) -> (Key, u32, u32) {
         match limit {
-            WidgetLimit::AtMost(key, limit) => (key, limit, limit + 1),
-            WidgetLimit::AtLeast(key, limit) => (key, limit, limit - 1),
+            WidgetLimit::AtMost(key, limit) => (key.into(), limit, limit + 1),
+            WidgetLimit::AtLeast(key, limit) => (key.into(), limit, limit - 1),
         }
     }
 

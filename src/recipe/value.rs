@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::outline::Outline;
 
-/// The value of a parameter.
+/// The value of a parameter, of a [`Kind`](super::Kind). Exhaustive like that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
     /// Free text.

@@ -12,6 +12,7 @@ use crate::network::{NONE, Network};
 
 /// Flow directions, and the basins that they make, on the cells of a relief, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Flow {
     /// Of each cell, the code of the neighbour that its water runs to (D8): 1 is east, 2 south-east, 4 south, 8 south-west, 16 west, 32
     /// north-west, 64 north, 128 north-east; 0 at sea. It leads off the map where the sea lies beyond the border, and from a cell at the

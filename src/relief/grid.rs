@@ -7,6 +7,7 @@ use crate::domain::Domain;
 
 /// Square cells that cover a map, from its north-western corner on. The last of a row or column may reach over the map's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Grid {
     /// The side of a cell, in units.
     pub cell_size: f32,

@@ -8,10 +8,11 @@ use super::Grid;
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::recipe::{Key, Recipe, Sides};
+use crate::recipe::{NumberKey, Recipe, Sides};
 
 /// The settings of the relief stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ReliefSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
@@ -42,8 +43,8 @@ impl ReliefSettings {
             land,
             sides: recipe.open_sides(),
             total_discharge: total_discharge.max(1),
-            mountains: recipe.number(Key::Mountains),
-            plains: recipe.number(Key::Plains),
+            mountains: recipe.number(NumberKey::Mountains),
+            plains: recipe.number(NumberKey::Plains),
         }
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Phase, Session};
 use crate::land::Land;
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{Key, NumberKey, Recipe};
 use crate::relief::{Relief, ReliefDrafts};
 
 /// Previews of one session's relief and land, with the data that they are made from.
@@ -46,7 +46,7 @@ impl SessionDrafts {
         if let Some(relief) = session.relief().filter(|_| of == wanted) {
             return Some(relief.clone());
         }
-        let [mountains, plains] = OF_RELIEF.map(|key| wanted.number(key));
+        let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| wanted.number(key));
         if self.last.as_ref().is_none_or(|(of, _)| *of != [mountains, plains]) {
             self.last = None;
             self.last = Some(([mountains, plains], drafts.draft(mountains, plains).ok()?.into()));

@@ -3,6 +3,7 @@
 use super::{Phase, Session, SessionError};
 
 /// A moment in the making of a map, as users tell them apart. Later moments compare greater.
+/// Exhaustive, since whoever shows a timeline has a place for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Moment {
     /// After this number of ticks of growth; after 0 there is only land.

@@ -6,6 +6,7 @@ use crate::recipe::GrowthMethod;
 
 /// A picture in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Summary {
     /// The growth method.
     pub growth: GrowthMethod,
@@ -79,6 +80,7 @@ impl Summary {
 
 /// A reason why rivers leave much of the land dry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Shortfall {
     /// No river grew, by any method: no land lies open to the sea.
     NoRiver,
@@ -87,4 +89,15 @@ pub enum Shortfall {
     Unreached,
     /// In drainage, over a tenth of the parcels have no way to a mouth: ridges cut them off, or their land has none.
     CutOff,
+}
+
+impl Shortfall {
+    /// Its name, lower case, with hyphens between words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoRiver => "no-river",
+            Self::Unreached => "unreached",
+            Self::CutOff => "cut-off",
+        }
+    }
 }

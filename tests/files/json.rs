@@ -3,7 +3,7 @@
 use riverseed::analyse::statistics::{Measures, TABLE as TABLE_OF_MEASURES};
 use riverseed::export::json as to_json;
 use riverseed::grow::{Ending, scatter};
-use riverseed::recipe::{Key, Kind, json as json_recipe, link, table::TABLE};
+use riverseed::recipe::{self, IntegerKey, Key, NumberKey, json as json_recipe, link, table::TABLE};
 use riverseed::tree::{Hydrology, NO_PARENT};
 use serde_json::Value;
 
@@ -29,14 +29,12 @@ fn recipe_is_the_recipe_with_all_its_values() {
         assert_eq!(names(recipe), TABLE.iter().map(|parameter| parameter.name).collect::<Vec<_>>());
         for parameter in &TABLE {
             let value = &recipe[parameter.name];
-            match parameter.kind {
-                Kind::Integer { .. } => {
-                    assert_eq!(value.as_u64(), Some(session.recipe().integer(parameter.key).into()))
+            match session.recipe().value(parameter.key) {
+                recipe::Value::Integer(number) => assert_eq!(value.as_u64(), Some((*number).into())),
+                recipe::Value::Number(number) => {
+                    assert_eq!(value.as_f64().map(|value| value as f32), Some(number.to_f64() as f32))
                 }
-                Kind::Number { .. } => {
-                    assert_eq!(value.as_f64().unwrap() as f32, session.recipe().number(parameter.key))
-                }
-                _ => assert_eq!(value.as_str().unwrap(), parameter.text_of(session.recipe().value(parameter.key))),
+                other => assert_eq!(value.as_str().unwrap(), parameter.text_of(other)),
             }
         }
         assert_eq!(json_recipe::read(&json(session).to_string()).as_ref(), Ok(session.recipe()));
@@ -74,22 +72,22 @@ fn lengths_are_resolved() {
             let value = value.as_f64().unwrap() as f32;
             assert!((value - expected).abs() <= expected.abs() * 1e-5, "{value} and not {expected}");
         };
-        let aspect = recipe.number(Key::Aspect);
+        let aspect = recipe.number(NumberKey::Aspect);
         near(&domain["width"], 1000.0 * aspect.sqrt());
         near(&domain["height"], 1000.0 / aspect.sqrt());
         let spacing = resolved["spacing"].as_f64().unwrap() as f32;
         if session.land().is_none() {
-            near(&resolved["spacing"], (1e6 / recipe.number(Key::Attractors)).sqrt());
+            near(&resolved["spacing"], (1e6 / recipe.integer(IntegerKey::Attractors) as f32).sqrt());
         }
-        for key in [Key::Reach, Key::Kill, Key::Step] {
-            near(&resolved[key.parameter().name], recipe.number(key) * spacing);
+        for key in [NumberKey::Reach, NumberKey::Kill, NumberKey::Step] {
+            near(&resolved[Key::from(key).parameter().name], recipe.number(key) * spacing);
         }
         let is_brownian = recipe.value(Key::Growth) == link::read("growth=brownian").unwrap().value(Key::Growth);
-        let between = if is_brownian { recipe.number(Key::Sensitivity) } else { spacing };
+        let between = if is_brownian { recipe.integer(IntegerKey::Sensitivity) as f32 } else { spacing };
         let node_length = if is_brownian { 1.1 } else { resolved["step"].as_f64().unwrap() as f32 };
-        near(&resolved["trim-nodes"], (recipe.number(Key::Trim) / node_length).round());
-        near(&resolved["simplify"], recipe.number(Key::Simplify) / 100.0);
-        near(&resolved["clearance"], recipe.number(Key::Clearance) * between);
+        near(&resolved["trim-nodes"], (recipe.number(NumberKey::Trim) / node_length).round());
+        near(&resolved["simplify"], recipe.number(NumberKey::Simplify) / 100.0);
+        near(&resolved["clearance"], recipe.number(NumberKey::Clearance) * between);
         near(&resolved["vertex-spacing"], (0.32 * between).clamp(0.25, 5.0));
         if !is_brownian {
             near(&resolved["total-discharge"], session.growth().attractors() as f32);
@@ -97,7 +95,8 @@ fn lengths_are_resolved() {
         assert_eq!(resolved["total-discharge"], session.growth().total_discharge());
         assert_eq!(resolved["meander"], Key::Meander.parameter().text_of(recipe.value(Key::Meander)));
         let as_they_are = AS_THEY_ARE.split(' ').map(|name| Key::from_name(name).unwrap());
-        as_they_are.for_each(|key| near(&resolved[key.parameter().name], recipe.number(key)));
+        let number = |key: Key| key.parameter().text_of(recipe.value(key)).parse().unwrap();
+        as_they_are.for_each(|key| near(&resolved[key.parameter().name], number(key)));
         // All there is: what is not named above is looked at nowhere.
         assert_eq!(names(resolved).len(), AS_THEY_ARE.split(' ').count() + 10);
     });

@@ -1,7 +1,7 @@
 //! Growth, with warnings about its shortfalls.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use riverseed::recipe::{Key, LandKind, Recipe};
+use riverseed::recipe::{IntegerKey, LandKind, Recipe};
 use riverseed::session::{Session, Shortfall};
 
 use super::order::Order;
@@ -33,6 +33,7 @@ pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Sessio
             let advice = "a gap in the ridges that cut them off, or more 'mouths' (0 for all), helps";
             say(&format!("{unreached} of {parcels} parcels have no way to a river mouth; {advice}"));
         }
+        Some(_) => say("rivers leave much of the land dry"),
         None => {}
     }
     Ok(session)
@@ -48,7 +49,7 @@ fn is_undrawn(session: &Session) -> bool {
 pub fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
     const LONG_GROWTH: u32 = 200_000;
     const LONG_PAINTING: u32 = 4096;
-    let attractors = recipe.integer(Key::Attractors);
+    let attractors = recipe.integer(IntegerKey::Attractors);
     if attractors < LONG_GROWTH && size < LONG_PAINTING {
         return ProgressBar::hidden();
     }

@@ -60,7 +60,7 @@ fn value(measure: &Measure, measures: &Measures) -> String {
 
 /// Nature's values in words, such as "4.1 (3.5 to 5.2), 11 river basins".
 fn in_words(nature: Nature) -> String {
-    let Nature { median, least, most, source } = nature;
+    let Nature { median, least, most, source, .. } = nature;
     match median {
         Some(median) => format!("{median:?} ({least:?} to {most:?}), {source}"),
         None => format!("{least} to {most}, {source}"),

@@ -41,7 +41,8 @@ pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
     match form {
         Form::Png | Form::Raster(_) => Ok(()),
         Form::Svg | Form::GeoJson | Form::Json => ask(bytes_of(map)),
-        Form::Pack => ask(bytes_of(map) + COMPRESSORS),
+        // A pack, and any other form: no other is known to need as much.
+        _ => ask(bytes_of(map) + COMPRESSORS),
     }
 }
 

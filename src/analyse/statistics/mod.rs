@@ -27,7 +27,7 @@ use glam::Vec2;
 use crate::domain::AREA;
 use crate::land::CELL_SIZE;
 use crate::map::Map;
-use crate::recipe::{GrowthMethod, Key};
+use crate::recipe::{GrowthMethod, IntegerKey};
 
 /// The distance above a junction at which its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
@@ -37,6 +37,7 @@ pub const ANGLE_SPACINGS: f32 = 3.0;
 /// A *spacing* is the distance that attractors would have if all of the domain were land, so maps of space colonization
 /// and of drainage share one ruler. For a Brownian tree it is the sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Measures {
     /// Horton's bifurcation ratio.
     pub bifurcation_ratio: Option<f64>,
@@ -95,7 +96,7 @@ impl Measures {
 /// together; the parcels of drainage do not, and a Brownian tree has none.
 fn ruler(map: &Map) -> f32 {
     match map.recipe().get() {
-        GrowthMethod::Colonize => (AREA / map.recipe().number(Key::Attractors)).sqrt(),
+        GrowthMethod::Colonize => (AREA / map.recipe().integer(IntegerKey::Attractors) as f32).sqrt(),
         GrowthMethod::Drainage | GrowthMethod::Brownian => map.grown().stream_spacing,
     }
 }
@@ -112,7 +113,7 @@ pub(crate) fn land_area(map: &Map) -> f64 {
 /// with mouths are its coasts.
 fn inland(map: &Map, at: Vec2) -> f32 {
     let beyond = map.domain().size - at;
-    let sides = map.recipe().sides(Key::Sides);
+    let sides = map.recipe().sides();
     let from_sides = || {
         let all = [('n', at.y), ('e', beyond.x), ('s', beyond.y), ('w', at.x)];
         all.into_iter().filter(|(side, _)| sides.contains(*side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min)

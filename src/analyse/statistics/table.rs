@@ -4,6 +4,7 @@ use super::Measures;
 
 /// One of the measures.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Measure {
     /// Its name in JSON.
     pub name: &'static str,
@@ -23,6 +24,7 @@ pub struct Measure {
 
 /// The values of a measure in nature.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Nature {
     /// The median, if it is known.
     pub median: Option<f64>,

@@ -29,6 +29,7 @@ use glam::Vec2;
 
 /// The name of a river.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct RiverName {
     /// The river's identity.
     pub identity: u32,
@@ -42,6 +43,7 @@ pub struct RiverName {
 
 /// The name of a stretch of a great river that winds.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ReachName {
     /// The number of its river in the network.
     pub river: u32,
@@ -55,6 +57,7 @@ pub struct ReachName {
 
 /// What else has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PlaceKind {
     /// Water that reaches the frame of the map.
     Sea,
@@ -77,6 +80,7 @@ impl PlaceKind {
 
 /// The name of a sea, a lake or an island.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PlaceName {
     /// What it is.
     pub kind: PlaceKind,
@@ -90,6 +94,7 @@ pub struct PlaceName {
 
 /// All names of a map.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Names {
     /// Of the rivers, in their order.
     pub rivers: Vec<RiverName>,

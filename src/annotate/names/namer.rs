@@ -10,7 +10,7 @@ use crate::base::sort;
 use crate::land::{Land, Region};
 use crate::map::Map;
 use crate::network::{Network, Reach};
-use crate::recipe::{Key, Mark, OwnNames, Recipe};
+use crate::recipe::{IntegerKey, Mark, OwnNames, Recipe};
 use crate::tree::Tree;
 
 impl Names {
@@ -76,7 +76,7 @@ struct Namer {
 
 impl Namer {
     fn new(recipe: &Recipe) -> Self {
-        let language = Language::new(recipe.seed(), recipe.integer(Key::Language));
+        let language = Language::new(recipe.seed(), recipe.integer(IntegerKey::Language));
         Self { language, own: recipe.own_names() }
     }
 

@@ -28,7 +28,7 @@ use crate::network::{NONE, Network, River};
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
-use crate::recipe::{CourseShape, Key, link};
+use crate::recipe::{CourseShape, NumberKey, link};
 
 /// Draws a map and returns the text of an SVG file.
 ///
@@ -83,7 +83,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let basins = basins(map, network, palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
-        exaggeration: recipe.number(Key::Shade),
+        exaggeration: recipe.number(NumberKey::Shade),
         basins: basins.as_ref().map(|(basins, _)| basins),
     });
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);

@@ -4,10 +4,11 @@ use fastnoise_lite::FastNoiseLite;
 
 use crate::base::random::{Purpose, Seed};
 use crate::domain::AREA;
-use crate::recipe::{GrowthMethod, Key, Recipe};
+use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DrainageSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
@@ -34,20 +35,20 @@ pub struct DrainageSettings {
 impl DrainageSettings {
     /// Resolves a recipe.
     pub fn new(recipe: &Recipe) -> Self {
-        let spacing = (AREA / recipe.integer(Key::Attractors) as f32).sqrt();
+        let spacing = (AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
         let is_drainage = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
         Self {
             seed: Seed::from_text(recipe.seed()),
             spacing,
-            valleys: recipe.number(Key::Valleys),
-            valley_spacing: spacings(Key::ValleySpacing),
-            concavity: recipe.number(Key::Concavity),
-            captures: recipe.integer(Key::Captures),
-            hardness: recipe.number(Key::Hardness),
-            hardness_scale: spacings(Key::HardnessScale),
+            valleys: recipe.number(NumberKey::Valleys),
+            valley_spacing: spacings(NumberKey::ValleySpacing),
+            concavity: recipe.number(NumberKey::Concavity),
+            captures: recipe.integer(IntegerKey::Captures),
+            hardness: recipe.number(NumberKey::Hardness),
+            hardness_scale: spacings(NumberKey::HardnessScale),
             // Attractors stay in their cells.
-            bending: if is_drainage { spacings(Key::Bending) } else { 0.0 },
+            bending: if is_drainage { spacings(NumberKey::Bending) } else { 0.0 },
         }
     }
 

@@ -95,6 +95,7 @@ pub enum TraceError {
 
 /// The result of tracing a picture.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Traced {
     /// The outline, with as much of the picture as there is room for.
     pub outline: Outline,

@@ -24,6 +24,7 @@ pub struct PastCourses {
 
 /// Courses before one round of meandering.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PastRound {
     /// How many rounds had been made.
     pub round: u32,
@@ -35,6 +36,7 @@ pub struct PastRound {
 
 /// A course, or a part of one, from where it begins to where it ends, with its width.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PastCourse {
     /// The number of the river.
     pub river: u32,

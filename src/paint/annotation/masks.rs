@@ -9,8 +9,7 @@ use tiny_skia::Pixmap;
 
 use super::super::coverage::{Coverage, Covered};
 use super::super::palette::over;
-use super::super::styles::labels::label_look;
-use super::super::styles::scenery::scenery_look;
+use super::super::styles::{label_look, scenery_look};
 use crate::recipe::Style;
 
 /// The masks of a chart's layers, for a picture of one size.

@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::super::coverage::{Coverage, Rect};
-use super::super::styles::scenery::SceneryLook;
+use super::super::styles::SceneryLook;
 use super::super::view::View;
 use super::masks::SparseMask;
 use crate::annotate::glyph::{Fill, pieces_of};
@@ -134,7 +134,7 @@ mod tests {
     use crate::annotate::place::SHAPES;
     use crate::base::memory::testing::with_lists_up_to;
     use crate::domain::Domain;
-    use crate::paint::styles::scenery::scenery_look;
+    use crate::paint::styles::scenery_look;
     use crate::recipe::Style;
 
     fn standing(shape: u8, number: u32, foot: Vec2, size: f32) -> Standing {

@@ -1,5 +1,6 @@
 //! An atlas page.
 
+use super::sheet::{Sheet, haloed, strokes};
 use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
 
 /// Rings in the sea, the nearest first.
@@ -20,10 +21,14 @@ static RELIEF: ReliefLook = ReliefLook {
     )
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    shallows: [0xcf, 0xe3, 0xe6],
-    fade: 150.0,
-    rings: RINGS,
-    relief: Some(&RELIEF),
-    ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        shallows: [0xcf, 0xe3, 0xe6],
+        fade: 150.0,
+        rings: RINGS,
+        relief: Some(&RELIEF),
+        ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
+    },
+    labels: haloed([0x17, 0x3e, 0x68], [0xf4, 0xee, 0xd6], 0.5),
+    scenery: Some(strokes([0x3a, 0x55, 0x32])),
 };

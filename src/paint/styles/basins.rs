@@ -1,8 +1,9 @@
 //! River systems in colours on paper, their basins in tints of the same colours.
 
-use crate::paint::palette::{BasinColours, Palette, ReliefLook, even, tinted};
+use super::sheet::{Sheet, bare, strokes};
+use crate::paint::palette::{BasinColours, Colour, Palette, ReliefLook, even, tinted};
 
-const PAPER: [u8; 3] = [0xf6, 0xf1, 0xe4];
+const PAPER: Colour = [0xf6, 0xf1, 0xe4];
 
 static RELIEF: ReliefLook = ReliefLook {
     basins: Some(BasinColours {
@@ -32,5 +33,11 @@ static RELIEF: ReliefLook = ReliefLook {
     ..tinted(&[(0.0, PAPER)], 0.82)
 };
 
-pub(super) static PALETTE: Palette =
-    Palette { relief: Some(&RELIEF), ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58]) };
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        relief: Some(&RELIEF),
+        ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58])
+    },
+    labels: bare([0x3a, 0x33, 0x2b], PAPER),
+    scenery: Some(strokes([0x50, 0x49, 0x3b])),
+};

@@ -1,8 +1,9 @@
 //! A blueprint: white lines on blue.
 
-use crate::paint::palette::{BLANK, Casing, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
+use super::sheet::{Sheet, bodied, haloed};
+use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
 
-const LAND: [u8; 3] = [0x13, 0x44, 0x81];
+const LAND: Colour = [0x13, 0x44, 0x81];
 
 const TINTED: ReliefLook = tinted(&[(0.0, LAND), (1.0, [0x20, 0x5a, 0x9c])], 0.85);
 
@@ -12,13 +13,25 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    rings: &[(5.0, 0.4), (10.0, 0.28), (16.0, 0.18)],
-    grids: &[
-        Grid { every: 24.0, colour: [0xbf, 0xe0, 0xff], strength: 0.12 },
-        Grid { every: 120.0, colour: [0xbf, 0xe0, 0xff], strength: 0.16 },
-    ],
-    paper: Some(&Paper { blotch: [0x2a, 0x62, 0xa6], blotched: 0.25, edge: [0x08, 0x26, 0x50], edged: 0.5, ..BLANK }),
-    relief: Some(&RELIEF),
-    ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], [0xf4, 0xfa, 0xff])
+const RIVER: Colour = [0xf4, 0xfa, 0xff];
+
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        rings: &[(5.0, 0.4), (10.0, 0.28), (16.0, 0.18)],
+        grids: &[
+            Grid { every: 24.0, colour: [0xbf, 0xe0, 0xff], strength: 0.12 },
+            Grid { every: 120.0, colour: [0xbf, 0xe0, 0xff], strength: 0.16 },
+        ],
+        paper: Some(&Paper {
+            blotch: [0x2a, 0x62, 0xa6],
+            blotched: 0.25,
+            edge: [0x08, 0x26, 0x50],
+            edged: 0.5,
+            ..BLANK
+        }),
+        relief: Some(&RELIEF),
+        ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], RIVER)
+    },
+    labels: haloed(RIVER, LAND, 0.6),
+    scenery: Some(bodied([0xbf, 0xe0, 0xff], LAND, 0.5)),
 };

@@ -1,9 +1,18 @@
 //! Ink's drawing on dark paper.
 
-use super::ink::PALETTE as INK;
-use crate::paint::palette::{Palette, even};
+use super::ink;
+use super::sheet::{SceneryLook, Sheet, bare, strokes};
+use crate::paint::palette::{Colour, Palette, even};
 
-pub(super) static PALETTE: Palette = Palette {
-    rings: INK.rings,
-    ..even([0x16, 0x1f, 0x2b], [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], [0x9c, 0xc6, 0xe8])
+const PAPER: Colour = [0x16, 0x1f, 0x2b];
+
+const RIVER: Colour = [0x9c, 0xc6, 0xe8];
+
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        rings: ink::STYLE.palette.rings,
+        ..even(PAPER, [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], RIVER)
+    },
+    labels: bare(RIVER, PAPER),
+    scenery: Some(SceneryLook { shade: 0.65, ..strokes([0x93, 0xa2, 0xad]) }),
 };

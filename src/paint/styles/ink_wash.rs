@@ -1,8 +1,9 @@
 //! A painting in ink and water.
 
-use crate::paint::palette::{BLANK, Casing, Hachures, Palette, Paper, ReliefLook, Tints, even, tinted};
+use super::sheet::{LabelLook, Sheet, bodied, haloed};
+use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, Tints, even, tinted};
 
-const PAPER: [u8; 3] = [0xf5, 0xf1, 0xe8];
+const PAPER: Colour = [0xf5, 0xf1, 0xe8];
 
 const TINTED: ReliefLook = tinted(&[(0.0, PAPER), (0.3, [0xee, 0xea, 0xe1]), (1.0, [0xc4, 0xc3, 0xbf])], 0.0);
 
@@ -13,10 +14,20 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    shallows: [0x8f, 0xb0, 0xb8],
-    fade: 55.0,
-    paper: Some(&Paper { blotch: [0xb9, 0xb4, 0xa8], blotched: 0.16, edge: [0xb0, 0xa8, 0x98], edged: 0.15, ..BLANK }),
-    relief: Some(&RELIEF),
-    ..even(PAPER, PAPER, [0x6f, 0x93, 0x9e], [0x55, 0x55, 0x52], [0x3c, 0x69, 0x7e])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        shallows: [0x8f, 0xb0, 0xb8],
+        fade: 55.0,
+        paper: Some(&Paper {
+            blotch: [0xb9, 0xb4, 0xa8],
+            blotched: 0.16,
+            edge: [0xb0, 0xa8, 0x98],
+            edged: 0.15,
+            ..BLANK
+        }),
+        relief: Some(&RELIEF),
+        ..even(PAPER, PAPER, [0x6f, 0x93, 0x9e], [0x55, 0x55, 0x52], [0x3c, 0x69, 0x7e])
+    },
+    labels: LabelLook { mark: [0xa8, 0x32, 0x2a], ..haloed([0x1c, 0x36, 0x44], PAPER, 0.6) },
+    scenery: Some(bodied([0x33, 0x3a, 0x3c], PAPER, 0.45)),
 };

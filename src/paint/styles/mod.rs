@@ -1,41 +1,58 @@
-//! The styles, each a file of its own and a line in this list.
+//! The styles, each a file of its own and a line in both lists.
 
 mod atlas;
 mod basins;
 mod blueprint;
-#[cfg(all(test, feature = "names"))]
+#[cfg(test)]
 mod contrast;
 mod dark;
 mod ink;
 mod ink_wash;
-pub(crate) mod labels;
 mod night;
 mod orbit;
 mod parchment;
 mod past_courses;
-pub(crate) mod scenery;
+mod sheet;
 mod skeleton;
 mod survey;
 
+pub(crate) use sheet::{LabelLook, SceneryLook};
+
 use super::palette::Palette;
 use crate::recipe::Style;
+use sheet::Sheet;
 
-/// What a style paints with.
-pub(crate) fn palette(style: Style) -> &'static Palette {
+/// All that a style paints with.
+fn sheet(style: Style) -> &'static Sheet {
     match style {
-        Style::Ink => &ink::PALETTE,
-        Style::Dark => &dark::PALETTE,
-        Style::Atlas => &atlas::PALETTE,
-        Style::Night => &night::PALETTE,
-        Style::Survey => &survey::PALETTE,
-        Style::Basins => &basins::PALETTE,
-        Style::Parchment => &parchment::PALETTE,
-        Style::PastCourses => &past_courses::PALETTE,
-        Style::InkWash => &ink_wash::PALETTE,
-        Style::Orbit => &orbit::PALETTE,
-        Style::Blueprint => &blueprint::PALETTE,
-        Style::Skeleton => &skeleton::PALETTE,
+        Style::Ink => &ink::STYLE,
+        Style::Dark => &dark::STYLE,
+        Style::Atlas => &atlas::STYLE,
+        Style::Night => &night::STYLE,
+        Style::Survey => &survey::STYLE,
+        Style::Basins => &basins::STYLE,
+        Style::Parchment => &parchment::STYLE,
+        Style::PastCourses => &past_courses::STYLE,
+        Style::InkWash => &ink_wash::STYLE,
+        Style::Orbit => &orbit::STYLE,
+        Style::Blueprint => &blueprint::STYLE,
+        Style::Skeleton => &skeleton::STYLE,
     }
+}
+
+/// The colours and forms of a style.
+pub(crate) fn palette(style: Style) -> &'static Palette {
+    &sheet(style).palette
+}
+
+/// How a style draws letters.
+pub(crate) fn label_look(style: Style) -> LabelLook {
+    sheet(style).labels
+}
+
+/// How a style draws trees and hills; `None` if it has none.
+pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
+    sheet(style).scenery
 }
 
 #[cfg(test)]
@@ -44,9 +61,13 @@ mod tests {
     use crate::recipe::Choice;
 
     #[test]
-    fn styles_that_show_relief_have_tints_for_it_and_no_others() {
+    fn styles_show_what_they_have_colours_for_and_no_more() {
         for &style in Style::ALL {
-            assert_eq!(style.has_relief(), palette(style).relief.is_some(), "{style:?}");
+            let sheet = sheet(style);
+            assert_eq!(style.has_relief(), sheet.palette.relief.is_some(), "relief of {style:?}");
+            assert_eq!(style.has_beds(), sheet.palette.beds.is_some(), "beds of {style:?}");
+            assert_eq!(style.has_woods(), sheet.scenery.is_some(), "woods of {style:?}");
+            assert!(style.has_woods() || !style.has_hills(), "hills of {style:?}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The land by night.
 
 use super::atlas::RINGS;
+use super::sheet::{Sheet, haloed, strokes};
 use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
 
 static RELIEF: ReliefLook = ReliefLook {
@@ -11,10 +12,14 @@ static RELIEF: ReliefLook = ReliefLook {
     )
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    shallows: [0x16, 0x30, 0x3d],
-    fade: 150.0,
-    rings: RINGS.split_at(4).0,
-    relief: Some(&RELIEF),
-    ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        shallows: [0x16, 0x30, 0x3d],
+        fade: 150.0,
+        rings: RINGS.split_at(4).0,
+        relief: Some(&RELIEF),
+        ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
+    },
+    labels: haloed([0xe8, 0xf5, 0xfc], [0x14, 0x26, 0x28], 0.5),
+    scenery: Some(strokes([0xa9, 0xce, 0xbc])),
 };

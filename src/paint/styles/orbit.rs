@@ -1,5 +1,6 @@
 //! The land as satellites see it.
 
+use super::sheet::{Sheet, haloed};
 use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, Tints, even, tinted};
 
 const TINTED: ReliefLook = tinted(
@@ -20,11 +21,22 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    shallows: [0x24, 0x74, 0x8e],
-    fade: 130.0,
-    rings: &[(1.4, 0.34), (2.6, 0.27), (3.8, 0.2), (5.0, 0.14), (6.2, 0.08)],
-    paper: Some(&Paper { blotch: [0x12, 0x24, 0x14], blotched: 0.75, size: 75.0, octaves: 6, at_sea: 0.0, ..BLANK }),
-    relief: Some(&RELIEF),
-    ..even([0x4a, 0x60, 0x38], [0x06, 0x22, 0x3d], [0xc9, 0xb9, 0x8c], [0x6e, 0x60, 0x4c], [0x1d, 0x55, 0x70])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        shallows: [0x24, 0x74, 0x8e],
+        fade: 130.0,
+        rings: &[(1.4, 0.34), (2.6, 0.27), (3.8, 0.2), (5.0, 0.14), (6.2, 0.08)],
+        paper: Some(&Paper {
+            blotch: [0x12, 0x24, 0x14],
+            blotched: 0.75,
+            size: 75.0,
+            octaves: 6,
+            at_sea: 0.0,
+            ..BLANK
+        }),
+        relief: Some(&RELIEF),
+        ..even([0x4a, 0x60, 0x38], [0x06, 0x22, 0x3d], [0xc9, 0xb9, 0x8c], [0x6e, 0x60, 0x4c], [0x1d, 0x55, 0x70])
+    },
+    labels: haloed([0xf8, 0xf6, 0xee], [0x10, 0x18, 0x26], 0.62),
+    scenery: None,
 };

@@ -1,8 +1,9 @@
 //! An engraving on old paper.
 
-use crate::paint::palette::{BLANK, Casing, Hachures, Palette, Paper, ReliefLook, even, tinted};
+use super::sheet::{Sheet, bodied, haloed};
+use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, even, tinted};
 
-const LAND: [u8; 3] = [0xf1, 0xe4, 0xc3];
+const LAND: Colour = [0xf1, 0xe4, 0xc3];
 
 const TINTED: ReliefLook = tinted(&[(0.0, LAND)], 0.86);
 
@@ -12,20 +13,30 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    lowland: [0xe0, 0xc9, 0x9c],
-    fade: 14.0,
-    rings: &[
-        (2.4, 0.60),
-        (5.8, 0.50),
-        (10.2, 0.41),
-        (15.7, 0.34),
-        (22.7, 0.28),
-        (31.3, 0.24),
-        (41.9, 0.20),
-        (54.9, 0.16),
-    ],
-    paper: Some(&Paper { blotch: [0xbf, 0xa0, 0x6a], blotched: 0.3, edge: [0x7d, 0x5f, 0x33], edged: 0.4, ..BLANK }),
-    relief: Some(&RELIEF),
-    ..even(LAND, [0xdf, 0xcb, 0x9d], [0x4a, 0x38, 0x28], [0x6e, 0x5a, 0x40], [0x4a, 0x5a, 0x5c])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        lowland: [0xe0, 0xc9, 0x9c],
+        fade: 14.0,
+        rings: &[
+            (2.4, 0.60),
+            (5.8, 0.50),
+            (10.2, 0.41),
+            (15.7, 0.34),
+            (22.7, 0.28),
+            (31.3, 0.24),
+            (41.9, 0.20),
+            (54.9, 0.16),
+        ],
+        paper: Some(&Paper {
+            blotch: [0xbf, 0xa0, 0x6a],
+            blotched: 0.3,
+            edge: [0x7d, 0x5f, 0x33],
+            edged: 0.4,
+            ..BLANK
+        }),
+        relief: Some(&RELIEF),
+        ..even(LAND, [0xdf, 0xcb, 0x9d], [0x4a, 0x38, 0x28], [0x6e, 0x5a, 0x40], [0x4a, 0x5a, 0x5c])
+    },
+    labels: haloed([0x2f, 0x3a, 0x3f], LAND, 0.6),
+    scenery: Some(bodied([0x4a, 0x38, 0x28], LAND, 0.5)),
 };

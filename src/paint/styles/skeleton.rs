@@ -1,6 +1,12 @@
 //! White on black, the coast dim.
 
-use crate::paint::palette::{Lines, Palette, even};
+use super::sheet::{Sheet, bare};
+use crate::paint::palette::{Colour, Lines, Palette, even};
 
-pub(super) static PALETTE: Palette =
-    Palette { lines: Lines::Skeleton, ..even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]) };
+const BLACK: Colour = [0; 3];
+
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette { lines: Lines::Skeleton, ..even(BLACK, BLACK, [0x58; 3], [0x38; 3], [0xff; 3]) },
+    labels: bare([0xd0; 3], BLACK),
+    scenery: None,
+};

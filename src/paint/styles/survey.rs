@@ -1,5 +1,6 @@
 //! A sheet of a topographic survey: contours over the faintest of tints and shades.
 
+use super::sheet::{LabelLook, Sheet, bodied, haloed};
 use crate::paint::palette::{Casing, Contours, Palette, ReliefLook, even, tinted};
 
 const TINTED: ReliefLook = tinted(
@@ -13,8 +14,12 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
-    relief: Some(&RELIEF),
-    ..even([0xe2, 0xec, 0xca], [0xcf, 0xe3, 0xec], [0x2f, 0x7c, 0xa8], [0xa0, 0x86, 0x66], [0x2b, 0x7a, 0xb5])
+pub(super) static STYLE: Sheet = Sheet {
+    palette: Palette {
+        rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
+        relief: Some(&RELIEF),
+        ..even([0xe2, 0xec, 0xca], [0xcf, 0xe3, 0xec], [0x2f, 0x7c, 0xa8], [0xa0, 0x86, 0x66], [0x2b, 0x7a, 0xb5])
+    },
+    labels: LabelLook { mark: [0x4a, 0x33, 0x22], ..haloed([0x17, 0x3e, 0x68], [0xf4, 0xf1, 0xdc], 0.6) },
+    scenery: Some(bodied([0x2f, 0x6b, 0x35], [0xee, 0xf0, 0xd0], 0.6)),
 };

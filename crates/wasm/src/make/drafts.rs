@@ -57,11 +57,6 @@ impl River {
         if let Some(Painted::Whole(changed)) = painted {
             self.dirty = changed.or(self.dirty);
         }
-        match painted {
-            Some(Painted::Part) => "part",
-            Some(Painted::Whole(_)) => "whole",
-            None => "impossible",
-        }
-        .into()
+        painted.map_or("impossible", |painted| if painted == Painted::Part { "part" } else { "whole" }).into()
     }
 }

@@ -70,7 +70,7 @@ pub(super) fn read_options(given: &JsValue) -> ReadOptions {
 }
 
 pub(super) fn list(notices: &[Notice]) -> Array {
-    let notice = |Notice { key, message }: &Notice| {
+    let notice = |Notice { key, message, .. }: &Notice| {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };
     notices.iter().map(notice).collect()

@@ -10,8 +10,8 @@ use riverseed::paint::{ChartMasks, Framing, PaintError, Painted, Rect, View};
 use riverseed::picture::{Picture, is_to_be_charted};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, Reading};
-use riverseed::recipe::{Key, Stage, Value};
-use riverseed::session::{Phase, Session, SessionError, Shortfall};
+use riverseed::recipe::{IntegerKey, Key, Stage, Value};
+use riverseed::session::{Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -163,14 +163,7 @@ impl River {
     /// The kind of the next step.
     #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
     pub fn phase(&self) -> String {
-        match self.session.phase() {
-            Phase::Growing => "growing",
-            Phase::Shaping => "shaping",
-            Phase::Meandering => "meandering",
-            Phase::Relief => "relief",
-            Phase::Finished => "finished",
-        }
-        .into()
+        self.session.phase().name().into()
     }
 
     /// Paints what is new, or a part of it that takes a few milliseconds. Returns `true` if there is more to do; until
@@ -266,7 +259,7 @@ impl River {
     /// Number of rounds that the rivers will have meandered at the end.
     #[wasm_bindgen(getter)]
     pub fn rounds(&self) -> u32 {
-        self.session.recipe().integer(Key::MeanderRounds)
+        self.session.recipe().integer(IntegerKey::MeanderRounds)
     }
 
     /// The picture in numbers.
@@ -279,6 +272,7 @@ impl River {
             (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
             (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
             (_, Some(Shortfall::CutOff)) => Some(CUT_OFF),
+            (_, Some(_)) => Some("Rivers leave much of the land dry."),
             (_, None) => None,
         };
         object(&[

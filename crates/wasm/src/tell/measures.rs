@@ -41,7 +41,7 @@ fn row(measure: &Measure, measures: &Measures) -> Object {
         ("places", measure.places.into()),
         ("value", (measure.value)(measures).into()),
     ]);
-    if let Some(Nature { median, least, most, source }) = measure.nature {
+    if let Some(Nature { median, least, most, source, .. }) = measure.nature {
         let range =
             [("median", median.into()), ("least", least.into()), ("most", most.into()), ("source", source.into())];
         set(&row, &[("nature", object(&range).into())]);

@@ -1,0 +1,63 @@
+//! All that a style paints with: its palette, and how it draws letters, trees and hills.
+
+use crate::paint::palette::{Colour, Palette};
+
+/// A style.
+#[derive(Debug)]
+pub(crate) struct Sheet {
+    pub palette: Palette,
+    pub labels: LabelLook,
+    /// The look of trees and hills; `None` if the style has none.
+    pub scenery: Option<SceneryLook>,
+}
+
+/// How letters are drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LabelLook {
+    pub ink: Colour,
+    /// What lies around letters on land, and how much it covers, where the ground is too uneven for letters of one colour.
+    pub halo: Option<(Colour, f32)>,
+    /// What lies under type in a frame on land.
+    pub panel: Colour,
+    /// The colour of marks: of what there is besides names.
+    pub mark: Colour,
+}
+
+impl LabelLook {
+    /// What lies under type on land, and how much it covers; in a frame nearly all.
+    pub fn under(self, is_panel: bool) -> Option<(Colour, f32)> {
+        const PANEL: f32 = 0.88;
+        if is_panel { Some((self.panel, PANEL)) } else { self.halo }
+    }
+}
+
+/// Letters straight on the ground; in a frame, on paper.
+pub(super) const fn bare(ink: Colour, paper: Colour) -> LabelLook {
+    LabelLook { ink, halo: None, panel: paper, mark: ink }
+}
+
+/// Letters with a halo, which covers so much of the ground.
+pub(super) const fn haloed(ink: Colour, halo: Colour, covers: f32) -> LabelLook {
+    LabelLook { halo: Some((halo, covers)), ..bare(ink, halo) }
+}
+
+/// How trees and hills are drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SceneryLook {
+    pub ink: Colour,
+    /// How much fainter strokes cover, those on the dark side.
+    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "the module that draws them asks"))]
+    pub shade: f32,
+    /// What covers the ground behind them, and how much, where that is too uneven for strokes alone.
+    pub body: Option<(Colour, f32)>,
+}
+
+/// Trees and hills straight on the ground.
+pub(super) const fn strokes(ink: Colour) -> SceneryLook {
+    SceneryLook { ink, shade: 0.7, body: None }
+}
+
+/// Trees and hills on a body, which covers so much of the ground.
+pub(super) const fn bodied(ink: Colour, body: Colour, covers: f32) -> SceneryLook {
+    SceneryLook { body: Some((body, covers)), ..strokes(ink) }
+}
