@@ -16,7 +16,7 @@ use crate::session::{Session, SessionError};
 pub const WIDTH: u32 = 160;
 
 /// The committed digests that every change is tested against, one a line: a digest, a space and a link.
-pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-charts.txt"));
+pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-annotated.txt"));
 
 /// Reasons why there is no digest.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -34,7 +34,7 @@ pub enum DigestError {
     /// The recipe asks for labels, a cartouche, woods or hills, which this build cannot draw: it lacks the feature
     /// `names`.
     #[error("there is no digest of a map with labels, a cartouche, woods or hills here: this build draws none of them")]
-    NoChart,
+    NoNames,
 }
 
 /// Grows, paints and exports a recipe. Returns a 64-bit FNV-1a hash as 16 hexadecimal digits. It covers the tree, its
@@ -45,7 +45,7 @@ pub enum DigestError {
 /// Fails if there is not enough memory, or if this build cannot draw such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     if recipe.is_annotated() && !cfg!(feature = "names") {
-        return Err(DigestError::NoChart);
+        return Err(DigestError::NoNames);
     }
     let mut session = Session::new(recipe.clone())?;
     let map = session.finish()?;

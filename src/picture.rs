@@ -7,11 +7,11 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 #[cfg(feature = "names")]
-use crate::annotate::builder::ChartBuilder;
+use crate::annotate::builder::AnnotationBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::map::MapId;
-use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
+use crate::paint::{AnnotationMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{NumberKey, Style};
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
@@ -37,12 +37,12 @@ pub struct Picture {
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree of the rivers shown; `None` if none are shown.
     rivers_of: Option<Generation>,
-    /// The chart laid over a finished map, and the map and style that it belongs to.
-    chart: Option<(ChartKey, Arc<ChartMasks>)>,
+    /// The annotation laid over a finished map, and the map and style that it belongs to.
+    annotation: Option<(AnnotationKey, Arc<AnnotationMasks>)>,
     drafts: SessionDrafts,
-    /// The next chart, while it is being made.
+    /// The next annotation, while it is being made.
     #[cfg(feature = "names")]
-    builder: Option<(ChartKey, ChartBuilder)>,
+    builder: Option<(AnnotationKey, AnnotationBuilder)>,
     /// Picture pixels per pixel of the unit in which letters are measured.
     #[cfg(feature = "names")]
     ratio: f32,
@@ -58,7 +58,7 @@ impl Picture {
             painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
             shown: None,
             rivers_of: None,
-            chart: None,
+            annotation: None,
             drafts: SessionDrafts::default(),
             #[cfg(feature = "names")]
             builder: None,
@@ -68,12 +68,12 @@ impl Picture {
     }
 
     /// Shows another part of the map or its surroundings; `None` shows the whole map, cut evenly to cover the picture.
-    /// A chart is dropped if the view changes.
+    /// An annotation is dropped if the view changes.
     pub fn frame(&mut self, session: &Session, framing: Option<Framing>) {
         let before = *self.view();
         self.painter.frame(&session.domain(), framing);
         if *self.view() != before {
-            self.chart = None;
+            self.annotation = None;
             #[cfg(feature = "names")]
             {
                 self.builder = None;
@@ -87,7 +87,7 @@ impl Picture {
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
         self.ratio = ratio;
-        (self.chart, self.builder) = (None, None);
+        (self.annotation, self.builder) = (None, None);
         self.painter.reset();
         self
     }
@@ -121,13 +121,22 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
-        if self.advance_chart(session) {
+        if self.advance_annotation(session) {
             return Painted::Part;
         }
-        let chart = self.chart.as_ref().map(|(_, chart)| chart);
+        let annotation = self.annotation.as_ref().map(|(_, annotation)| annotation);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(NumberKey::Shade)));
-            return self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, chart, style });
+            return self.painter.paint_rivers(&Rivers {
+                network,
+                past,
+                rounds,
+                courses,
+                land,
+                relief,
+                annotation,
+                style,
+            });
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -142,17 +151,17 @@ impl Picture {
         }))
     }
 
-    /// Returns `true` if the session is finished, its recipe wants a chart, and this picture does not have that chart
+    /// Returns `true` if the session is finished, its recipe wants an annotation, and this picture does not have that annotation
     /// yet.
-    pub fn wants_chart(&self, session: &Session) -> bool {
-        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == ChartKey::of(session));
-        is_to_be_charted(session) && !has_one
+    pub fn wants_annotation(&self, session: &Session) -> bool {
+        let has_one = self.annotation.as_ref().is_some_and(|(of, _)| *of == AnnotationKey::of(session));
+        is_to_be_annotated(session) && !has_one
     }
 
-    /// Takes a chart of the session in its present state, for a picture of this size. The next `paint` shows it, until
+    /// Takes an annotation of the session in its present state, for a picture of this size. The next `paint` shows it, until
     /// the session changes.
-    pub fn take_chart(&mut self, session: &Session, chart: ChartMasks) {
-        self.chart = Some((ChartKey::of(session), Arc::new(chart)));
+    pub fn take_annotation(&mut self, session: &Session, annotation: AnnotationMasks) {
+        self.annotation = Some((AnnotationKey::of(session), Arc::new(annotation)));
     }
 
     /// The share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
@@ -179,28 +188,28 @@ impl Picture {
         self.painter.view()
     }
 
-    /// Drops the chart of another map. Then does a part of making the chart of this one, if this build can. Returns
+    /// Drops the annotation of another map. Then does a part of making the annotation of this one, if this build can. Returns
     /// `true` if it did a part.
-    fn advance_chart(&mut self, session: &Session) -> bool {
-        if self.chart.is_none() && !is_to_be_charted(session) {
+    fn advance_annotation(&mut self, session: &Session) -> bool {
+        if self.annotation.is_none() && !is_to_be_annotated(session) {
             return false;
         }
-        let now = ChartKey::of(session);
-        if self.chart.as_ref().is_some_and(|(of, _)| *of != now) {
-            self.chart = None;
+        let now = AnnotationKey::of(session);
+        if self.annotation.as_ref().is_some_and(|(of, _)| *of != now) {
+            self.annotation = None;
         }
         #[cfg(feature = "names")]
-        if self.wants_chart(session)
+        if self.wants_annotation(session)
             && let Some(map) = session.map()
         {
             let (view, ratio) = (*self.view(), self.ratio);
             if self.builder.as_ref().is_none_or(|(of, _)| *of != now) {
-                self.builder = Some((now, ChartBuilder::default()));
+                self.builder = Some((now, AnnotationBuilder::default()));
             }
-            let chart = self.builder.as_mut().and_then(|(_, builder)| builder.advance(&map, &view, ratio));
-            if let Some(chart) = chart {
+            let annotation = self.builder.as_mut().and_then(|(_, builder)| builder.advance(&map, &view, ratio));
+            if let Some(annotation) = annotation {
                 self.builder = None;
-                self.take_chart(session, chart);
+                self.take_annotation(session, annotation);
             }
             return true;
         }
@@ -227,21 +236,21 @@ impl Picture {
     }
 }
 
-/// The map and style that a chart belongs to. Woods, hills and marks of one style do not fit another.
+/// The map and style that an annotation belongs to. Woods, hills and marks of one style do not fit another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct ChartKey {
+struct AnnotationKey {
     map: MapId,
     style: Option<Style>,
 }
 
-impl ChartKey {
+impl AnnotationKey {
     fn of(session: &Session) -> Self {
         Self { map: session.map_id(), style: session.recipe().annotating_style() }
     }
 }
 
-/// Returns `true` if a session is finished and its recipe wants a chart.
-pub fn is_to_be_charted(session: &Session) -> bool {
+/// Returns `true` if a session is finished and its recipe wants an annotation.
+pub fn is_to_be_annotated(session: &Session) -> bool {
     session.is_finished() && session.recipe().is_annotated()
 }
 

@@ -17,7 +17,7 @@ wasm_bindgen_test_configure!(run_in_browser);
 /// Lines of a digest and a link: of maps without names and scenery, which any build draws.
 const DIGESTS: &str = include_str!("digest.txt");
 /// The same of maps with labels, a cartouche, woods or hills.
-const CHARTS: &str = include_str!("digest-charts.txt");
+const ANNOTATED: &str = include_str!("digest-annotated.txt");
 
 fn now(link: &str) -> String {
     digest(&link::read(link).unwrap()).unwrap()
@@ -67,8 +67,8 @@ async fn give_way() {
 
 /// Those that this build has to give.
 fn lines() -> Vec<(&'static str, &'static str)> {
-    let charts = if cfg!(feature = "names") { lines_of(CHARTS) } else { Vec::new() };
-    [lines_of(DIGESTS), charts].concat()
+    let annotations = if cfg!(feature = "names") { lines_of(ANNOTATED) } else { Vec::new() };
+    [lines_of(DIGESTS), annotations].concat()
 }
 
 fn lines_of(text: &'static str) -> Vec<(&'static str, &'static str)> {
@@ -82,7 +82,7 @@ fn lines_of(text: &'static str) -> Vec<(&'static str, &'static str)> {
 fn map_with_names_or_scenery_has_no_digest_where_nothing_draws_these() {
     for option in ["labels=many", "labels=few", "cartouche=plain", "woods=0.5", "hills=0.5"] {
         let recipe = link::read(&format!("seed=kea&attractors=100&{option}")).unwrap();
-        let refused = digest(&recipe).is_err_and(|error| error == DigestError::NoChart);
+        let refused = digest(&recipe).is_err_and(|error| error == DigestError::NoNames);
         assert_eq!(refused, cfg!(not(feature = "names")), "{option}");
     }
     assert!(digest(&link::read("seed=kea&attractors=100&labels=none").unwrap()).is_ok());
@@ -125,7 +125,7 @@ fn refresh() {
     if std::env::var_os("RIVERSEED_REFRESH").is_none() {
         return;
     }
-    for (file, lines) in [("digest.txt", lines_of(DIGESTS)), ("digest-charts.txt", lines_of(CHARTS))] {
+    for (file, lines) in [("digest.txt", lines_of(DIGESTS)), ("digest-annotated.txt", lines_of(ANNOTATED))] {
         let text: String = lines.iter().map(|(_, link)| format!("{} {link}\n", now(link))).collect();
         std::fs::write(format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR")), text).unwrap();
     }

@@ -8,7 +8,7 @@ use crate::common::property::{cases, large};
 use crate::common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
-use riverseed::annotate::builder::ChartBuilder;
+use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::labels;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::{Area, AreaKind, Box, Input, Kind, Label, Piece, Placed, Raster, Strip, place};
@@ -466,8 +466,8 @@ fn a_map_that_is_handed_over_has_the_same_names_and_labels() {
         let own = Map::from_wire(&map.to_wire()).unwrap();
         assert_eq!(Names::of(&own), Names::of(&map), "{link}");
         let view = View::new(&session.domain(), 500, 400).unwrap();
-        let masks = ChartBuilder::whole(&own, &view, 1.0);
-        assert!(masks == ChartBuilder::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
+        let masks = AnnotationBuilder::whole(&own, &view, 1.0);
+        assert!(masks == AnnotationBuilder::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
     }
 }
 

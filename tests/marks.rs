@@ -11,7 +11,7 @@ use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
 use crate::common::random_link;
 use proptest::prelude::*;
-use riverseed::annotate::builder::ChartBuilder;
+use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::labels;
 use riverseed::annotate::place::{Input, Kind, Label, Piece, Raster, Stroke, place};
 use riverseed::export::rasters::{Layer, Rasters, Values};
@@ -352,7 +352,7 @@ proptest! {
     }
 }
 
-/// The ways from a map to its chart: as it is, and handed over to another module.
+/// The ways from a map to its annotation: as it is, and handed over to another module.
 #[test]
 fn a_map_that_is_handed_over_has_the_same_marks() {
     for style in ["survey", "blueprint", "ink-wash"] {
@@ -360,8 +360,8 @@ fn a_map_that_is_handed_over_has_the_same_marks() {
         let map = session.map().unwrap();
         let own = Map::from_wire(&map.to_wire()).unwrap();
         let view = View::new(&session.domain(), 900, 600).unwrap();
-        let masks = ChartBuilder::whole(&own, &view, 1.0);
-        assert!(masks == ChartBuilder::whole(&map, &view, 1.0), "{style}");
+        let masks = AnnotationBuilder::whole(&own, &view, 1.0);
+        assert!(masks == AnnotationBuilder::whole(&map, &view, 1.0), "{style}");
         assert_eq!(masks.marks.is_empty(), style == "blueprint", "{style}");
     }
 }

@@ -1,14 +1,14 @@
-//! A chart in the making, part by part: labels, woods and hills, and the masks that these lay over a picture.
+//! Makes the annotation of a map part by part: labels, woods and hills, and the masks that lay them over a picture.
 
 use crate::annotate::labels::labels;
 use crate::annotate::place::{Label, Scenery};
 use crate::annotate::scenery;
 use crate::map::Map;
-use crate::paint::{ChartMasks, SceneryPainter, View, letters, scenery_look};
+use crate::paint::{AnnotationMasks, SceneryPainter, View, letters, scenery_look};
 
-/// What has been made of a chart.
+/// An annotation that is being made.
 #[derive(Clone, Debug, Default)]
-pub struct ChartBuilder {
+pub struct AnnotationBuilder {
     /// Once they are placed.
     labels: Option<Vec<Label>>,
     scenery: Scenery,
@@ -18,10 +18,10 @@ pub struct ChartBuilder {
     painter: Option<SceneryPainter>,
 }
 
-impl ChartBuilder {
-    /// All of a chart at once: of a map, for a picture so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of
-    /// which it comes.
-    pub fn whole(map: &Map, view: &View, ratio: f32) -> ChartMasks {
+impl AnnotationBuilder {
+    /// Makes all of an annotation at once, for a picture with `ratio` pixels to a CSS pixel, rounded to quarters from 0.5
+    /// to 4.
+    pub fn whole(map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
         let mut this = Self::default();
         loop {
             if let Some(masks) = this.advance(map, view, ratio) {
@@ -30,8 +30,9 @@ impl ChartBuilder {
         }
     }
 
-    /// Does a part of that, which takes some milliseconds, of the same map and for the same picture each time. Returns the chart with the last.
-    pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<ChartMasks> {
+    /// Does a part of that, which takes some milliseconds. Map and picture must be the same each time. Returns the
+    /// annotation after the last part.
+    pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<AnnotationMasks> {
         let Some(labels) = &self.labels else {
             let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
             self.labels = Some(labels(map, view.uncovered(), view.scale / ratio));
@@ -52,6 +53,6 @@ impl ChartBuilder {
             return None;
         }
         let [bodies, strokes] = self.painter.take().map(SceneryPainter::into_masks).unwrap_or_default();
-        Some(ChartMasks { bodies, strokes, ..letters::masks(view, labels) })
+        Some(AnnotationMasks { bodies, strokes, ..letters::masks(view, labels) })
     }
 }

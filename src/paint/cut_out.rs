@@ -3,7 +3,7 @@
 
 use tiny_skia::Pixmap;
 
-use super::annotation::masks::{ChartMasks, SparseMask};
+use super::annotation::masks::{AnnotationMasks, SparseMask};
 use super::palette::{Colour, Palette};
 use super::styles::{label_look, palette};
 use crate::recipe::Style;
@@ -14,7 +14,12 @@ const WHOLE: f32 = 255.0;
 /// Gives the pixels of a painted picture an opacity; colours are not premultiplied. `ground` is the flat ground, whose
 /// fourth channel is the visibility of rivers: they show on land and its coast. Without a ground, everything is plain
 /// land.
-pub(super) fn cut_out(pixmap: &mut Pixmap, ground: Option<&[[u8; 4]]>, chart: Option<&ChartMasks>, style: Style) {
+pub(super) fn cut_out(
+    pixmap: &mut Pixmap,
+    ground: Option<&[[u8; 4]]>,
+    annotation: Option<&AnnotationMasks>,
+    style: Style,
+) {
     let (look, pixels) = (palette(style), pixmap.data_mut().as_chunks_mut::<4>().0);
     let open = |i: usize| ground.map_or(255, |ground| ground[i][3]);
     if is_of_lines(look) {
@@ -27,8 +32,8 @@ pub(super) fn cut_out(pixmap: &mut Pixmap, ground: Option<&[[u8; 4]]>, chart: Op
     for (i, pixel) in pixels.iter_mut().enumerate() {
         *pixel = lifted(opaque_part(*pixel), look.shallows, open(i));
     }
-    if let Some(chart) = chart {
-        lay(chart, style, pixels);
+    if let Some(annotation) = annotation {
+        lay(annotation, style, pixels);
     }
 }
 
@@ -65,7 +70,7 @@ fn lifted(pixel: Colour, ground: Colour, covered: u8) -> [u8; 4] {
 }
 
 /// Lays type over pixels without ground. On land it is already there.
-fn lay(chart: &ChartMasks, style: Style, pixels: &mut [[u8; 4]]) {
+fn lay(annotation: &AnnotationMasks, style: Style, pixels: &mut [[u8; 4]]) {
     let mut lay = |layer: &SparseMask, colour: Colour, strength: f32| {
         for (i, share) in layer.pixels() {
             match pixels.get_mut(i) {
@@ -79,10 +84,10 @@ fn lay(chart: &ChartMasks, style: Style, pixels: &mut [[u8; 4]]) {
     };
     let letters = label_look(style);
     if let Some((colour, strength)) = letters.under(true) {
-        lay(&chart.panel, colour, strength);
+        lay(&annotation.panel, colour, strength);
     }
-    lay(&chart.letters, letters.ink, 1.0);
-    lay(&chart.marks, letters.mark, 1.0);
+    lay(&annotation.letters, letters.ink, 1.0);
+    lay(&annotation.marks, letters.mark, 1.0);
 }
 
 /// Lays a share of a colour over a pixel with opacity.

@@ -30,7 +30,7 @@ mod styles;
 mod view;
 
 #[doc(hidden)]
-pub use annotation::masks::{ChartMasks, SparseMask};
+pub use annotation::masks::{AnnotationMasks, SparseMask};
 #[doc(hidden)]
 pub use coverage::Coverage;
 pub use coverage::Rect;

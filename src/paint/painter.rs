@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-use super::annotation::masks::{self, ChartMasks};
+use super::annotation::masks::{self, AnnotationMasks};
 use super::coverage::{Coverage, Rect};
 use super::cut_out;
 use super::flow::Flow;
@@ -90,8 +90,8 @@ pub struct Painter {
     /// The relief that belongs to the finished rivers in the mask, and the kind of their lines; `None` if the mask
     /// holds anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
-    /// The chart that the picture shows.
-    chart: Option<Arc<ChartMasks>>,
+    /// The annotation that the picture shows.
+    annotation: Option<Arc<AnnotationMasks>>,
 }
 
 impl Painter {
@@ -122,7 +122,7 @@ impl Painter {
             is_finished: false,
             round: None,
             drawn_rivers: None,
-            chart: None,
+            annotation: None,
         })
     }
 
@@ -177,7 +177,7 @@ impl Painter {
     /// Makes the background transparent: the sea, or in line styles the paper. The next call of `paint` or
     /// `paint_rivers` paints everything anew.
     pub fn cut_out(&mut self, style: Style) {
-        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.chart.as_deref(), style);
+        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.annotation.as_deref(), style);
         self.reset();
     }
 
@@ -215,8 +215,8 @@ impl Painter {
 
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
-        let has_chart = masks::is_same(self.chart.as_ref(), rivers.chart);
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_chart {
+        let has_annotation = masks::is_same(self.annotation.as_ref(), rivers.annotation);
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_annotation {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -224,28 +224,28 @@ impl Painter {
         }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
-        self.chart = rivers.chart.cloned();
+        self.annotation = rivers.annotation.cloned();
         self.draw_rivers(rivers);
-        if let Some(chart) = rivers.chart {
-            masks::take_away(&mut self.coverage, chart);
+        if let Some(annotation) = rivers.annotation {
+            masks::take_away(&mut self.coverage, annotation);
             self.drawn_rivers = None;
         }
         self.coverage.touch_all();
         let changed = self.compose(rivers.style);
-        if let Some(chart) = rivers.chart {
-            masks::lay(&mut self.pixmap, chart, rivers.style);
+        if let Some(annotation) = rivers.annotation {
+            masks::lay(&mut self.pixmap, annotation, rivers.style);
         }
         Painted::Whole(changed)
     }
 
-    /// Paints rivers at once as a preview: `times` as wide as they are, without a chart, on the existing ground, even
+    /// Paints rivers at once as a preview: `times` as wide as they are, without an annotation, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
     pub fn paint_draft(&mut self, network: &Network, courses: CourseShape, style: Style, times: f32) -> Option<Rect> {
         if !self.ground.is_ready_for_draft(&self.view, style) {
             return None;
         }
-        (self.round, self.drawn_rivers, self.chart) = (None, None, None);
+        (self.round, self.drawn_rivers, self.annotation) = (None, None, None);
         self.is_finished = true;
         self.coverage.clear();
         let widening = Widening { times, ..Widening::NONE };

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::annotation::masks::ChartMasks;
+use super::annotation::masks::AnnotationMasks;
 use super::coverage::Coverage;
 use super::palette::Lines;
 use super::skeleton;
@@ -34,8 +34,8 @@ pub struct Rivers<'a> {
     pub land: Option<&'a Land>,
     /// The relief and the exaggeration of its slopes; `None` while there is none.
     pub relief: Option<Exaggerated<'a>>,
-    /// The chart to lay over them.
-    pub chart: Option<&'a Arc<ChartMasks>>,
+    /// The annotation to lay over them.
+    pub annotation: Option<&'a Arc<AnnotationMasks>>,
     /// The style.
     pub style: Style,
 }

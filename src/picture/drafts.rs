@@ -32,7 +32,7 @@ impl Change {
 }
 
 impl Picture {
-    /// Paints a part of a draft of another recipe over the session's present rivers, without a chart. The picture
+    /// Paints a part of a draft of another recipe over the session's present rivers, without an annotation. The picture
     /// changes with the last part, and the draft lasts until `paint` paints anything else. The session's own recipe
     /// shows its rivers as they are, finished or not. `None`, and nothing is painted, if no draft is possible: the
     /// recipe differs in more than width, in more than mountains and plains, or in more than coasts, or the data that
@@ -49,7 +49,7 @@ impl Picture {
         }
     }
 
-    /// Paints the session's rivers as they are, finished or not, in one go, without a chart and with their widths
+    /// Paints the session's rivers as they are, finished or not, in one go, without an annotation and with their widths
     /// multiplied by `times`. They are painted on the ground in the picture, even if its relief belongs to other
     /// rivers. `None`, and nothing changes, if there are no rivers, or if the ground belongs to another land.
     fn paint_width_draft(&mut self, session: &Session, times: f32) -> Option<Painted> {
@@ -77,7 +77,7 @@ impl Picture {
         let relief = Some((&relief, recipe.number(NumberKey::Shade)));
         let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
-        let rivers = Rivers { network, past, rounds, courses, land, relief, chart: None, style };
+        let rivers = Rivers { network, past, rounds, courses, land, relief, annotation: None, style };
         Some(self.painter.paint_rivers(&rivers))
     }
 
@@ -101,7 +101,7 @@ impl Picture {
         let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
         let land = Some(&*land);
-        let rivers = Rivers { network, past, rounds, courses, land, relief: None, chart: None, style };
+        let rivers = Rivers { network, past, rounds, courses, land, relief: None, annotation: None, style };
         Some(self.painter.paint_rivers(&rivers))
     }
 }

@@ -1,4 +1,4 @@
-//! The chart: what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; marks, which some
+//! Places for what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; marks, which some
 //! styles have besides: heights, a grid, a legend, a seal; and scenery, woods and hills on the land between.
 //!
 //! Input is plain arrays, so is the result, and neither knows what pixels or files are. After Wolff, Knipping, van Kreveld, Strijk and

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::super::coverage::{Coverage, Rect};
 use super::super::view::View;
-use super::masks::{ChartMasks, SparseMask};
+use super::masks::{AnnotationMasks, SparseMask};
 use crate::annotate::glyph::Fill;
 use crate::annotate::place::{Kind, Label, Placed, Stroke};
 use crate::base::memory;
@@ -14,23 +14,23 @@ use crate::base::memory;
 pub(crate) const SPACE: f32 = 0.33;
 
 /// The masks of labels; empty if there are no labels or not enough memory.
-pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
+pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
     /// One byte for the halo and one for letters.
     const BYTES_A_PIXEL: usize = 2;
     if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
-        return ChartMasks::default();
+        return AnnotationMasks::default();
     }
     // Names on water keep so far from the coast that there are no rivers to remove and no ground to even out.
     let on_land = labels.iter().filter(|label| !label.kind.is_afloat());
     let blocks = labels.iter().filter(|label| label.kind.is_block());
     let framed = labels.iter().filter(|label| !label.strokes.is_empty());
-    ChartMasks {
+    AnnotationMasks {
         halo: halo(view, labels.iter().flat_map(|label| &label.cleared), on_land),
         cleared: halo(view, [].iter(), blocks),
         panel: lines(view, framed.flat_map(|label| &label.cleared)),
         letters: letters(view, labels.iter().filter(|label| !label.kind.is_mark())),
         marks: letters(view, labels.iter().filter(|label| label.kind.is_mark())),
-        ..ChartMasks::default()
+        ..AnnotationMasks::default()
     }
 }
 

@@ -1,4 +1,4 @@
-//! Masks that lay a chart over a picture: rivers give way to letters, and letters have their own colour.
+//! Masks that lay an annotation over a picture: rivers give way to letters, and letters have their own colour.
 //!
 //! The masks are made for a picture of one size, in whatever style. Therefore another wasm module may make them
 //! (`letters.rs`), and the painter needs to know neither names nor type.
@@ -12,9 +12,9 @@ use super::super::palette::over;
 use super::super::styles::{label_look, scenery_look};
 use crate::recipe::Style;
 
-/// The masks of a chart's layers, for a picture of one size.
+/// The masks of an annotation's layers, for a picture of one size.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct ChartMasks {
+pub struct AnnotationMasks {
     /// The inside of trees and hills, where the ground is evened out if the style wants that.
     pub bodies: SparseMask,
     /// The strokes of trees and hills.
@@ -84,7 +84,7 @@ impl SparseMask {
     }
 }
 
-impl ChartMasks {
+impl AnnotationMasks {
     /// Serializes all layers, for another module.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
@@ -101,19 +101,22 @@ impl ChartMasks {
     }
 }
 
-/// Returns `true` if both are the same chart, or both are `None`.
-pub(in crate::paint) fn is_same(chart: Option<&Arc<ChartMasks>>, other: Option<&Arc<ChartMasks>>) -> bool {
-    chart.map(Arc::as_ptr) == other.map(Arc::as_ptr)
+/// Returns `true` if both are the same annotation, or both are `None`.
+pub(in crate::paint) fn is_same(
+    annotation: Option<&Arc<AnnotationMasks>>,
+    other: Option<&Arc<AnnotationMasks>>,
+) -> bool {
+    annotation.map(Arc::as_ptr) == other.map(Arc::as_ptr)
 }
 
 /// Removes rivers around letters.
-pub(in crate::paint) fn take_away(rivers: &mut Coverage, chart: &ChartMasks) {
-    rivers.take_away(chart.halo.pixels());
-    rivers.take_away(chart.cleared.pixels());
+pub(in crate::paint) fn take_away(rivers: &mut Coverage, annotation: &AnnotationMasks) {
+    rivers.take_away(annotation.halo.pixels());
+    rivers.take_away(annotation.cleared.pixels());
 }
 
 /// Lays trees and hills, the halo and letters over the picture.
-pub(in crate::paint) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, style: Style) {
+pub(in crate::paint) fn lay(pixmap: &mut Pixmap, annotation: &AnnotationMasks, style: Style) {
     let mut lay = |layer: &SparseMask, colour, strength: f32| {
         let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
         for (i, share) in layer.pixels() {
@@ -124,18 +127,18 @@ pub(in crate::paint) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, style: Styl
     };
     if let Some(scenery) = scenery_look(style) {
         if let Some((colour, strength)) = scenery.body {
-            lay(&chart.bodies, colour, strength);
+            lay(&annotation.bodies, colour, strength);
         }
-        lay(&chart.strokes, scenery.ink, 1.0);
+        lay(&annotation.strokes, scenery.ink, 1.0);
     }
     let letters = label_look(style);
-    for (layer, under) in [(&chart.halo, letters.under(false)), (&chart.panel, letters.under(true))] {
+    for (layer, under) in [(&annotation.halo, letters.under(false)), (&annotation.panel, letters.under(true))] {
         if let Some((colour, strength)) = under {
             lay(layer, colour, strength);
         }
     }
-    lay(&chart.letters, letters.ink, 1.0);
-    lay(&chart.marks, letters.mark, 1.0);
+    lay(&annotation.letters, letters.ink, 1.0);
+    lay(&annotation.marks, letters.mark, 1.0);
 }
 
 #[cfg(test)]
@@ -155,24 +158,24 @@ mod tests {
         #[test]
         fn layers_come_out_as_they_were_put_in(halo in mask(), panel in mask(), letters in mask()) {
             let [a, b, c] = [&halo, &panel, &letters].map(|mask| SparseMask::of(mask));
-            let chart = ChartMasks {
+            let annotation = AnnotationMasks {
                 bodies: b.clone(), strokes: c.clone(), halo: a.clone(), cleared: a.clone(), panel: b, letters: c, marks: a,
             };
-            for (layer, mask) in [(&chart.marks, &halo), (&chart.panel, &panel), (&chart.letters, &letters)] {
+            for (layer, mask) in [(&annotation.marks, &halo), (&annotation.panel, &panel), (&annotation.letters, &letters)] {
                 let mut filled = vec![0; mask.len()];
                 layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
                 prop_assert_eq!(&filled, mask);
             }
-            prop_assert_eq!(ChartMasks::from_bytes(&chart.to_bytes()), Some(chart));
+            prop_assert_eq!(AnnotationMasks::from_bytes(&annotation.to_bytes()), Some(annotation));
         }
 
         #[test]
-        fn other_bytes_are_no_chart_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
-            if let Some(chart) = ChartMasks::from_bytes(&bytes) {
-                prop_assert!(chart.letters.pixels().count() <= bytes.len());
+        fn other_bytes_are_no_annotation_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+            if let Some(annotation) = AnnotationMasks::from_bytes(&bytes) {
+                prop_assert!(annotation.letters.pixels().count() <= bytes.len());
                 let mut pixmap = Pixmap::new(5, 5).unwrap();
-                lay(&mut pixmap, &chart, Style::Survey);
-                take_away(&mut Coverage::new(5, 5).unwrap(), &chart);
+                lay(&mut pixmap, &annotation, Style::Survey);
+                take_away(&mut Coverage::new(5, 5).unwrap(), &annotation);
             }
         }
     }

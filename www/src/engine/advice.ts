@@ -64,7 +64,7 @@ const ADVICE: Record<Code, Advice> = {
     text: "The part that turns drawings and pictures into land could not be downloaded. Check the connection and try again.",
     reload: true,
   },
-  "no-chart": {
+  "no-labels": {
     title: "A part of Riverseed did not arrive",
     text: "The part that names rivers could not be downloaded. Check the connection and reload the page.",
     reload: true,

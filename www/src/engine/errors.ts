@@ -12,7 +12,7 @@ export const CODES = [
   "file-missing",
   "no-files",
   "no-tracing",
-  "no-chart",
+  "no-labels",
   "bad-params",
   "too-large",
   "no-memory",
@@ -52,7 +52,7 @@ export function named(thrown: unknown): PageError {
 const RECOVERABLE: ReadonlySet<Code> = new Set([
   "no-files",
   "no-tracing",
-  "no-chart",
+  "no-labels",
   "bad-params",
   "too-large",
   "no-land",

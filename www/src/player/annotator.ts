@@ -120,7 +120,7 @@ export function annotate(river: FinishedRiver, teller: Teller, ratio = 1, framin
 function unlabelled(error: unknown): PageError {
   const { code, message } = named(error);
   return new PageError(
-    "no-chart",
+    "no-labels",
     `The part of Riverseed that names rivers could not be loaded (${code}: ${message}). The map is shown without names.`,
   );
 }

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 import { linesOf } from "../../src/apps/digest/lines.ts";
 
-const committed = ["digest", "digest-charts"].flatMap((name) =>
+const committed = ["digest", "digest-annotated"].flatMap((name) =>
   linesOf(readFileSync(new URL(`../../../tests/${name}.txt`, import.meta.url), "utf8")),
 );
 

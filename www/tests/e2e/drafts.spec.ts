@@ -39,7 +39,7 @@ test("while a slider moves its rivers are drafts without labels, and nothing is 
 }) => {
   const drafts = await countCalls(page, "river_paintUnfinished");
   const steps = await countCalls(page, "river_advance");
-  const labels = await countCalls(page, "river_takeChart");
+  const labels = await countCalls(page, "river_takeAnnotation");
   await openHeld(page);
   for (const slider of ["#field-simplify", "#macro-winding"]) {
     const labelled = (await labels()).onPage;

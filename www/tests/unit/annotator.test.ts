@@ -45,7 +45,7 @@ test.each([
   expect(Buffer.compare(rgb, Uint8Array.from(data))).toBe(0);
 });
 
-test("a chart is wanted by finished rivers whose recipe asks for labels, once", () => {
+test("an annotation is wanted by finished rivers whose recipe asks for labels, once", () => {
   const river = new engine.River(LINK);
   river.resize(SIZE.width, SIZE.height);
   expect(river.wantsAnnotation()).toBe(false);
@@ -130,7 +130,7 @@ test("without what makes labels the map is shown bare, and its audience told onc
   for (let i = 0; i < 5; i++) await frames(display);
   expect(one.state).toBe("finished");
   expect(Buffer.compare(pixelsOf(one.river as engine.River), pixelsOf(finished(`${LINK}&width=30`)))).toBe(0);
-  expect(errors.map(({ code }) => code)).toEqual(["no-chart"]);
+  expect(errors.map(({ code }) => code)).toEqual(["no-labels"]);
   expect(loadTeller).toHaveBeenCalledTimes(1);
 });
 
@@ -145,5 +145,5 @@ test("a map that no labels can be made of is shown bare", async () => {
   for (let i = 0; i < 5; i++) await frames(display);
   expect(one.state).toBe("finished");
   expect(one.river?.wantsAnnotation()).toBe(false);
-  expect(errors.map(({ code }) => code)).toEqual(["no-chart"]);
+  expect(errors.map(({ code }) => code)).toEqual(["no-labels"]);
 });

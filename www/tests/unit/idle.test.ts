@@ -50,7 +50,7 @@ const CLOSE = merged(
 
 const keys = table.parameters
   .filter(isAdjustable)
-  // What charts are made by shows on larger maps than these, or in files only: `chart-maker.test.ts` and tests of the core look at it.
+  // What annotations are made by shows on larger maps than these, or in files only: `annotation-maker.test.ts` and tests of the core look at it.
   .filter(({ stage }) => stage !== "name")
   .map(({ key }) => key);
 

@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 use super::link::{list, read_options};
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
-use riverseed::paint::{ChartMasks, Framing, PaintError, Painted, Rect, View};
-use riverseed::picture::{Picture, is_to_be_charted};
+use riverseed::paint::{AnnotationMasks, Framing, PaintError, Painted, Rect, View};
+use riverseed::picture::{Picture, is_to_be_annotated};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, Reading};
 use riverseed::recipe::{IntegerKey, Key, Stage, Value};
@@ -189,12 +189,12 @@ impl River {
         }
     }
 
-    /// Returns `true` if the rivers are finished and the recipe wants a chart, but the picture, if there is one, does
+    /// Returns `true` if the rivers are finished and the recipe wants an annotation, but the picture, if there is one, does
     /// not have it.
     #[wasm_bindgen(js_name = wantsAnnotation)]
     pub fn wants_annotation(&self) -> bool {
-        let has_none = |picture: &Picture| picture.wants_chart(&self.session);
-        self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
+        let has_none = |picture: &Picture| picture.wants_annotation(&self.session);
+        self.picture.as_ref().map_or_else(|| is_to_be_annotated(&self.session), has_none)
     }
 
     /// Returns the finished map, for a `FinishedMap` of the other module; an empty list until it is finished.
@@ -203,12 +203,12 @@ impl River {
         self.session.map().map_or_else(Vec::new, |map| map.to_wire())
     }
 
-    /// Takes the chart of the present rivers: the `masks` of a `FinishedMap` for a picture of this size. The next `paint`
-    /// shows it. Bytes that are not a chart count as an empty one.
+    /// Takes the annotation of the present rivers: the `masks` of a `FinishedMap` for a picture of this size. The next `paint`
+    /// shows it. Bytes that are not an annotation count as an empty one.
     #[wasm_bindgen(js_name = takeAnnotation)]
     pub fn take_annotation(&mut self, masks: &[u8]) {
         if let Some(picture) = &mut self.picture {
-            picture.take_chart(&self.session, ChartMasks::from_bytes(masks).unwrap_or_default());
+            picture.take_annotation(&self.session, AnnotationMasks::from_bytes(masks).unwrap_or_default());
         }
     }
 

@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
 use riverseed::Map;
-use riverseed::annotate::builder::ChartBuilder;
+use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
 use riverseed::digest;
 use riverseed::export::ExportError;
@@ -60,7 +60,7 @@ impl FinishedMap {
         digest::digest_of(&self.0, picture, &attractors).map_err(|error| export_error(&error))
     }
 
-    /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeChart`. `ratio` is picture
+    /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeAnnotation`. `ratio` is picture
     /// pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the picture's `frame`,
     /// or empty.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
@@ -68,7 +68,7 @@ impl FinishedMap {
         let view = View::new(&domain, width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
         let view = view.framed(&domain, Framing::of(framing));
-        Ok(ChartBuilder::whole(&self.0, &view, ratio).to_bytes())
+        Ok(AnnotationBuilder::whole(&self.0, &view, ratio).to_bytes())
     }
 }
 

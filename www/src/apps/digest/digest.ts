@@ -1,10 +1,10 @@
 /**
- * Grows every recipe of tests/digest.txt and tests/digest-charts.txt in this browser and compares the digests with the committed ones: the same
+ * Grows every recipe of tests/digest.txt and tests/digest-annotated.txt in this browser and compares the digests with the committed ones: the same
  * recipe must give the same river, bit for bit, everywhere. Tests read the result from the body's data attributes.
  */
 
 import plain from "../../../../tests/digest.txt?raw";
-import annotated from "../../../../tests/digest-charts.txt?raw";
+import annotated from "../../../../tests/digest-annotated.txt?raw";
 import { find } from "../../browser/dom.ts";
 import { named, PageError } from "../../engine/errors.ts";
 import { type Core, load } from "../../engine/make.ts";

@@ -310,7 +310,7 @@ class Page {
   /** Shows why a river cannot be shown. */
   #fail(thrown: unknown): void {
     const error = named(thrown);
-    if (error.code === "no-chart") this.#note(error.message);
+    if (error.code === "no-labels") this.#note(error.message);
     else if (isRecoverable(error) && this.#viewport.link !== "") {
       // The core kept its river, so the page goes back to the values of that one.
       this.#recipe.restore(this.#viewport.link);

@@ -395,7 +395,7 @@ export class RiverSeed extends Base {
   /** Handles a failure. `links` is the number of links that had been requested by then. */
   #fail(error: PageError, links = this.#links): void {
     // A map without names is still shown, though this failure may be reported before it.
-    const isMap = error.code === "no-chart";
+    const isMap = error.code === "no-labels";
     if (!isMap && (!isRecoverable(error) || !this.#isShown)) {
       this.#hasFailed = true;
       this.#status = undefined;

@@ -129,7 +129,7 @@ async function opened(isHeard = true) {
       phase: state === "finished" ? "finished" : "growing",
       summary: SUMMARY,
     });
-  const failed = (links: number, code: "too-large" | "panic" | "no-chart" = "too-large") =>
+  const failed = (links: number, code: "too-large" | "panic" | "no-labels" = "too-large") =>
     host.client?.hear({ id: 1, is: "failed", code, message: "no", links });
   return { host, elements, events, viewport, shown, failed };
 }
@@ -186,9 +186,9 @@ test("a first river that fails is told of, whatever was asked for since: nothing
 test("a trap is told of whatever was asked for since, and so is that there are no names", async () => {
   const { events, viewport, failed } = await opened();
   viewport.show(map("seed=two"), "settle");
-  failed(0, "no-chart");
+  failed(0, "no-labels");
   failed(0, "panic");
-  expect(events.failed.mock.calls.map(([{ code }]) => code)).toEqual(["no-chart", "panic"]);
+  expect(events.failed.mock.calls.map(([{ code }]) => code)).toEqual(["no-labels", "panic"]);
 });
 
 test("what there is to be told before anybody listens is told then", async () => {

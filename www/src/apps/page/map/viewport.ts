@@ -292,7 +292,7 @@ export class RiverViewport {
 
   #fail({ code, message, links = 0 }: Extract<SceneReport, { is: "failed" }>): void {
     const error = new PageError(code, message);
-    if (isRecoverable(error) && code !== "no-chart") {
+    if (isRecoverable(error) && code !== "no-labels") {
       // Another link is on its way and may succeed. Without a first river none does.
       if (links < this.#links && this.#shown) return;
       // The old river stays, in its own shape.
