@@ -3,8 +3,9 @@
 
 use super::Recipe;
 use super::choice::{GrowthMethod, Style};
-use super::key::{IntegerKey, Key};
+use super::key::Key;
 use super::link::{self, Notice};
+use super::typed_key::IntegerKey;
 use super::value::Value;
 
 /// The place where a link's rivers are shown.

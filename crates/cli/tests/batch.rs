@@ -1,15 +1,23 @@
 //! Many maps in one call: the files equal those of single calls to the bit, whatever the threads, shards and
 //! interruptions.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use riverseed::export::Form;
+
 use crate::maps::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 /// The options of the calls.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];
+
+#[test]
+fn forms_tested_are_those_that_the_library_has() {
+    assert_eq!(BTreeSet::from(FORMS), Form::all().map(Form::name).collect());
+}
 
 #[test]
 fn files_are_those_of_single_calls_in_every_form_and_grown_once_for_all_of_them() {
