@@ -359,12 +359,14 @@ function widget() {
 
 function size() {
   const files = {
-    "the engine's": "www/pkg-make/riverseed_bg.wasm",
+    "the element's": "www/pkg-make/riverseed_bg.wasm",
+    "the page's": "www/pkg-steer/riverseed_steer_bg.wasm",
     "the teller's": "www/pkg-tell/riverseed_tell_bg.wasm",
     "the tracing of pictures,": "www/pkg-trace/riverseed_trace_bg.wasm",
   };
   const bars = {
-    "the engine's": atMost(150, 130),
+    "the element's": atMost(150, 130),
+    "the page's": atMost(150, 130),
     "the teller's": atMost(190, 170),
     "the tracing of pictures,": atMost(22, 20),
   };

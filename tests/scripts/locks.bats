@@ -71,7 +71,8 @@ eventually() {
   touch "$machine/release"
   wait $first
   wait $second
-  called 3 "wasm-pack"
+  called 4 "wasm-pack"
   grep -q "with 'make'" "$checkout/www/pkg-make/riverseed_bg.wasm"
+  grep -q "with 'steer'" "$checkout/www/pkg-steer/riverseed_steer_bg.wasm"
   grep -q "with 'tell'" "$checkout/www/pkg-tell/riverseed_tell_bg.wasm"
 }

@@ -5,7 +5,7 @@
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
-import { initSync, readLink } from "../pkg-make/riverseed.js";
+import { initSync, readLink } from "../pkg-steer/riverseed_steer.js";
 import { Camera } from "../src/apps/page/map/camera.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
@@ -46,7 +46,7 @@ export function countries(): Plugin {
 }
 
 function pictures(): Picture[] {
-  initSync({ module: readFileSync(new URL("../pkg-make/riverseed_bg.wasm", import.meta.url)) });
+  initSync({ module: readFileSync(new URL("../pkg-steer/riverseed_steer_bg.wasm", import.meta.url)) });
   return table.countries.map(({ name, values }) => {
     const { link } = readLink(`${new URLSearchParams(values.map(([key, value]) => [key, value]))}&style=atlas`);
     return { file: `${FOLDER}/${name}.webp`, link, shots: [shotOf(Number(new Map(values).get("aspect")))] };

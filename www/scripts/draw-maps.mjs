@@ -6,10 +6,10 @@ import { fileURLToPath } from "node:url";
 import { parentPort } from "node:worker_threads";
 import * as fontkit from "fontkit";
 import sharp from "sharp";
-import { River, initSync as startEngine } from "../pkg-make/riverseed.js";
+import { River, initSync as startEngine } from "../pkg-steer/riverseed_steer.js";
 import { FinishedMap, initSync as startTeller } from "../pkg-tell/riverseed_tell.js";
 
-const { memory } = startEngine({ module: bytesOf("../pkg-make/riverseed_bg.wasm") });
+const { memory } = startEngine({ module: bytesOf("../pkg-steer/riverseed_steer_bg.wasm") });
 startTeller({ module: bytesOf("../pkg-tell/riverseed_tell_bg.wasm") });
 // Threads by themselves are as many as there are cores.
 sharp.concurrency(1);

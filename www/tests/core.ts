@@ -3,7 +3,7 @@
 import { createHash } from "node:crypto";
 import type { Framing } from "../src/browser/canvas.ts";
 import { annotate } from "../src/player/annotator.ts";
-import { engine, memory } from "./make.ts";
+import { engine, memory } from "./steer.ts";
 import { teller } from "./tell.ts";
 
 export { engine, memory };

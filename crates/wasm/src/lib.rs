@@ -4,6 +4,8 @@
 #[cfg(feature = "make")]
 mod make;
 mod objects;
+#[cfg(feature = "steer")]
+mod steer;
 #[cfg(feature = "tell")]
 mod tell;
 #[cfg(feature = "trace")]

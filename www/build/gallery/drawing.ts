@@ -15,7 +15,7 @@ const DRAWER = new URL("../../scripts/draw-maps.mjs", import.meta.url);
 const KEPT = fileURLToPath(new URL("../../node_modules/.cache/riverseed-maps", import.meta.url));
 /** The files on which pictures depend besides their links. */
 const MAKERS = [
-  "../../pkg-make/riverseed_bg.wasm",
+  "../../pkg-steer/riverseed_steer_bg.wasm",
   "../../pkg-tell/riverseed_tell_bg.wasm",
   "../../scripts/draw-maps.mjs",
 ];

@@ -1,6 +1,6 @@
 /**
- * The engine that takes a recipe to its pixels: all that page and element load before they show a map. What tells about
- * a finished map is in `tell.ts`.
+ * The engine that takes a recipe to its pixels: all that an element loads to show a map. The page's has more
+ * (`steer.ts`). What tells about a finished map is in `tell.ts`.
  */
 
 import init, * as engine from "../../pkg-make/riverseed.js";
@@ -10,32 +10,19 @@ import { once, start } from "./wasm-module.ts";
 export type Engine = typeof engine;
 
 /** An engine with its memory. */
-export interface Core {
-  readonly engine: Engine;
+export interface Core<Loaded = Engine> {
+  readonly engine: Loaded;
   readonly memory: WebAssembly.Memory;
 }
 
-export interface LoadEvents {
-  /** Called for every part of the module that arrives. */
-  progress?(): void;
-  /** Called with the module as soon as it is compiled. */
-  compiled?(module: WebAssembly.Module): void;
-}
-
 /** Loads the engine, once, from `url` or else from beside the script. */
-export const load: (url?: string, events?: LoadEvents) => Promise<Core> = once((url = wasmUrl, events) =>
+export const load: (url?: string, progress?: () => void) => Promise<Core> = once((url = wasmUrl, progress) =>
   start(
     url,
-    (module) => {
-      events?.compiled?.(module);
-      return linked(module);
+    async (compiled) => {
+      const { memory } = await init({ module_or_path: compiled });
+      return { engine, memory };
     },
-    events?.progress,
+    progress,
   ),
 );
-
-/** Starts the engine from a module that is compiled already. */
-export async function linked(module: WebAssembly.Module): Promise<Core> {
-  const { memory } = await init({ module_or_path: module });
-  return { engine, memory };
-}

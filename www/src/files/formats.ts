@@ -3,7 +3,7 @@
  * not load the archiver.
  */
 
-import type { Core } from "../engine/make.ts";
+import type { SteerCore } from "../engine/steer.ts";
 import type { River } from "../engine/types.ts";
 import { askMapForFile } from "../player/annotator.ts";
 import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from "./files.ts";
@@ -11,7 +11,7 @@ import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
 /** An engine, with the loader of the teller. */
-export type FileCore = Core & Painting;
+export type FileCore = SteerCore & Painting;
 
 const FORMATS: Record<Format, (river: River, core: FileCore) => Promise<Blob>> = {
   svg: svgOf,

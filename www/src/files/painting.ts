@@ -1,12 +1,12 @@
 /** Paints a river for a file, with its labels and scenery. */
 
-import type { Core } from "../engine/make.ts";
+import type { SteerCore } from "../engine/steer.ts";
 import type { River } from "../engine/types.ts";
 import { askMapForFile, type LoadTeller } from "../player/annotator.ts";
 import { type Course, inSteps } from "./course.ts";
 
 /** An engine, with the loader of the teller. */
-export interface MakerCore extends Core {
+export interface MakerCore extends SteerCore {
   readonly loadTeller: LoadTeller;
 }
 

@@ -1,6 +1,7 @@
 /** Grows and draws rivers, each on its canvas, and answers questions about them: in a worker, or on the page itself. */
 
 import { named } from "../engine/errors.ts";
+import type { River } from "../engine/types.ts";
 import type { RiverMaker, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
@@ -8,22 +9,22 @@ import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
 /** A renderer's means of making rivers and of answering questions about them. */
-export interface Means<Question, Answer> {
-  readonly maker: RiverMaker;
+export interface Means<R extends River, Question, Answer> {
+  readonly maker: RiverMaker<R>;
   /** The time of a frame that all rivers share, if not the usual. If it is given, a new river opens at once. */
   readonly shareMs?: number;
   /** The clock of rivers that grow in step. */
   readonly clock?: SharedClock;
-  answer(question: Question, playerOf: (id: number) => RiverPlayer | undefined): Promise<Answer>;
+  answer(question: Question, playerOf: (id: number) => RiverPlayer<R> | undefined): Promise<Answer>;
 }
 
-export class Renderer<Question, Answer> {
-  readonly #scenes = new Map<number, Scene>();
+export class Renderer<R extends River, Question, Answer> {
+  readonly #scenes = new Map<number, Scene<R>>();
   readonly #scheduler: SharedScheduler;
   #unanswered = 0;
 
   constructor(
-    private readonly means: Means<Question, Answer>,
+    private readonly means: Means<R, Question, Answer>,
     private readonly tell: (report: Report<Answer>) => void,
   ) {
     this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);

@@ -2,6 +2,7 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
+import type { River } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river-player.ts";
@@ -11,9 +12,9 @@ import type { Opening, Report, SceneCommand } from "./protocol.ts";
 /** A command to an open river. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
-export class Scene {
+export class Scene<R extends River = River> {
   #size: CanvasSize;
-  #player: RiverPlayer | undefined;
+  #player: RiverPlayer<R> | undefined;
   /** Commands from before the river was created. */
   #early: Request[] = [];
   #isOver = false;
@@ -21,7 +22,7 @@ export class Scene {
   #mayFree = true;
 
   constructor(
-    private readonly maker: RiverMaker,
+    private readonly maker: RiverMaker<R>,
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
@@ -37,7 +38,7 @@ export class Scene {
   }
 
   /** The player of its river; none before the river is created. */
-  get player(): RiverPlayer | undefined {
+  get player(): RiverPlayer<R> | undefined {
     return this.#player;
   }
 
@@ -63,7 +64,7 @@ export class Scene {
     this.#early = [];
   }
 
-  #follow(command: Request, player: RiverPlayer): void {
+  #follow(command: Request, player: RiverPlayer<R>): void {
     switch (command.do) {
       case "show":
         this.#size = command.size;

@@ -2,6 +2,7 @@
 
 import { named } from "../engine/errors.ts";
 import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
+import type { River } from "../engine/types.ts";
 import type { Command, InitReply, Ping, Pong, Report } from "./protocol.ts";
 import type { Renderer } from "./renderer.ts";
 
@@ -18,8 +19,8 @@ export interface Line<Answer> {
  * Opens a renderer when the first message says where the engine is, and hands it all later messages, even those that
  * come before it is open.
  */
-export function serve<Init, Question, Answer>(
-  open: (init: Init, line: Line<Answer>) => Promise<Renderer<Question, Answer>>,
+export function serve<Init, R extends River, Question, Answer>(
+  open: (init: Init, line: Line<Answer>) => Promise<Renderer<R, Question, Answer>>,
 ): void {
   const post = (message: Report<Answer> | InitReply | Pong): void => self.postMessage(message);
   const line: Line<Answer> = {

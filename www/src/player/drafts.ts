@@ -3,11 +3,19 @@
  * changes to that link.
  */
 
-import type { Drafted, River, Stage } from "../engine/types.ts";
+import type { Drafted, ReadOptions, River, Stage } from "../engine/types.ts";
 import type { Wanted } from "./showing.ts";
 
 /** The time for painting a draft in one go. The hand sees it sooner than if each part had to wait for a frame. */
 const AT_ONCE_MS = 46;
+
+/** The methods of the rivers of `steer` that drafts need. */
+export interface Drafting {
+  draft(text: string, options?: ReadOptions): void;
+  paintDraft(): Drafted;
+  paintUnfinished(): Drafted;
+  adoptDraft(): Stage | "none";
+}
 
 /**
  * The draft of a link that the core has read: `begun`, `impossible`, or `seen` on the canvas since a time.
@@ -19,7 +27,7 @@ export class Drafts {
   #draft: Draft | undefined;
 
   constructor(
-    private readonly river: Pick<River, "change" | "draft" | "paintDraft" | "adoptDraft">,
+    private readonly river: Pick<River, "change"> & Partial<Drafting>,
     private readonly now: () => number,
   ) {}
 
@@ -45,9 +53,9 @@ export class Drafts {
   paint(wanted: Wanted, began: number): Drafted {
     const isOverOther = this.isOnCanvas;
     const of = this.#draft?.is === "begun" ? this.#draft.of : wanted;
-    if (this.#draft?.is !== "begun") this.river.draft(of.link.text, of.link.options);
+    if (this.#draft?.is !== "begun") this.river.draft?.(of.link.text, of.link.options);
     let drafted: Drafted;
-    do drafted = this.river.paintDraft();
+    do drafted = this.river.paintDraft?.() ?? "impossible";
     while (drafted === "part" && this.now() - began < AT_ONCE_MS);
     if (drafted === "whole") this.#draft = { is: "seen", of, at: began };
     else this.#draft = { is: drafted === "part" ? "begun" : "impossible", of, isOverOther };
@@ -61,7 +69,7 @@ export class Drafts {
     const { river } = this;
     const isRead = this.#draft?.of === wanted;
     this.forget();
-    if (isRead) return river.adoptDraft();
+    if (isRead && river.adoptDraft) return river.adoptDraft();
     return river.change(wanted.link.text, wanted.link.options);
   }
 

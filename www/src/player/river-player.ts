@@ -7,7 +7,7 @@ import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Annotator, type LoadTeller } from "./annotator.ts";
 import { Blitter } from "./blit.ts";
-import { Drafts } from "./drafts.ts";
+import { type Drafting, Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
 import type { SharedClock } from "./shared-clock.ts";
 import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts";
@@ -34,15 +34,20 @@ const COUNT_EVERY_MS = 250;
  */
 const AT_ONCE_MS = 16;
 
-/** The part of the engine that makes rivers. */
-export interface RiverMaker {
-  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => River };
+/** The methods of the rivers of `steer` that those of `make` lack. */
+interface Controlled extends Drafting {
+  frame(framing: Float32Array): void;
+}
+
+/** The part of an engine that makes rivers. */
+export interface RiverMaker<R> {
+  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
   /** Fetches the teller. */
   readonly loadTeller: LoadTeller;
 }
 
-export class RiverPlayer {
+export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   /** The link to change to, until that is done. */
   #wanted: Wanted | undefined;
   #reading: Reading;
@@ -56,7 +61,7 @@ export class RiverPlayer {
   #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
   #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
-  readonly #river: River;
+  readonly #river: R;
   /** The river, or the member of the shared clock that stands in for it while it grows. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
@@ -66,7 +71,7 @@ export class RiverPlayer {
 
   /** Puts a river on the canvas at tick 0. Throws the core's errors. */
   constructor(
-    core: RiverMaker,
+    core: RiverMaker<R>,
     private readonly canvas: Canvas,
     link: LinkToRead,
     private readonly frames: Frames,
@@ -104,7 +109,7 @@ export class RiverPlayer {
    * The river on the canvas, for questions. Undefined once the player is closed, since after a failure it may not be
    * used.
    */
-  get river(): River | undefined {
+  get river(): R | undefined {
     return this.#canRun ? this.#river : undefined;
   }
 
@@ -299,7 +304,7 @@ export class RiverPlayer {
   }
 
   #draw(asDraft: boolean): boolean {
-    const drafted = asDraft ? this.#river.paintUnfinished() : undefined;
+    const drafted = asDraft ? this.#river.paintUnfinished?.() : undefined;
     const isMore = drafted === undefined || drafted === "impossible" ? this.#paint() : drafted === "part";
     if (isMore) return true;
     this.#blitter.blit(this.#river);

@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { pictureOf } from "../core.ts";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { told } from "../tell.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton } from "./saving.ts";

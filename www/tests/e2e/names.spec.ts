@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { told } from "../tell.ts";
 import { openWithPanel, shown } from "./riverpage.ts";
 

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { expect, type Page, test } from "@playwright/test";
 import { type DecodedPng, decode } from "fast-png";
 import { pictureOf } from "../core.ts";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { complaints, openFinished } from "./riverpage.ts";
 import {
   bytesOf,

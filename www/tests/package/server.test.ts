@@ -7,7 +7,7 @@ import { expect, test } from "vitest";
 import { createSSRApp, h } from "vue";
 import { renderToString as renderVue } from "vue/server-renderer";
 import { pictureOf } from "../core.ts";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { told } from "../tell.ts";
 import { CONSUMERS } from "./installed.ts";
 

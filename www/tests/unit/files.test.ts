@@ -5,7 +5,7 @@ import { picture, pngOf } from "../../src/files/files.ts";
 import { fileOf } from "../../src/files/formats.ts";
 import { pictureOf } from "../../src/files/picture.ts";
 import { differing, pixelsOf } from "../core.ts";
-import { engine, memory } from "../make.ts";
+import { engine, memory } from "../steer.ts";
 import { loadTeller } from "../tell.ts";
 
 // Files take seconds, on a busy machine more.

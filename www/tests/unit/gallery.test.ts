@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { overviewPage, pageOf } from "../../build/gallery/pages.ts";
 import { type Entry, entries, recipes } from "../../build/gallery/recipes.ts";
 import { cardShot } from "../../build/gallery/shots.ts";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { table } from "../table.ts";
 
 const all = entries();

@@ -2,7 +2,7 @@ import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { expect, test, vi } from "vitest";
 import { contentsOf, packed } from "../../src/files/game-pack.ts";
-import { engine } from "../make.ts";
+import { engine } from "../steer.ts";
 import { told } from "../tell.ts";
 
 // An archive takes seconds, on a busy machine more.

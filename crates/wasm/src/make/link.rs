@@ -64,12 +64,12 @@ pub fn read_link(
 }
 
 /// Reads a page's options; options that are left out are off.
-pub(super) fn read_options(given: &JsValue) -> ReadOptions {
+pub(crate) fn read_options(given: &JsValue) -> ReadOptions {
     let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
     ReadOptions { widget: is("widget"), dark: is("dark") }
 }
 
-pub(super) fn list(notices: &[Notice]) -> Array {
+pub(crate) fn list(notices: &[Notice]) -> Array {
     let notice = |Notice { key, message, .. }: &Notice| {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };

@@ -1,8 +1,4 @@
-//! The package `make`: takes a recipe to its pixels, for page and element alike.
+//! The package `make`: takes a recipe to its pixels.
 
-mod drafts;
-mod growing;
-mod link;
-mod outline;
-mod river;
-mod timeline;
+pub(crate) mod link;
+pub(crate) mod river;

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::link::{list, read_options};
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
-use riverseed::paint::{AnnotationMasks, Framing, PaintError, Painted, Rect, View};
+use riverseed::paint::{AnnotationMasks, PaintError, Painted, Rect, View};
 use riverseed::picture::{Picture, is_to_be_annotated};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, Reading};
@@ -44,25 +44,36 @@ export interface Summary {
 /// A river: a recipe, its tree as far as it has grown, and its picture, once it has a size.
 #[wasm_bindgen]
 pub struct River {
-    pub(super) session: Session,
-    pub(super) notices: Vec<Notice>,
-    pub(super) picture: Option<Picture>,
-    pub(super) dirty: Option<Rect>,
+    pub(crate) session: Session,
+    pub(crate) notices: Vec<Notice>,
+    pub(crate) picture: Option<Picture>,
+    pub(crate) dirty: Option<Rect>,
     /// The recipe shown by drafts.
-    pub(super) drafted: Option<Reading>,
+    #[cfg(feature = "steer")]
+    pub(crate) drafted: Option<Reading>,
 }
 
 impl River {
     /// Makes a river without a picture.
-    pub(super) fn of(session: Session, notices: Vec<Notice>) -> Self {
-        Self { session, notices, picture: None, dirty: None, drafted: None }
+    pub(crate) fn of(session: Session, notices: Vec<Notice>) -> Self {
+        Self {
+            session,
+            notices,
+            picture: None,
+            dirty: None,
+            #[cfg(feature = "steer")]
+            drafted: None,
+        }
     }
 
     /// Changes to a recipe and returns the earliest stage that has to run again. After an error nothing has changed.
-    pub(super) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
+    pub(crate) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
         let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
         self.notices = notices;
-        self.drafted = None;
+        #[cfg(feature = "steer")]
+        {
+            self.drafted = None;
+        }
         Ok(stage.map_or("none", Stage::name).into())
     }
 }
@@ -123,17 +134,6 @@ impl River {
         Ok(())
     }
 
-    /// Shows another part of the map or its surroundings. The first three numbers are in widths of the map: the
-    /// distance of the picture's western edge east of the map's, that of its northern edge south of the map's, and the
-    /// picture's width. Four more numbers may follow: the depths that other things cover along its western, northern,
-    /// eastern and southern edges. For any other count of numbers, and for values that are too large, too small or too
-    /// far away, the whole map is shown, cut to cover the picture.
-    pub fn frame(&mut self, framing: &[f32]) {
-        if let Some(picture) = &mut self.picture {
-            picture.frame(&self.session, Framing::of(framing));
-        }
-    }
-
     /// Goes back to tick 0.
     pub fn restart(&mut self) -> Result<(), JsValue> {
         self.session.restart().map_err(|error| session_error(&error))
@@ -145,12 +145,6 @@ impl River {
     /// show the whole recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
-    }
-
-    /// Copies the river without its picture; the copies are independent. Throws an Error if there is not enough memory.
-    pub fn copy(&self) -> Result<Self, JsValue> {
-        let session = self.session.try_clone().map_err(|error| session_error(&error))?;
-        Ok(Self::of(session, self.notices.clone()))
     }
 
     /// Makes a step of the relief of finished rivers, even if the style shows none, so that files find it ready.
@@ -172,21 +166,6 @@ impl River {
         let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
         self.dirty = painted.and_then(Painted::changed);
         painted == Some(Painted::Part)
-    }
-
-    /// The share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
-    #[wasm_bindgen(getter)]
-    pub fn painted(&self) -> f32 {
-        self.picture.as_ref().map_or(0.0, |picture| picture.progress(&self.session))
-    }
-
-    /// Makes the background of the painted picture transparent: the sea, or in line styles the paper. Pixels are then
-    /// RGBA, not premultiplied, until the picture is painted again.
-    #[wasm_bindgen(js_name = cutOut)]
-    pub fn cut_out(&mut self) {
-        if let Some(picture) = &mut self.picture {
-            picture.cut_out(&self.session);
-        }
     }
 
     /// Returns `true` if the rivers are finished and the recipe wants an annotation, but the picture, if there is one, does
@@ -296,7 +275,7 @@ const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
 const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or more mouths, helps.";
 
-pub(super) fn session_error(error: &SessionError) -> JsValue {
+pub(crate) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
         SessionError::OtherMap { .. } => "bad-params",
         // All other errors concern memory.
@@ -305,7 +284,7 @@ pub(super) fn session_error(error: &SessionError) -> JsValue {
     coded(code, &error.to_string())
 }
 
-pub(super) fn paint_error(error: &PaintError) -> JsValue {
+pub(crate) fn paint_error(error: &PaintError) -> JsValue {
     let code = match error {
         PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. } => "bad-params",
         _ => "too-large",

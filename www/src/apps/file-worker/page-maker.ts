@@ -1,13 +1,13 @@
 /** Makes files on the page itself, with the page's engine. */
 
-import { load } from "../../engine/make.ts";
+import { loadSteer } from "../../engine/steer.ts";
 import { loadTeller } from "../../engine/tell.ts";
 import type { Course } from "../../files/course.ts";
 import type { Order } from "../../files/order.ts";
 import { pictureOf } from "../../files/picture.ts";
 
 export async function makeHere(order: Order, course: Course): Promise<Blob> {
-  const core = { ...(await load()), loadTeller };
+  const core = { ...(await loadSteer()), loadTeller };
   if (order.kind !== "animation") return pictureOf(order, core, course);
   // The video writer is large, and most visitors never need it.
   const { animationOf } = await import("../../files/animation.ts");

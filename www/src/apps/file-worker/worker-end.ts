@@ -1,7 +1,7 @@
 /** The worker's side of making one file. */
 
 import { named } from "../../engine/errors.ts";
-import { load } from "../../engine/make.ts";
+import { loadSteer } from "../../engine/steer.ts";
 import { loadTeller } from "../../engine/tell.ts";
 import type { Course } from "../../files/course.ts";
 import type { Order, Said } from "../../files/order.ts";
@@ -16,7 +16,7 @@ const course: Course = { tell: (share) => say({ is: "at", share }), pause: () =>
 export function serve<Made extends Order>(make: (order: Made, core: MakerCore, course: Course) => Promise<Blob>): void {
   const answer = async (order: Made): Promise<void> => {
     try {
-      say({ is: "made", file: await make(order, { ...(await load()), loadTeller }, course) });
+      say({ is: "made", file: await make(order, { ...(await loadSteer()), loadTeller }, course) });
     } catch (thrown) {
       const { code, message } = named(thrown);
       say({ is: "failed", code, message });

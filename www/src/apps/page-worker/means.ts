@@ -1,6 +1,6 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
-import type { Core } from "../../engine/make.ts";
+import type { SteerCore } from "../../engine/steer.ts";
 import type { Measure, River } from "../../engine/types.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
@@ -15,7 +15,7 @@ import { Timelines } from "./timelines.ts";
 type Player = RiverPlayer;
 
 /** Returns the means of a renderer. `holdOn` is called before a long step. */
-export function meansOf(core: Core, holdOn: () => void = () => {}): Means<Question, Answer> {
+export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<Question, Answer> {
   const maker = { ...core, loadTeller };
   const inspections = new Inspections(loadTeller);
   const timelines = new Timelines();
@@ -65,7 +65,7 @@ async function loadTeller() {
 }
 
 /** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */
-function copyFor(link: string, player: Player | undefined, { engine }: Core): River {
+function copyFor(link: string, player: Player | undefined, { engine }: SteerCore): River {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
   try {
@@ -95,7 +95,7 @@ async function measuresOf(player: Player | undefined): Promise<readonly Measure[
 /** Makes thumbnails in slices, so that the river on show comes first. */
 async function thumbnailsOf(
   player: Player | undefined,
-  { memory }: Core,
+  { memory }: SteerCore,
   { styles, size }: QuestionAbout<"thumbnails">,
 ): Promise<Thumbnail[] | undefined> {
   const river = player?.river;

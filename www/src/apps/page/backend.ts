@@ -1,7 +1,7 @@
 /** Opens the page's renderer: in a worker, or on the page itself. */
 
 import { PageError } from "../../engine/errors.ts";
-import { type Core, load } from "../../engine/make.ts";
+import { loadSteer, type SteerCore } from "../../engine/steer.ts";
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
 import type { Backend, InitReply } from "../../host/protocol.ts";
 import { RenderHost } from "../../host/render-host.ts";
@@ -12,7 +12,7 @@ export type PageRenderHost = RenderHost<Question, Answer>;
 
 export interface Engines {
   /** The page's own engine, for questions with an immediate answer. */
-  readonly core: Promise<Core>;
+  readonly core: Promise<SteerCore>;
   /** The host of the renderer that grows and paints the rivers. */
   readonly renderHost: PageRenderHost;
 }
@@ -28,10 +28,10 @@ const NOBODY = { hear: () => {}, moved: () => {} };
  */
 export function openEngines(): Engines {
   const module = new Promise<WebAssembly.Module>((done, failed) => {
-    load(undefined, { compiled: done }).catch(failed);
+    loadSteer(undefined, done).catch(failed);
   });
   // This does not load it again.
-  const core = load();
+  const core = loadSteer();
   const renderHost = new RenderHost(opener(core, module));
   // A client without a river enters, so that a renderer is opened now. A failure is reported to the client with the
   // first river.
@@ -45,7 +45,7 @@ export function openEngines(): Engines {
  * the river is handed over again, with another canvas.
  */
 function opener(
-  core: Promise<Core>,
+  core: Promise<SteerCore>,
   module: Promise<WebAssembly.Module>,
 ): (listener: Listener<Answer>) => Promise<Backend<Question>> {
   let hopes = "transferControlToOffscreen" in HTMLCanvasElement.prototype ? MOST_LOST : 0;
@@ -113,7 +113,7 @@ function handOver(
 }
 
 /** Opens the renderer on the page itself, whose script most visitors never need. */
-async function openPageBackend({ tell }: Listener<Answer>, core: Core): Promise<Backend<Question>> {
+async function openPageBackend({ tell }: Listener<Answer>, core: SteerCore): Promise<Backend<Question>> {
   const { open } = await limited(SCRIPT_MS, "its script", importPageBackend);
   return open(core, tell);
 }

@@ -7,8 +7,8 @@ import { answerEscape } from "../../browser/keys.ts";
 import { turn } from "../../browser/turn.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named, type PageError } from "../../engine/errors.ts";
-import type { Core } from "../../engine/make.ts";
 import { Recipe } from "../../engine/recipe.ts";
+import type { SteerCore } from "../../engine/steer.ts";
 import { loadTable, type Preset, type Table } from "../../engine/table.ts";
 import type { Phase, Summary } from "../../engine/types.ts";
 import type { State } from "../../player/frame-loop.ts";
@@ -81,7 +81,7 @@ class Page {
   readonly #presetNote: PresetNote;
 
   constructor(
-    core: Core,
+    core: SteerCore,
     private readonly table: Table,
     recipe: Recipe,
     viewport: RiverViewport,

@@ -1,7 +1,7 @@
 /** Grows pieces of rivers for the study, each from another map. */
 
 import { turn } from "../../browser/turn.ts";
-import type { Core } from "../../engine/make.ts";
+import type { SteerCore } from "../../engine/steer.ts";
 import { isWellCovered, type Piece, SIDE } from "./piece.ts";
 import { thin } from "./thin.ts";
 
@@ -20,7 +20,7 @@ export interface Grown {
 }
 
 /** Grows maps in slices until one has a suitable piece. */
-export async function grownPiece(core: Core, chance: (below: number) => number): Promise<Grown> {
+export async function grownPiece(core: SteerCore, chance: (below: number) => number): Promise<Grown> {
   for (;;) {
     const seed = core.engine.freshSeed();
     const side = SIDES[0] + chance(SIDES[1] - SIDES[0]);
@@ -36,7 +36,7 @@ export async function grownPiece(core: Core, chance: (below: number) => number):
 const BUDGET_MS = 10;
 
 /** Grows and paints a map, and returns its pixels: 1 where there is a river. */
-async function drawn({ engine, memory }: Core, link: string, side: number): Promise<Uint8Array> {
+async function drawn({ engine, memory }: SteerCore, link: string, side: number): Promise<Uint8Array> {
   const river = new engine.River(link);
   river.resize(side, side);
   await bitByBit(() => river.advance(1));

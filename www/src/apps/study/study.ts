@@ -7,7 +7,7 @@ import "./study.css";
 import { count } from "../../browser/count.ts";
 import { el, find, setText } from "../../browser/dom.ts";
 import { named } from "../../engine/errors.ts";
-import { type Core, load } from "../../engine/make.ts";
+import { loadSteer, type SteerCore } from "../../engine/steer.ts";
 import { type Grown, grownPiece } from "./grown.ts";
 import { type Measured, measure, type Piece, SIDE } from "./piece.ts";
 import { type Real, realPieces } from "./real.ts";
@@ -41,7 +41,7 @@ class Study {
   readonly #nature: readonly Measured[];
 
   constructor(
-    private readonly core: Core,
+    private readonly core: SteerCore,
     real: readonly Real[],
   ) {
     this.#left = [...real];
@@ -155,7 +155,7 @@ function fail(thrown: unknown): void {
 }
 
 async function begin(): Promise<void> {
-  const [core, real] = await Promise.all([load(), realPieces()]);
+  const [core, real] = await Promise.all([loadSteer(), realPieces()]);
   await new Study(core, real).next();
 }
 

@@ -8,5 +8,5 @@ import type { Init } from "./protocol.ts";
 
 serve(
   async ({ wasmUrl }: Init, { tell, coming, holdOn }: Line<Blob>) =>
-    new Renderer(meansOf(await load(wasmUrl, { progress: coming }), wasmUrl, holdOn), tell),
+    new Renderer(meansOf(await load(wasmUrl, coming), wasmUrl, holdOn), tell),
 );

@@ -4,7 +4,7 @@ import { turn } from "../../../src/browser/turn.ts";
 import type { Teller } from "../../../src/engine/tell.ts";
 import type { Inspector } from "../../../src/engine/types.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
-import { engine } from "../../make.ts";
+import { engine } from "../../steer.ts";
 import { teller } from "../../tell.ts";
 
 /** What is laid over a finished map, and not over one that grows. */

@@ -2,7 +2,7 @@ import { expect, test, vi } from "vitest";
 import { meansOf } from "../../../src/apps/page-worker/means.ts";
 import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
-import { engine, memory } from "../../make.ts";
+import { engine, memory } from "../../steer.ts";
 import { teller, told } from "../../tell.ts";
 
 vi.mock("../../../src/engine/tell.ts", async () => {

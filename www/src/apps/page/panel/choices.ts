@@ -7,8 +7,8 @@ import { LandChoice } from "../../../controls/land-choice.ts";
 import { Padlocks } from "../../../controls/padlocks.ts";
 import { PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
 import { SeedBox } from "../../../controls/seed.ts";
-import type { Engine } from "../../../engine/make.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
+import type { SteerCore } from "../../../engine/steer.ts";
 import type { Parameter, Preset, Table } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
@@ -44,7 +44,7 @@ export class Choices {
   readonly #land: LandChoice;
 
   constructor(
-    private readonly engine: Engine,
+    private readonly engine: SteerCore["engine"],
     table: Table,
     disclosures: Disclosures,
     /** The control of names. */

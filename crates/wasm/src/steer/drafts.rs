@@ -2,8 +2,8 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::link::read_options;
-use super::river::River;
+use crate::make::link::read_options;
+use crate::make::river::River;
 use riverseed::paint::Painted;
 use riverseed::recipe::reading;
 

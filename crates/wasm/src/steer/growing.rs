@@ -4,7 +4,7 @@ use glam::Vec2;
 use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
-use super::river::River;
+use crate::make::river::River;
 use riverseed::analyse::query::{former_ways, tips};
 use riverseed::land::SmoothedDistance;
 

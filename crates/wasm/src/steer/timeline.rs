@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::river::{River, session_error};
+use crate::make::river::{River, session_error};
 use riverseed::session::{Moment, Timeline as Moments};
 
 /// Copies of the moments of a finished river.
