@@ -1,4 +1,4 @@
-//! The picture of a session. It is brought up to date by drawing only what is new.
+//! The picture of a session or of a finished map. It is brought up to date by drawing only what is new.
 
 mod drafts;
 
@@ -10,13 +10,15 @@ use tiny_skia::Pixmap;
 use crate::annotate::builder::AnnotationBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::map::MapId;
+use crate::map::{Map, MapId};
+use crate::network::{Network, PastCourses};
 use crate::paint::{AnnotationMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
-use crate::recipe::{NumberKey, Style};
+use crate::recipe::{NumberKey, Recipe, Style};
+use crate::relief::Relief;
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
 
-/// The picture of a session.
+/// The picture of a session or of a finished map.
 ///
 /// ```
 /// use riverseed::{Picture, Session};
@@ -33,8 +35,8 @@ use crate::session::{Generation, Phase, Session};
 #[derive(Clone, Debug)]
 pub struct Picture {
     painter: Painter,
-    /// The generation, domain and land of the session shown; `None` before the first painting.
-    shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
+    /// The source, domain and land of the rivers shown; `None` before the first painting.
+    shown: Option<(Source, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree of the rivers shown; `None` if none are shown.
     rivers_of: Option<Generation>,
     /// The annotation laid over a finished map, and the map and style that it belongs to.
@@ -96,12 +98,31 @@ impl Picture {
     /// edges are cut evenly. Returns the rectangle that changed, or `None` if nothing did. The old rivers stay in the
     /// picture while the rivers of the same tree are made again, and the old relief while the relief is.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {
-        loop {
-            match self.paint_part(session) {
-                Painted::Part => {}
-                Painted::Whole(changed) => return changed,
-            }
+        whole(|| self.paint_part(session))
+    }
+
+    /// Paints a finished map: the picture that its session would have had. Returns the rectangle that changed, or `None`
+    /// if nothing did.
+    pub fn paint_map(&mut self, map: &Map) -> Option<Rect> {
+        whole(|| self.paint_map_part(map))
+    }
+
+    /// Does a part of [`Picture::paint_map`], like [`Picture::paint_part`].
+    pub fn paint_map_part(&mut self, map: &Map) -> Painted {
+        self.forget_what_is_over(Source::Map(map.id()), map.domain(), map.land());
+        self.rivers_of = None;
+        let key = AnnotationKey::of(map.id(), map.recipe());
+        if self.advance_annotation(key, map.recipe().is_annotated(), || Some(map.clone())) {
+            return Painted::Part;
         }
+        self.paint_rivers(
+            map.network(),
+            map.past(),
+            map.rounds(),
+            map.shown_relief(),
+            map.recipe(),
+            map.land().map(Arc::as_ref),
+        )
     }
 
     /// Does a part of [`Picture::paint`], so that a program can do other work in between: 65,536 pixels of ground, or
@@ -117,26 +138,15 @@ impl Picture {
         if is_kept && self.rivers_of == tree && self.is_on_land_of(session) {
             return Painted::Whole(None);
         }
-        self.forget_what_is_over(session);
+        self.forget_what_is_over(Source::Session(session.generation()), session.domain(), session.land());
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
-        let (courses, style) = (recipe.get(), recipe.get());
-        if self.advance_annotation(session) {
+        let key = AnnotationKey::of(session.map_id(), recipe);
+        if self.advance_annotation(key, is_to_be_annotated(session), || session.map()) {
             return Painted::Part;
         }
-        let annotation = self.annotation.as_ref().map(|(_, annotation)| annotation);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
-            let relief = session.relief().map(|relief| (relief, recipe.number(NumberKey::Shade)));
-            return self.painter.paint_rivers(&Rivers {
-                network,
-                past,
-                rounds,
-                courses,
-                land,
-                relief,
-                annotation,
-                style,
-            });
+            return self.paint_rivers(network, past, rounds, session.relief(), recipe, land);
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -145,23 +155,42 @@ impl Picture {
             trim: session.trim(),
             total_discharge: growth.total_discharge(),
             max_width: recipe.number(NumberKey::Width),
-            courses,
+            courses: recipe.get(),
             land,
-            style,
+            style: recipe.get(),
         }))
+    }
+
+    fn paint_rivers(
+        &mut self,
+        network: &Network,
+        past: &PastCourses,
+        rounds: u32,
+        relief: Option<&Arc<Relief>>,
+        recipe: &Recipe,
+        land: Option<&Land>,
+    ) -> Painted {
+        let annotation = self.annotation.as_ref().map(|(_, annotation)| annotation);
+        let relief = relief.map(|relief| (relief, recipe.number(NumberKey::Shade)));
+        let (courses, style) = (recipe.get(), recipe.get());
+        self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, annotation, style })
     }
 
     /// Returns `true` if the session is finished, its recipe wants an annotation, and this picture does not have that annotation
     /// yet.
     pub fn wants_annotation(&self, session: &Session) -> bool {
-        let has_one = self.annotation.as_ref().is_some_and(|(of, _)| *of == AnnotationKey::of(session));
-        is_to_be_annotated(session) && !has_one
+        is_to_be_annotated(session) && !self.has_annotation(AnnotationKey::of(session.map_id(), session.recipe()))
+    }
+
+    fn has_annotation(&self, key: AnnotationKey) -> bool {
+        self.annotation.as_ref().is_some_and(|(of, _)| *of == key)
     }
 
     /// Takes an annotation of the session in its present state, for a picture of this size. The next `paint` shows it, until
     /// the session changes.
     pub fn take_annotation(&mut self, session: &Session, annotation: AnnotationMasks) {
-        self.annotation = Some((AnnotationKey::of(session), Arc::new(annotation)));
+        let key = AnnotationKey::of(session.map_id(), session.recipe());
+        self.annotation = Some((key, Arc::new(annotation)));
     }
 
     /// The share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
@@ -190,17 +219,15 @@ impl Picture {
 
     /// Drops the annotation of another map. Then does a part of making the annotation of this one, if this build can. Returns
     /// `true` if it did a part.
-    fn advance_annotation(&mut self, session: &Session) -> bool {
-        if self.annotation.is_none() && !is_to_be_annotated(session) {
-            return false;
-        }
-        let now = AnnotationKey::of(session);
-        if self.annotation.as_ref().is_some_and(|(of, _)| *of != now) {
+    #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "another module makes annotations"))]
+    fn advance_annotation(&mut self, now: AnnotationKey, is_wanted: bool, map: impl FnOnce() -> Option<Map>) -> bool {
+        if !self.has_annotation(now) {
             self.annotation = None;
         }
         #[cfg(feature = "names")]
-        if self.wants_annotation(session)
-            && let Some(map) = session.map()
+        if is_wanted
+            && self.annotation.is_none()
+            && let Some(map) = map()
         {
             let (view, ratio) = (*self.view(), self.ratio);
             if self.builder.as_ref().is_none_or(|(of, _)| *of != now) {
@@ -209,17 +236,17 @@ impl Picture {
             let annotation = self.builder.as_mut().and_then(|(_, builder)| builder.advance(&map, &view, ratio));
             if let Some(annotation) = annotation {
                 self.builder = None;
-                self.take_annotation(session, annotation);
+                self.annotation = Some((now, Arc::new(annotation)));
             }
             return true;
         }
         false
     }
 
-    fn forget_what_is_over(&mut self, session: &Session) {
-        let now = (session.generation(), session.domain(), session.land().cloned());
-        let (is_same, is_on_same_land) = self.shown.as_ref().map_or((false, false), |(generation, domain, land)| {
-            (*generation == now.0, *domain == now.1 && is_same(land.as_ref(), now.2.as_ref()))
+    fn forget_what_is_over(&mut self, source: Source, domain: Domain, land: Option<&Arc<Land>>) {
+        let now = (source, domain, land.cloned());
+        let (is_same, is_on_same_land) = self.shown.as_ref().map_or((false, false), |(source, domain, land)| {
+            (*source == now.0, *domain == now.1 && is_same(land.as_ref(), now.2.as_ref()))
         });
         if !is_on_same_land {
             self.painter.invalidate_ground(&now.1);
@@ -236,6 +263,23 @@ impl Picture {
     }
 }
 
+/// The session or map that a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source {
+    Session(Generation),
+    Map(MapId),
+}
+
+/// Paints part after part. Returns the rectangle that changed.
+fn whole(mut paint_part: impl FnMut() -> Painted) -> Option<Rect> {
+    loop {
+        match paint_part() {
+            Painted::Part => {}
+            Painted::Whole(changed) => return changed,
+        }
+    }
+}
+
 /// The map and style that an annotation belongs to. Woods, hills and marks of one style do not fit another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct AnnotationKey {
@@ -244,8 +288,8 @@ struct AnnotationKey {
 }
 
 impl AnnotationKey {
-    fn of(session: &Session) -> Self {
-        Self { map: session.map_id(), style: session.recipe().annotating_style() }
+    fn of(map: MapId, recipe: &Recipe) -> Self {
+        Self { map, style: recipe.annotating_style() }
     }
 }
 
@@ -360,6 +404,23 @@ mod tests {
             steps += 1;
         }
         steps
+    }
+
+    #[test]
+    fn a_map_is_painted_as_its_session_is_whatever_was_shown_before() {
+        let mut picture = Picture::new(100, 80).unwrap();
+        for change in
+            ["style=ink", "style=atlas&labels=many&woods=1&hills=1", "land=island&style=night", "style=past-courses"]
+        {
+            let session = finished(&format!("{SMALL}&{change}"));
+            let map = session.map().unwrap();
+            assert!(picture.paint_map(&map).is_some(), "{change}");
+            assert!(picture.pixmap().data() == painted(&session), "{change}");
+            assert_eq!(picture.paint_map(&map), None, "{change}");
+        }
+        let growing = Session::new(link::read(SMALL).unwrap()).unwrap();
+        picture.paint(&growing);
+        assert!(picture.pixmap().data() == painted(&growing));
     }
 
     #[test]

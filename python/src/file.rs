@@ -79,7 +79,7 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
         Form::Png => {
             let picture = map.paint(py, options.size, options.ratio)?;
             map.read(py, |map| {
-                let link = link::write(map.recipe());
+                let link = link::write_for_file(map.recipe());
                 written(|out| Ok(png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?))
             })
         }

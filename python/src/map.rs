@@ -54,7 +54,8 @@ impl Map {
             let (width, height) = View::sides_for(&map.domain(), size);
             Ok(Picture::new(width, height)?.with_ratio(ratio))
         })?;
-        steps::run(py, || Ok(matches!(picture.paint_part(&self.session()), Painted::Part)))?;
+        let map = self.map()?;
+        steps::run(py, || Ok(picture.paint_map_part(&map) == Painted::Part))?;
         Ok(picture)
     }
 

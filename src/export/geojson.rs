@@ -65,7 +65,7 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     let mut collection = Members::default();
     collection
         .text("type", "FeatureCollection")
-        .owned("riverseed", link::write(map.recipe()))
+        .owned("riverseed", link::write_for_file(map.recipe()))
         .value("features", Json::list(all, feature));
     Ok(collection.into())
 }

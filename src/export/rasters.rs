@@ -140,7 +140,7 @@ impl Rasters {
         let levels = Levels::new(relief.heights(), |cell| flow.next(&grid, cell));
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
-            link: link::write(map.recipe()),
+            link: link::write_for_file(map.recipe()),
             columns: relief.columns(),
             rows: relief.rows(),
             cell_size: relief.cell_size(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Picture, is_same};
+use super::{Picture, Source, is_same};
 use crate::paint::{Painted, Rivers};
 use crate::recipe::{NumberKey, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
@@ -95,7 +95,7 @@ impl Picture {
             self.painter.invalidate_ground(&session.domain());
             self.painter.reset();
             // A generation of no session, so that the next `paint` starts anew.
-            self.shown = Some((Generation::next(), session.domain(), Some(land.clone())));
+            self.shown = Some((Source::Session(Generation::next()), session.domain(), Some(land.clone())));
         }
         let recipe = session.recipe();
         let (courses, style) = (recipe.get(), recipe.get());

@@ -38,6 +38,12 @@ pub fn write(recipe: &Recipe) -> String {
     write_if(recipe, |_, is_default| !is_default)
 }
 
+/// Writes a recipe as the link of a file. It names the style even if that is the default: on a dark page the link then
+/// shows what the file shows. [`read`] returns the same recipe.
+pub fn write_for_file(recipe: &Recipe) -> String {
+    write_if(recipe, |parameter, is_default| parameter.key == Key::Style || !is_default)
+}
+
 /// Writes the seed, the edition and each parameter that `is_written` selects, given whether it has its default.
 pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());

@@ -112,7 +112,7 @@ impl Files {
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
             memory::ask_for_picture(&map, picture)?;
-            picture.paint(&session);
+            picture.paint_map(&map);
         }
         progress.set_message("writing");
         Ok(Self { map, attractors, picture, rasters, options })
@@ -127,7 +127,7 @@ impl Files {
         memory::ask_for_file(map, form)?;
         let written = match (form, picture, rasters) {
             (Form::Png, Some(picture), _) => {
-                export::png::write(out, picture.pixmap(), &link::write(map.recipe())).map_err(io::Error::from)
+                export::png::write(out, picture.pixmap(), &link::write_for_file(map.recipe())).map_err(io::Error::from)
             }
             (Form::Pack, Some(picture), Some(rasters)) => export::pack::write(out, map, rasters, picture.pixmap()),
             (Form::Raster(layer), _, Some(rasters)) => {

@@ -77,7 +77,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
     out.text("\" viewBox=\"0 0 ").units(size.x).text(" ").units(size.y);
     out.text("\">\n<title>").escaped(recipe.seed());
-    out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write(recipe));
+    out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write_for_file(recipe));
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
     let basins = basins(map, network, palette);

@@ -9,13 +9,13 @@ const LINK_KEYWORD = "riverseed";
 
 /** Writes a river's painted picture. `pixels` is "rgba" if its background has been cut out. */
 export function riverPng(
-  river: Pick<River, "width" | "height" | "link" | "pixelsPointer">,
+  river: Pick<River, "width" | "height" | "fileLink" | "pixelsPointer">,
   memory: WebAssembly.Memory,
   pixels: "rgb" | "rgba",
   course: Course,
 ): Promise<Blob> {
-  const { width, height, link } = river;
+  const { width, height, fileLink } = river;
   const rows = (first: number, count: number): Uint8Array =>
     new Uint8Array(memory.buffer, river.pixelsPointer() + first * width * 4, count * width * 4);
-  return pngOf({ width, height, pixels, rows, texts: { [LINK_KEYWORD]: link } }, course);
+  return pngOf({ width, height, pixels, rows, texts: { [LINK_KEYWORD]: fileLink } }, course);
 }

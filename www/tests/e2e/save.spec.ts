@@ -47,7 +47,7 @@ test("the picture for screens is the command line's of that size, to the bit, an
   expect(name).toBe("puriri-atlas-2000.png");
   const picture = decode(bytes);
   expect([picture.width, picture.height, picture.channels]).toEqual([2000, 1250, 3]);
-  expect(picture.text).toEqual({ riverseed: engine.readLink(NAMED).link });
+  expect(picture.text).toEqual({ riverseed: new engine.River(NAMED).fileLink });
   expect(sha256(pixelsOf(picture))).toBe(pictureOf(NAMED, 2000, 1250).sha256);
 });
 

@@ -129,5 +129,5 @@ test("a game pack's picture has exactly the core's pixels, and carries its link"
   const map = unzipSync(new Uint8Array(pack))["map.png"] ?? new Uint8Array();
   const { data, text } = decode(map, { checkCrc: true });
   expect(Buffer.compare(data as Uint8Array, painted(link, 3000))).toBe(0);
-  expect(text).toEqual({ riverseed: new engine.River(link).link });
+  expect(text).toEqual({ riverseed: new engine.River(link).fileLink });
 });

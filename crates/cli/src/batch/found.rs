@@ -65,7 +65,7 @@ enum Wanted {
 
 impl Wanted {
     fn of(form: Form, recipe: &Recipe, options: Options) -> Self {
-        let link = link::write(recipe);
+        let link = link::write_for_file(recipe);
         match form {
             Form::Json => {
                 let recipe = serde_json::to_string(&json::recipe(recipe)).unwrap_or_default();

@@ -109,6 +109,12 @@ impl River {
         link::write(self.session.recipe())
     }
 
+    /// The link in the files of the map: it names the style even if that is the default.
+    #[wasm_bindgen(getter, js_name = fileLink)]
+    pub fn file_link(&self) -> String {
+        link::write_for_file(self.session.recipe())
+    }
+
     /// The seed of the recipe.
     #[wasm_bindgen(getter)]
     pub fn seed(&self) -> String {
