@@ -96,7 +96,14 @@ proptest! {
         prop_assert!(share <= 1.000_001, "{share}");
         prop_assert!(land <= 1_000_100.0, "{land}");
     }
+}
 
+tiers!(every_way_ends_at_a_mouth_and_all_basins_together_are_at_most_the_land);
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    #[test]
     fn a_river_is_found_where_it_runs_and_its_order_never_falls(text in random_link(900)) {
         let session = finished(&text);
         let inspector = inspected(&session);
@@ -118,11 +125,6 @@ proptest! {
         }
     }
 }
-
-tiers!(
-    every_way_ends_at_a_mouth_and_all_basins_together_are_at_most_the_land,
-    a_river_is_found_where_it_runs_and_its_order_never_falls,
-);
 
 #[test]
 fn a_basin_holds_those_of_its_tributaries_and_is_as_large_as_what_it_drains() {
