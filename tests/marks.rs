@@ -380,18 +380,18 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
     let (mut with, mut all) = (0, 0);
     for style in <Style as riverseed::recipe::Choice>::WORDS {
         let link = format!("land=island&seed=kauri&attractors=1000&style={}", style.name);
-        let bare = finished_link(&link);
-        let size = bare.domain().size;
-        assert!(labels::input(&bare.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
-        let titled = finished_link(&format!("{link}&cartouche=plain"));
+        let mut session = finished_link(&link);
+        let size = session.domain().size;
+        assert!(labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
+        session.change(recipe(&link, &[(Key::Cartouche, "plain")])).unwrap();
         assert!(
-            placed(&titled.map().unwrap(), 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()),
+            placed(&session.map().unwrap(), 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()),
             "{}",
             style.name
         );
-        let labelled = finished_link(&format!("{link}&labels=some"));
+        session.change(recipe(&link, &[(Key::Labels, "some")])).unwrap();
         let is_mark = |label: &Label| label.kind.is_mark() || label.kind == Kind::Legend;
-        with += usize::from(placed(&labelled.map().unwrap(), 1200.0).0.iter().any(is_mark));
+        with += usize::from(placed(&session.map().unwrap(), 1200.0).0.iter().any(is_mark));
         all += 1;
     }
     assert_eq!((with, all), (3, 12));
