@@ -4,6 +4,7 @@
 use crate::common::lands::every_land;
 use crate::common::plain::plain;
 use crate::common::property::large;
+use crate::common::tier::{first, tiers};
 use crate::common::{literal, random_link};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -174,9 +175,8 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(large(250))]
+    #![proptest_config(first(4, large(250)))]
 
-    #[test]
     fn any_recipe_grows_a_tree_that_keeps_every_promise(link in random_link(100), sensitivity in prop_oneof![1 => 8u32..16, 4 => 16u32..=64]) {
         let mut recipe = link::read(&link).unwrap();
         recipe.set(Key::Growth, "brownian").unwrap();
@@ -187,6 +187,8 @@ proptest! {
         check(&Raster::of(growth.settings()), growth.tree());
     }
 }
+
+tiers!(any_recipe_grows_a_tree_that_keeps_every_promise);
 
 #[test]
 fn every_kind_of_land_grows_the_literal_tree() {

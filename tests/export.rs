@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::common::plain::plain;
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::tier::{first, one_in, pairs, tiers};
 use geo::{Area, LineString, Polygon, Validation};
 use geojson::feature::Id;
 use geojson::{FeatureCollection, GeometryValue};
@@ -180,35 +181,38 @@ fn check_files(link: &str) {
 }
 
 proptest! {
-    #![proptest_config(cases(40))]
+    #![proptest_config(first(4, cases(40)))]
 
-    #[test]
     fn any_network_can_be_read(link in random_link(700)) {
         check_files(&link);
     }
 }
 
+tiers!(any_network_can_be_read);
+
 /// Wide rivers in narrow bends, cut off again and again: lakes that cross themselves, and that silt has all but closed,
 /// at every age. As they grow old and vanish, many are seen in many rounds.
-#[test]
 fn lakes_are_valid_polygons_and_none_is_lost() {
-    let mut lakes = 0;
-    for recipe in [
-        "seed=s6&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-rounds=400&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
-        "seed=s7&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-rounds=400&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
-        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-rounds=279&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
-        "seed=p3&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-rounds=279&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
-    ] {
-        let mut session = finished(recipe);
-        for rounds in (8..=400).step_by(8) {
-            let change = link::pairs(&format!("meander-rounds={rounds}")).unwrap();
-            session.change(link::apply(session.recipe().clone(), &change).unwrap()).unwrap();
-            lakes += session.finish().unwrap().network().oxbows.len();
-            check_water(&session, collection(&session).features);
-        }
+    let recipes = [
+        "seed=s6&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
+        "seed=s7&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
+        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
+        "seed=p3&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
+    ];
+    let (mut sessions, mut lakes, mut maps) = (BTreeMap::new(), 0, 0);
+    for (recipe, rounds) in one_in(60, pairs(recipes, (8..=400).step_by(8))) {
+        let session = sessions.entry(recipe).or_insert_with(|| finished(&format!("{recipe}&meander-rounds=0")));
+        let change = link::pairs(&format!("meander-rounds={rounds}")).unwrap();
+        session.change(link::apply(session.recipe().clone(), &change).unwrap()).unwrap();
+        lakes += session.finish().unwrap().network().oxbows.len();
+        maps += 1;
+        check_water(session, collection(session).features);
     }
-    assert!(lakes > 400, "{lakes} lakes");
+    // Young rivers have none.
+    assert!(lakes > 2 * (maps - 4), "{lakes} lakes on {maps} maps");
 }
+
+tiers!(lakes_are_valid_polygons_and_none_is_lost);
 
 /// A lake of it was no valid polygon once.
 #[test]
@@ -298,7 +302,6 @@ fn ends_at_the_coast([narrow, wide]: [Session; 2]) {
     }
 }
 
-#[test]
 fn svg_looks_like_the_picture() {
     // The share of pixels in percent that may differ: in an SVG, Survey's contours neither end beside rivers nor grow
     // paler on steep slopes, and Night's rivers do not glow.
@@ -319,7 +322,7 @@ fn svg_looks_like_the_picture() {
         ("seed=tui&aspect=1&land=island&attractors=3000&trim=30&style=parchment", 1),
         ("seed=tui&aspect=1&land=archipelago&attractors=3000&trim=30&style=night", 2),
     ];
-    let wrong = links.into_iter().filter_map(|(link, most)| {
+    let wrong = one_in(6, links).filter_map(|(link, most)| {
         let session = finished(link);
         let (map, picture) = (drawn(&session), painted(&session));
         let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60);
@@ -328,6 +331,8 @@ fn svg_looks_like_the_picture() {
     });
     assert_eq!(wrong.collect::<Vec<_>>(), [""; 0]);
 }
+
+tiers!(svg_looks_like_the_picture);
 
 /// The picture, a pixel a unit.
 fn painted(session: &Session) -> Vec<u8> {
@@ -338,9 +343,8 @@ fn painted(session: &Session) -> Vec<u8> {
 
 /// Compares the part of light and shadow in each colour between an SVG and the picture: the difference to the same map
 /// without them. Whatever an SVG leaves out is in neither.
-#[test]
 fn svg_has_the_light_and_shadow_of_the_picture() {
-    let styles = Style::ALL.iter().filter(|style| style.has_relief());
+    let styles = one_in(8, Style::ALL.iter().filter(|style| style.has_relief()));
     let wrong = styles.filter_map(|style| {
         // In hundredths of all of it. Orbit's forests hide light in the picture; Blueprint has so little that rounding
         // shows.
@@ -363,3 +367,5 @@ fn svg_has_the_light_and_shadow_of_the_picture() {
     });
     assert_eq!(wrong.collect::<Vec<_>>(), [""; 0]);
 }
+
+tiers!(svg_has_the_light_and_shadow_of_the_picture);

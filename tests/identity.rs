@@ -5,6 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::common::property::large;
+use crate::common::tier::{one_in, tiers};
 use crate::common::{finished, lands, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
@@ -145,10 +146,9 @@ fn renamed(link: &str, notch: &str) -> usize {
     greatest.iter().filter(|river| !is_there(river)).count()
 }
 
-#[test]
 fn a_small_change_of_the_land_or_of_growth_renames_few_great_rivers() {
     let seeds = 3;
-    for notch in ["sea=0.56", "roughness=0.99", "attractors=20400"] {
+    for notch in one_in(3, ["sea=0.56", "roughness=0.99", "attractors=20400"]) {
         let lands = lands::every_land();
         let lost: usize = lands
             .iter()
@@ -158,3 +158,5 @@ fn a_small_change_of_the_land_or_of_growth_renames_few_great_rivers() {
         assert!(lost <= lands.len() * seeds, "{notch}: {lost} of {}", 10 * lands.len() * seeds);
     }
 }
+
+tiers!(a_small_change_of_the_land_or_of_growth_renames_few_great_rivers);

@@ -4,6 +4,7 @@
 
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::tier::{first, tiers};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::analyse::query::{Inspector, Spot};
@@ -75,9 +76,8 @@ fn check_last_order(inspector: &Inspector, river: &River) -> Result<(), TestCase
 }
 
 proptest! {
-    #![proptest_config(cases(24))]
+    #![proptest_config(first(5, cases(24)))]
 
-    #[test]
     fn every_way_ends_at_a_mouth_and_all_basins_together_are_at_most_the_land(text in random_link(900)) {
         let session = finished(&text);
         let inspector = inspected(&session);
@@ -96,6 +96,12 @@ proptest! {
         prop_assert!(share <= 1.000_001, "{share}");
         prop_assert!(land <= 1_000_100.0, "{land}");
     }
+}
+
+tiers!(every_way_ends_at_a_mouth_and_all_basins_together_are_at_most_the_land);
+
+proptest! {
+    #![proptest_config(cases(24))]
 
     #[test]
     fn a_river_is_found_where_it_runs_and_its_order_never_falls(text in random_link(900)) {

@@ -3,9 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
 use crate::common::literal_ground::Literal;
 use crate::common::property::{cases, large};
 use crate::common::random_link;
+use crate::common::tier::{first, tiers};
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::annotate::builder::AnnotationBuilder;
@@ -48,19 +52,21 @@ fn degrees(along: Vec2) -> f64 {
 fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
     let map = session.map().unwrap();
     let (labels, input) = placed(&map, width);
+    let pieces = Pieces::of(&input);
     for label in labels.iter().filter(|label| label.kind != Kind::Grid) {
         check_shape(label)?;
         match label.river {
-            Some(river) => check_place(label, river, &input)?,
+            Some(river) => check_place(label, river, &input, &pieces)?,
             None if label.kind.is_of_cartouche() => check_cartouche(label, &labels, &input)?,
             None if label.kind.is_mark() || label.kind.is_block() => {} // what those promise is in marks.rs
             None => check_area(label, &input)?,
         }
     }
+    let polygons: Vec<Vec<_>> = labels.iter().map(|label| boxes(label).iter().map(polygon).collect()).collect();
     for (i, label) in labels.iter().enumerate() {
-        for other in &labels[..i] {
+        for (other, there) in labels[..i].iter().zip(&polygons) {
             prop_assert!(label.text != other.text || label.river == other.river, "{} twice", label.text);
-            let meet = boxes(label).iter().any(|a| boxes(other).iter().any(|b| polygon(a).intersects(&polygon(b))));
+            let meet = polygons[i].iter().any(|a| there.iter().any(|b| a.intersects(b)));
             prop_assert!(!meet, "{} meets {}", label.text, other.text);
         }
     }
@@ -149,9 +155,23 @@ fn check_belonging(label: &Label, own: &Area, input: &Input<'_>) -> Result<(), T
     Ok(())
 }
 
+/// The pieces of each river.
+struct Pieces(BTreeMap<u32, Vec<Piece>>);
+
+impl Pieces {
+    fn of(input: &Input<'_>) -> Self {
+        let mut pieces: BTreeMap<u32, Vec<Piece>> = BTreeMap::new();
+        Piece::all(input).into_iter().for_each(|piece| pieces.entry(piece.river).or_default().push(piece));
+        Self(pieces)
+    }
+
+    fn of_river(&self, river: u32) -> impl Iterator<Item = &Piece> {
+        self.0.get(&river).into_iter().flatten()
+    }
+}
+
 /// On land, off its river, and nearer to that than to any other that could be taken for it.
-fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestCaseError> {
-    let pieces = Piece::all(input);
+fn check_place(label: &Label, river: u32, input: &Input<'_>, pieces: &Pieces) -> Result<(), TestCaseError> {
     let ends = |piece: &Piece| {
         let [from, to] = piece.ends.map(|place| geo::coord! { x: f64::from(place.at.x), y: f64::from(place.at.y) });
         geo::Line::new(from, to)
@@ -161,7 +181,7 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestC
             prop_assert!(input.coast.is_none_or(|coast| coast.height(corner) > 0.0), "{} is in the sea", label.text);
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
         }
-        let own = pieces.iter().filter(|piece| piece.river == river && label.kind == Kind::River);
+        let own = pieces.of_river(river).filter(|_| label.kind == Kind::River);
         for piece in own {
             let narrower = f64::from(piece.ends[0].half.min(piece.ends[1].half));
             let distance = Euclidean.distance(&polygon(&around), &ends(piece));
@@ -171,7 +191,7 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestC
     let middles =
         || label.letters.iter().map(|letter| letter.place(Vec2::new(letter.glyph.advance * 0.5, -0.2), label.em));
     let away = |river: u32, least: f32| -> f32 {
-        let of_river = || pieces.iter().filter(|piece| piece.river == river && piece.is_as_wide_as(least));
+        let of_river = || pieces.of_river(river).filter(|piece| piece.is_as_wide_as(least));
         middles().map(|at| of_river().map(|piece| piece.distance(at)).fold(4.0 * label.em, f32::min)).sum()
     };
     let widest = input.rivers[river as usize].course.iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
@@ -183,26 +203,25 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestC
 }
 
 proptest! {
-    #![proptest_config(large(100))]
+    #![proptest_config(first(1, large(100)))]
 
-    #[test]
     fn labels_are_upright_ashore_and_apart(link in random_link(2000), size in 0.5f64..1.6, width in 300.0f32..2000.0) {
         check(&finished(&format!("{link}&labels=many&label-size={size:.2}")), width)?;
     }
 
-    #[test]
     fn labels_are_those_of_the_twin(link in random_link(300), size in 0.5f64..1.3) {
         let session = finished(&format!("{link}&labels=many&label-size={size:.2}"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
-        prop_assert_eq!(labels, place(&input, &Literal(Piece::all(&input))));
+        prop_assert_eq!(labels, place(&input, &Literal::new(Piece::all(&input))));
     }
 }
 
-proptest! {
-    #![proptest_config(cases(6))]
+tiers!(labels_are_upright_ashore_and_apart, labels_are_those_of_the_twin);
 
-    #[test]
+proptest! {
+    #![proptest_config(first(2, cases(6)))]
+
     fn changing_labels_gives_the_picture_of_a_fresh_one(link in random_link(500), size in 0.5f64..2.0) {
         let painted = |session: &Session| {
             let mut picture = Picture::new(240, 200).unwrap();
@@ -223,6 +242,8 @@ proptest! {
         prop_assert!(picture.pixmap().data() == bare);
     }
 }
+
+tiers!(changing_labels_gives_the_picture_of_a_fresh_one);
 
 #[test]
 fn islands_and_lakes_have_names_too() {
@@ -293,7 +314,7 @@ fn no_two_rivers_have_one_label_in_short_either() {
     let session = finished("seed=skye&land=continent&growth=drainage&meander-rounds=60&great-rivers=3&labels=many");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1200.0);
-    let rivers: std::collections::BTreeMap<_, _> = labels.iter().map(|label| (&label.text, label.river)).collect();
+    let rivers: BTreeMap<_, _> = labels.iter().map(|label| (&label.text, label.river)).collect();
     assert!(labels.iter().all(|label| rivers[&label.text] == label.river) && labels.len() > 40);
 }
 
@@ -476,8 +497,10 @@ proptest! {
 
     #[test]
     fn a_message_that_is_cut_off_is_no_map_and_an_altered_one_is_read_without_a_panic(at in 0usize..60_000, word in any::<u32>(), cut in any::<bool>()) {
-        let session = finished("land=island&growth=drainage&attractors=300&seed=kauri&labels=many");
-        let mut data = session.map().unwrap().to_wire();
+        static MESSAGE: LazyLock<Vec<u32>> = LazyLock::new(|| {
+            finished("land=island&growth=drainage&attractors=300&seed=kauri&labels=many").map().unwrap().to_wire()
+        });
+        let mut data = MESSAGE.clone();
         let at = at % data.len();
         if cut { data.truncate(at) } else { data[at] = word }
         let read = Map::from_wire(&data);

@@ -10,6 +10,7 @@ use crate::common::literal_ground::Literal;
 use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
 use crate::common::random_link;
+use crate::common::tier::{first, one_in, tiers};
 use proptest::prelude::*;
 use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::labels;
@@ -157,9 +158,8 @@ fn check_apart(labels: &[Label]) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(large(60))]
+    #![proptest_config(first(1, large(60)))]
 
-    #[test]
     fn heights_are_those_of_files_on_summits_and_saddles_and_in_nothing_s_way(
         link in random_link(2000), size in 0.5f64..1.4, width in 400.0f32..2000.0,
     ) {
@@ -167,29 +167,38 @@ proptest! {
         check_heights(&finished(recipe(&link, &more)), width)?;
     }
 
-    #[test]
     fn marks_are_those_of_the_twin(link in random_link(300), size in 0.5f64..1.3, style in 0usize..3) {
         let style = ["survey", "blueprint", "ink-wash"][style];
         let more = [(Key::Style, style), (Key::Labels, "few"), (Key::LabelSize, &format!("{size:.2}"))];
         let session = finished(recipe(&link, &more));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
-        prop_assert_eq!(labels, place(&input, &Literal(Piece::all(&input))));
+        prop_assert_eq!(labels, place(&input, &Literal::new(Piece::all(&input))));
     }
 }
 
-#[test]
+tiers!(heights_are_those_of_files_on_summits_and_saddles_and_in_nothing_s_way, marks_are_those_of_the_twin);
+
 fn maps_with_mountains_tell_the_heights_of_summits_and_of_saddles() {
-    for (land, growth) in [("island", "drainage"), ("archipelago", "colonize"), ("continent", "drainage")] {
+    let maps = [("island", "drainage"), ("archipelago", "colonize"), ("continent", "drainage")];
+    for (land, growth) in one_in(3, maps) {
         let link = format!("land={land}&growth={growth}&seed=kauri&attractors=4000&style=survey");
+        let mut session = finished_link(&link);
         let counts = ["few", "some", "many"].map(|labels| {
-            let [summits, saddles] = check_heights(&finished_link(&format!("{link}&labels={labels}")), 1440.0).unwrap();
+            session.change(recipe(&link, &[(Key::Labels, labels)])).unwrap();
+            let [summits, saddles] = check_heights(&session, 1440.0).unwrap();
             println!("{land}, {growth}, {labels}: {summits} summits, {saddles} saddles");
             summits + saddles
         });
         assert!(counts[0] >= 6 && counts.is_sorted() && counts[2] <= 150, "{land}: {counts:?}");
     }
-    // The highest place is told wherever nothing is in its way, and has a triangle.
+}
+
+tiers!(maps_with_mountains_tell_the_heights_of_summits_and_of_saddles);
+
+/// Wherever nothing is in its way.
+#[test]
+fn the_highest_place_is_told_and_has_a_triangle() {
     let session = finished_link("land=island&seed=kauri&style=survey&labels=some");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1440.0);
@@ -371,18 +380,18 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
     let (mut with, mut all) = (0, 0);
     for style in <Style as riverseed::recipe::Choice>::WORDS {
         let link = format!("land=island&seed=kauri&attractors=1000&style={}", style.name);
-        let bare = finished_link(&link);
-        let size = bare.domain().size;
-        assert!(labels::input(&bare.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
-        let titled = finished_link(&format!("{link}&cartouche=plain"));
+        let mut session = finished_link(&link);
+        let size = session.domain().size;
+        assert!(labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
+        session.change(recipe(&link, &[(Key::Cartouche, "plain")])).unwrap();
         assert!(
-            placed(&titled.map().unwrap(), 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()),
+            placed(&session.map().unwrap(), 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()),
             "{}",
             style.name
         );
-        let labelled = finished_link(&format!("{link}&labels=some"));
+        session.change(recipe(&link, &[(Key::Labels, "some")])).unwrap();
         let is_mark = |label: &Label| label.kind.is_mark() || label.kind == Kind::Legend;
-        with += usize::from(placed(&labelled.map().unwrap(), 1200.0).0.iter().any(is_mark));
+        with += usize::from(placed(&session.map().unwrap(), 1200.0).0.iter().any(is_mark));
         all += 1;
     }
     assert_eq!((with, all), (3, 12));

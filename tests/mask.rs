@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use crate::common::tier::{one_in, tiers};
 use fastnoise_lite::{FastNoiseLite, FractalType};
 use glam::Vec2;
 use riverseed::domain::Domain;
@@ -142,12 +143,11 @@ fn every_river_stays_on_the_mask_s_land() {
     }
 }
 
-#[test]
 fn picture_and_files_are_made_of_the_land_given() {
     let mask = Mask::rough(900, 600, 6);
     let land = Land::from_picture(&mask.domain, 900, 600, &mask.rgba()).unwrap();
     assert!(mask.overlap(&land) >= 0.99, "{}", mask.overlap(&land));
-    for style in ["atlas", "night", "ink", "dark", "skeleton"] {
+    for style in one_in(5, ["atlas", "night", "ink", "dark", "skeleton"]) {
         let mut session = Session::on_land(recipe(&format!("style={style}")), land.clone()).unwrap();
         session.finish().unwrap();
         let mut picture = Picture::new(900, 600).unwrap();
@@ -165,6 +165,8 @@ fn picture_and_files_are_made_of_the_land_given() {
         }
     }
 }
+
+tiers!(picture_and_files_are_made_of_the_land_given);
 
 #[test]
 fn land_given_stays_whatever_the_recipe_is_changed_to() {

@@ -2,6 +2,7 @@
 //! along the frame of the map, and the work of a round does not grow without end.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use crate::common::tier::{one_in, pairs, tiers};
 use glam::Vec2;
 use riverseed::base::work;
 use riverseed::network::{Meander, NONE, Network, NetworkSettings, Place, Shaping, gap};
@@ -102,10 +103,9 @@ fn former_courses_are_those_of_their_rounds_and_the_same_stepped_or_at_once() {
 
 /// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that
 /// until all of it rests.
-#[test]
 fn no_stretch_becomes_a_knot() {
     const MOST: f32 = 4.0;
-    for recipe in OLD {
+    for recipe in one_in(4, OLD) {
         grow_old(recipe, |meander| {
             let (network, spacing) = (meander.network(), meander.settings().spacing);
             for (id, river) in network.rivers.iter().enumerate() {
@@ -115,6 +115,8 @@ fn no_stretch_becomes_a_knot() {
         });
     }
 }
+
+tiers!(no_stretch_becomes_a_knot);
 
 /// Returns `true` if two lines of discs overlap.
 fn overlap(a: &[Place], b: &[Place]) -> bool {
@@ -130,11 +132,11 @@ fn overlap(a: &[Place], b: &[Place]) -> bool {
     })
 }
 
-#[test]
 fn lakes_overlap_neither_rivers_nor_each_other() {
-    let mut seen = 0;
+    let (mut seen, mut maps) = (0, 0);
     let held = HELD.map(|recipe| format!("{recipe}&meander=flow"));
-    for recipe in OLD.into_iter().chain(held.iter().map(String::as_str)) {
+    for recipe in one_in(4, OLD.into_iter().chain(held.iter().map(String::as_str))) {
+        maps += 1;
         grow_old(recipe, |meander| {
             let network = meander.network();
             let rivers: Vec<Vec<Place>> = network.rivers.iter().map(|river| network.middle(river)).collect();
@@ -147,14 +149,15 @@ fn lakes_overlap_neither_rivers_nor_each_other() {
             }
         });
     }
-    assert!(seen > 100, "{seen} lakes");
+    assert!(seen >= 10 * maps, "{seen} lakes on {maps} maps");
 }
 
+tiers!(lakes_overlap_neither_rivers_nor_each_other);
+
 /// There are never many lakes, however many necks are cut, and none is older than the time in which silt fills it.
-#[test]
 fn lakes_grow_old_and_are_gone() {
     const OLDEST: u32 = 160;
-    for recipe in OLD {
+    for recipe in one_in(4, OLD) {
         grow_old(recipe, |meander| {
             let oxbows = &meander.network().oxbows;
             assert!(oxbows.len() <= 40, "{recipe}, round {}: {} lakes", meander.rounds(), oxbows.len());
@@ -167,6 +170,8 @@ fn lakes_grow_old_and_are_gone() {
     }
 }
 
+tiers!(lakes_grow_old_and_are_gone);
+
 /// The length of rivers within eight units of the frame of the map.
 fn beside_frame(meander: &Meander) -> f32 {
     let (network, size) = (meander.network(), meander.settings().domain.size);
@@ -177,9 +182,8 @@ fn beside_frame(meander: &Meander) -> f32 {
 }
 
 /// Rivers grow near it, and reach the sea there, but no bend comes to it.
-#[test]
 fn no_river_comes_to_run_along_the_frame() {
-    for recipe in OLD {
+    for recipe in one_in(4, OLD) {
         let mut begun = None;
         grow_old(recipe, |meander| {
             let (length, size) = (beside_frame(meander), meander.settings().domain.size);
@@ -191,10 +195,11 @@ fn no_river_comes_to_run_along_the_frame() {
     }
 }
 
+tiers!(no_river_comes_to_run_along_the_frame);
+
 /// Old rivers are hardly longer than grown ones, so a round of them takes hardly more.
-#[test]
 fn no_round_of_old_rivers_takes_long() {
-    for recipe in OLD {
+    for recipe in one_in(4, OLD) {
         let mut meander = young(recipe);
         let vertices = meander.network().vertices.len();
         loop {
@@ -209,6 +214,8 @@ fn no_round_of_old_rivers_takes_long() {
         }
     }
 }
+
+tiers!(no_round_of_old_rivers_takes_long);
 
 /// The course of a river: the position of each vertex, its width, and its distance along the course in widths.
 fn course(meander: &Meander, river: u32) -> Vec<(Vec2, f32, f32)> {
@@ -248,22 +255,20 @@ fn turns(course: &[(Vec2, f32, f32)]) -> Vec<f32> {
 
 /// No line is longer than those that grow, and hardly a corner is sharp: what turns by more than 75° in two widths is
 /// at most a thirtieth of the great rivers of `flow`, and an eighth of those of `bend`, which wind more.
-#[test]
 fn old_courses_are_neither_chords_nor_hooks() {
-    for (model, most) in [("bend", 1.0 / 8.0), ("flow", 1.0 / 30.0)] {
-        for recipe in HELD {
-            grow_old(&format!("{recipe}&meander={model}"), |meander| {
-                if ![100, 200, 400].contains(&meander.rounds()) {
-                    return;
-                }
-                let courses: Vec<_> =
-                    meander.past().great_rivers().iter().map(|&river| course(meander, river)).collect();
-                let chord = courses.iter().map(|course| longest_chord(course)).fold(0.0, f32::max);
-                let turns: Vec<f32> = courses.iter().flat_map(|course| turns(course)).collect();
-                let hooks = turns.iter().filter(|turn| **turn > 75.0).count() as f32 / turns.len() as f32;
-                let seen = format!("{recipe}, {model}, round {}: {chord} widths straight, {hooks}", meander.rounds());
-                assert!(chord < 12.0 && hooks < most, "{seen}");
-            });
-        }
+    for ((model, most), recipe) in one_in(5, pairs([("bend", 1.0 / 8.0), ("flow", 1.0 / 30.0)], HELD)) {
+        grow_old(&format!("{recipe}&meander={model}"), |meander| {
+            if ![100, 200, 400].contains(&meander.rounds()) {
+                return;
+            }
+            let courses: Vec<_> = meander.past().great_rivers().iter().map(|&river| course(meander, river)).collect();
+            let chord = courses.iter().map(|course| longest_chord(course)).fold(0.0, f32::max);
+            let turns: Vec<f32> = courses.iter().flat_map(|course| turns(course)).collect();
+            let hooks = turns.iter().filter(|turn| **turn > 75.0).count() as f32 / turns.len() as f32;
+            let seen = format!("{recipe}, {model}, round {}: {chord} widths straight, {hooks}", meander.rounds());
+            assert!(chord < 12.0 && hooks < most, "{seen}");
+        });
     }
 }
+
+tiers!(old_courses_are_neither_chords_nor_hooks);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::property::{cases, large};
+use crate::common::tier::{first, tiers};
 use crate::common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
@@ -146,9 +147,8 @@ fn check_widths(network: &Network) {
 }
 
 proptest! {
-    #![proptest_config(cases(40))]
+    #![proptest_config(first(10, cases(40)))]
 
-    #[test]
     fn guard_sees_what_all_pairs_say(link in random_link(300), rounds in 0u32..30) {
         let recipe = link::read(&link).unwrap();
         let mut meander = shaped(&recipe);
@@ -167,6 +167,8 @@ proptest! {
         prop_assert_eq!((clearance, near), pairs::measure(network, &reach, meander.caps()));
     }
 }
+
+tiers!(guard_sees_what_all_pairs_say);
 
 /// No segment crosses a ridge, or runs farther into the sea than its own line is wide: cells along the coast reach over
 /// it.
@@ -253,13 +255,14 @@ fn no_river_breaks_through_a_strait() {
 }
 
 proptest! {
-    #![proptest_config(large(1000))]
+    #![proptest_config(first(8, large(1000)))]
 
-    #[test]
     fn every_network_holds_its_promises(link in random_link(400), every in prop_oneof![1 => Just(1), 9 => 4u32..60]) {
         check_network(&link, every);
     }
 }
+
+tiers!(every_network_holds_its_promises);
 
 /// Each of these once broke a promise; with the rounds to look at.
 const FOUND_BY_CHANCE: [(&str, u32); 6] = [

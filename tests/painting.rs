@@ -1,10 +1,13 @@
 //! A picture painted while the tree grows is the picture painted at once.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeMap;
+
 use crate::common::parts::paint_in_parts;
 use crate::common::plain::plain;
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::tier::{first, one_in, tiers};
 use proptest::prelude::*;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Choice, Key, Recipe, Style, link};
@@ -43,15 +46,13 @@ fn check_change(link: &str, other: &str) {
 }
 
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(first(4, cases(60)))]
 
-    #[test]
     fn painted_bit_by_bit_equals_painted_at_once(link in random_link(800), ticks in 1u32..30) {
         let recipe = link::read(&link).unwrap();
         prop_assert!(painted(&recipe, ticks) == painted(&recipe, u32::MAX), "{link}");
     }
 
-    #[test]
     fn after_each_round_of_drainage_the_picture_is_that_of_painting_at_once(seed in "[a-z]{1,6}", captures in 1u32..6) {
         let link = format!("growth=drainage&land=island&attractors=900&seed={seed}&captures={captures}&trim=40");
         let (mut session, mut kept) = (Session::new(link::read(&link).unwrap()).unwrap(), picture());
@@ -69,7 +70,6 @@ proptest! {
         prop_assert_eq!(trees, captures, "{}", link);
     }
 
-    #[test]
     fn changing_there_and_back_gives_the_same_picture(link in random_link(400), trim in 0u32..200) {
         let recipe = link::read(&link).unwrap();
         let mut other = recipe.clone();
@@ -86,7 +86,6 @@ proptest! {
         prop_assert!(picture.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
     }
 
-    #[test]
     fn changing_what_shapes_rivers_while_they_are_shaped_gives_the_same_picture(
         link in random_link(300), simplify in 0u32..95, width in 1u32..40, grown in any::<bool>(), steps in 0u32..7,
     ) {
@@ -106,11 +105,18 @@ proptest! {
         prop_assert!(picture.pixmap().data() == painted(&other, u32::MAX), "{link}");
     }
 
-    #[test]
     fn changing_to_another_recipe_gives_its_picture(link in random_link(400), other in random_link(400)) {
         check_change(&link, &other);
     }
 }
+
+tiers!(
+    painted_bit_by_bit_equals_painted_at_once,
+    after_each_round_of_drainage_the_picture_is_that_of_painting_at_once,
+    changing_there_and_back_gives_the_same_picture,
+    changing_what_shapes_rivers_while_they_are_shaped_gives_the_same_picture,
+    changing_to_another_recipe_gives_its_picture,
+);
 
 /// Its picture was another once.
 #[test]
@@ -129,9 +135,8 @@ fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
     (session, pixels)
 }
 
-#[test]
 fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
-    for style in [
+    let styles = [
         "atlas",
         "night",
         "survey",
@@ -143,7 +148,8 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
         "blueprint",
         "ink",
         "skeleton",
-    ] {
+    ];
+    for style in one_in(6, styles) {
         let link = format!("aspect=1&land=archipelago&roughness=1&attractors=600&style={style}");
         let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
         let land = session.land().unwrap();
@@ -158,6 +164,8 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
         assert!(inland > 2000 || style == "skeleton", "{style}: {inland} pixels differ");
     }
 }
+
+tiers!(rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it);
 
 /// Rivers that cut off loops, on land with a coast and without.
 const BENDS: &str = "seed=fisk&aspect=1&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=3&meander-mix=0.8&style=past-courses";
@@ -208,9 +216,9 @@ fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
 
 /// Each style after another that shows the same relief, on land with a coast and without; and growing again from the
 /// start.
-#[test]
 fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
-    for land in ["island", "rectangle"] {
+    for land in one_in(2, ["island", "rectangle"]) {
+        let mut fresh = BTreeMap::new();
         let link = |style: &str| format!("seed=kea&attractors=900&mouths=3&land={land}&style={style}");
         let (mut session, mut picture) = (Session::new(link::read(&link("atlas")).unwrap()).unwrap(), picture());
         for style in Style::WORDS.iter().chain(Style::WORDS.iter().rev()).map(|word| word.name) {
@@ -218,7 +226,8 @@ fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
             session.change(recipe.clone()).unwrap();
             session.finish().unwrap();
             picture.paint(&session);
-            assert!(picture.pixmap().data() == painted(&recipe, u32::MAX), "{land}: {style}");
+            let fresh = fresh.entry(style).or_insert_with(|| painted(&recipe, u32::MAX));
+            assert!(picture.pixmap().data() == *fresh, "{land}: {style}");
         }
         let recipe = link::read(&link("night")).unwrap();
         session.change(recipe.clone()).unwrap();
@@ -232,16 +241,17 @@ fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
     }
 }
 
+tiers!(changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one);
+
 /// A change of a finished map's picture from one recipe to the next, and the number of parts after which that picture
 /// is abandoned for another.
 type Change = (usize, u32, bool, u32);
 
 proptest! {
-    #![proptest_config(cases(12))]
+    #![proptest_config(first(2, cases(12)))]
 
     /// The picture is that of a fresh one whatever is kept of a relief, of rivers and of ground, and wherever painting
     /// is broken off.
-    #[test]
     fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
         changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),
     ) {
@@ -259,3 +269,5 @@ proptest! {
         paint_in_parts(start.clone(), changes.iter().map(|change| (recipe(change), change.3)), picture)?;
     }
 }
+
+tiers!(a_picture_painted_in_parts_is_that_of_a_fresh_one);

@@ -4,8 +4,10 @@
 
 use std::io::Cursor;
 
+use crate::common::lands::every_land;
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::tier::{first, one_in, pairs, tiers};
 use glam::Vec2;
 use png::{BitDepth, ColorType, Decoder};
 use proptest::prelude::*;
@@ -131,11 +133,9 @@ fn dam(rasters: &Rasters, cell: usize) -> f32 {
         .fold(0.0, f32::max)
 }
 
-#[test]
 fn no_river_of_finer_grids_stands_on_a_dam() {
-    for (text, size) in
-        [("land=island", 2049), ("land=archipelago", 1025), ("land=basin", 700), ("growth=colonize", 1025)]
-    {
+    let maps = [("land=basin", 700), ("land=island", 2049), ("land=archipelago", 1025), ("growth=colonize", 1025)];
+    for (text, size) in one_in(4, maps) {
         let session = finished(&format!("seed=kea&{text}&attractors=3000"));
         let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
         let rivers = (0..rasters.columns * rasters.rows).filter(|&cell| rasters.flow().rivers[cell] != NONE);
@@ -153,10 +153,11 @@ fn no_river_of_finer_grids_stands_on_a_dam() {
     }
 }
 
-proptest! {
-    #![proptest_config(cases(24))]
+tiers!(no_river_of_finer_grids_stands_on_a_dam);
 
-    #[test]
+proptest! {
+    #![proptest_config(first(4, cases(24)))]
+
     fn water_runs_to_the_sea_from_everywhere(text in random_link(2500)) {
         let session = finished(&text);
         let rasters = Rasters::new(&session.map().unwrap()).unwrap();
@@ -165,18 +166,19 @@ proptest! {
     }
 }
 
-#[test]
+tiers!(water_runs_to_the_sea_from_everywhere);
+
 fn water_runs_to_the_sea_on_usual_maps() {
-    for land in crate::common::lands::every_land() {
-        for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
-            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
-            let rasters = Rasters::new(&session.map().unwrap()).unwrap();
-            check_flow(&session, &rasters);
-            let flow = rasters.flow();
-            assert!(!flow.mouths.is_empty() && flow.basins.iter().any(|&basin| basin > 0), "{land}, {growth}");
-        }
+    for (land, growth) in one_in(7, pairs(every_land(), ["drainage", "colonize", "brownian&sensitivity=24"])) {
+        let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
+        let rasters = Rasters::new(&session.map().unwrap()).unwrap();
+        check_flow(&session, &rasters);
+        let flow = rasters.flow();
+        assert!(!flow.mouths.is_empty() && flow.basins.iter().any(|&basin| basin > 0), "{land}, {growth}");
     }
 }
+
+tiers!(water_runs_to_the_sea_on_usual_maps);
 
 proptest! {
     #![proptest_config(cases(12))]
@@ -196,7 +198,7 @@ proptest! {
 #[test]
 #[ignore = "second tier"]
 fn water_runs_to_the_sea_on_rasters_of_several_sizes_of_every_land() {
-    for land in crate::common::lands::every_land() {
+    for land in every_land() {
         let session = finished(&format!("seed=tui&{land}&attractors=1200"));
         for size in [800, 1400] {
             let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
@@ -206,13 +208,12 @@ fn water_runs_to_the_sea_on_rasters_of_several_sizes_of_every_land() {
     }
 }
 
-#[test]
 fn mouths_at_the_border_without_a_cell_of_sea_beside_them_lead_off_the_map() {
     let session = finished(
         "seed=a%3D%22-%3B%26&land=valley&sea=0.1767&sides=nsw&growth=brownian&sensitivity=10&meander=flow\
          &meander-rounds=40&great-rivers=16",
     );
-    for (size, some_leave) in [(None, false), (Some(800), true), (Some(1025), false), (Some(1400), true)] {
+    for (size, some_leave) in one_in(4, [(Some(800), true), (None, false), (Some(1025), false), (Some(1400), true)]) {
         let map = session.map().unwrap();
         let rasters = size.map_or_else(|| Rasters::new(&map), |size| Rasters::with_size(&map, size)).unwrap();
         check_flow(&session, &rasters);
@@ -223,6 +224,8 @@ fn mouths_at_the_border_without_a_cell_of_sea_beside_them_lead_off_the_map() {
         assert!(leaving.iter().all(|&cell| rasters.flow().basins[cell] > 0), "{size:?}: all are rivers' mouths");
     }
 }
+
+tiers!(mouths_at_the_border_without_a_cell_of_sea_beside_them_lead_off_the_map);
 
 /// The distance of a point from a segment.
 fn distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
@@ -289,13 +292,13 @@ fn every_raster_is_read_back_as_it_was() {
     assert!(most <= (widest * 1000.0).ceil() && most > widest * 500.0, "{most} of {widest}");
 }
 
-#[test]
 fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
-    for (text, size) in [
+    let maps = [
         ("seed=kea&attractors=1500", 1025),
         ("seed=rimu&attractors=1500&land=rectangle&growth=colonize&aspect=0.7", 1500),
         ("seed=matai&land=valley&growth=brownian&sensitivity=24", 2048),
-    ] {
+    ];
+    for (text, size) in one_in(3, maps) {
         let session = finished(text);
         let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
         let (own, map) = (Rasters::new(&session.map().unwrap()).unwrap(), session.domain().size);
@@ -322,6 +325,8 @@ fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
         assert_eq!(widest(&rasters), widest(&own), "in thousandths of a unit, however large cells are");
     }
 }
+
+tiers!(finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them);
 
 #[test]
 fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_large() {

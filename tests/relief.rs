@@ -3,8 +3,10 @@
 
 use std::sync::Arc;
 
+use crate::common::lands::every_land;
 use crate::common::property::large;
 use crate::common::random_link;
+use crate::common::tier::{first, one_in, pairs, tiers};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::export::svg;
@@ -93,9 +95,8 @@ fn climbs(session: &Session, relief: &Relief) -> usize {
 }
 
 proptest! {
-    #![proptest_config(large(160))]
+    #![proptest_config(first(2, large(160)))]
 
-    #[test]
     fn no_land_is_a_pit_and_no_river_climbs(text in random_link(2500)) {
         let mut recipe = link::read(&text).unwrap();
         recipe.set(Key::Style, "atlas").unwrap();
@@ -107,16 +108,19 @@ proptest! {
     }
 }
 
-#[test]
+tiers!(no_land_is_a_pit_and_no_river_climbs);
+
+const GROWTHS: [&str; 3] = ["drainage", "colonize", "brownian&sensitivity=24"];
+
 fn no_land_of_usual_maps_is_a_pit() {
-    for land in crate::common::lands::every_land() {
-        for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
-            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
-            let relief = relief(&session);
-            assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], 0), "{land}, {growth}");
-        }
+    for (land, growth) in one_in(7, pairs(every_land(), GROWTHS)) {
+        let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
+        let relief = relief(&session);
+        assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], 0), "{land}, {growth}");
     }
 }
+
+tiers!(no_land_of_usual_maps_is_a_pit);
 
 /// The relief of a session on a finer grid, with a number of cells on the longer side.
 fn finer(session: &Session, cells: u32) -> Relief {
@@ -127,9 +131,8 @@ fn finer(session: &Session, cells: u32) -> Relief {
 }
 
 proptest! {
-    #![proptest_config(large(40))]
+    #![proptest_config(first(1, large(40)))]
 
-    #[test]
     fn no_land_is_a_pit_and_no_river_climbs_on_finer_grids(text in random_link(1500), times in 1.01f32..4.0) {
         let session = finished(&text);
         let own = *Grid::sizes(&session.domain()).start();
@@ -140,33 +143,32 @@ proptest! {
     }
 }
 
-#[test]
+tiers!(no_land_is_a_pit_and_no_river_climbs_on_finer_grids);
+
 fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
-    let sizes = [1025, 1500, 2049];
-    for (land, i) in crate::common::lands::every_land().into_iter().zip(0..) {
-        for (growth, j) in ["drainage", "colonize", "brownian&sensitivity=24"].into_iter().zip(0..) {
-            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
-            let finer = finer(&session, sizes[(i + j) % 3]);
-            assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0), "{land}, {growth}");
-        }
+    let maps = pairs(every_land(), GROWTHS).map(|(land, growth)| format!("{land}&growth={growth}&attractors=3000"));
+    let maps = maps.zip([700, 1025, 1500, 1025, 1500, 700, 1500, 700, 1025].into_iter().cycle());
+    // The last is the largest, on a map that is small there.
+    for (link, cells) in one_in(14, maps.chain([("aspect=4&attractors=2000".into(), Grid::MOST)])) {
+        let session = finished(&format!("seed=kea&{link}"));
+        let finer = finer(&session, cells);
+        assert_eq!(finer.columns().max(finer.rows()), cells as usize);
+        assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0), "{link}");
     }
-    // The largest, on a map that is small there.
-    let session = finished("seed=kea&aspect=4&attractors=2000");
-    let finer = finer(&session, Grid::MOST);
-    assert_eq!((finer.columns(), finer.rows()), (4096, 1024));
-    assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0));
 }
+
+tiers!(no_land_of_usual_maps_is_a_pit_on_finer_grids);
 
 /// The share of some values that is greater than a bound.
 fn share_above(values: &[f32], bound: f32) -> f32 {
     values.iter().filter(|value| **value > bound).count() as f32 / values.len() as f32
 }
 
-#[test]
 fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
-    for text in ["seed=kea&attractors=3000", "seed=kea&growth=colonize&land=rectangle&attractors=3000"] {
+    let texts = [("seed=kea&attractors=3000", 1000), ("seed=kea&growth=colonize&land=rectangle&attractors=3000", 2000)];
+    for (text, cells) in one_in(2, texts) {
         let session = finished(text);
-        let (own, finer) = (session.map().unwrap().make_relief().unwrap(), finer(&session, 2000));
+        let (own, finer) = (session.map().unwrap().make_relief().unwrap(), finer(&session, cells));
         let highest = own.quantile(0.99);
         let network = session.network().unwrap();
         let rivers = network.vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
@@ -191,9 +193,11 @@ fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
     }
 }
 
+tiers!(finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land);
+
 #[test]
 fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
-    const ATLAS: &str = "seed=kea&mouths=3";
+    const ATLAS: &str = "seed=kea&mouths=3&attractors=3000";
     let with = |change: &str| {
         let mut recipe = link::read(ATLAS).unwrap();
         for pair in "attractors=1500&style=atlas".split('&').chain(change.split('&')).filter(|pair| !pair.is_empty()) {
@@ -230,18 +234,22 @@ fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
 }
 
 /// Ink once showed the relief of the atlas before it.
-#[test]
 fn after_a_change_of_style_everything_is_as_of_a_fresh_recipe() {
     let painted = |session: &Session| {
         let mut picture = Picture::new(120, 80).unwrap();
         picture.paint(session);
         (picture.pixmap().data().to_vec(), svg::svg(&session.map().unwrap()).unwrap())
     };
-    for land in ["island", "rectangle"] {
+    let chains: [(&str, &[&str]); 3] = [
+        ("island", &["ink", "atlas"]),
+        ("island", &["night", "skeleton", "dark", "atlas"]),
+        ("rectangle", &["ink", "night", "skeleton", "dark", "atlas"]),
+    ];
+    for (land, styles) in one_in(3, chains) {
         let with = |style: &str| link::read(&format!("seed=kea&land={land}&attractors=900&style={style}")).unwrap();
         let mut session = Session::new(with("atlas")).unwrap();
         session.finish().unwrap();
-        for style in ["ink", "night", "skeleton", "dark", "atlas"] {
+        for style in styles {
             session.change(with(style)).unwrap();
             session.finish().unwrap();
             let mut fresh = Session::new(with(style)).unwrap();
@@ -250,6 +258,8 @@ fn after_a_change_of_style_everything_is_as_of_a_fresh_recipe() {
         }
     }
 }
+
+tiers!(after_a_change_of_style_everything_is_as_of_a_fresh_recipe);
 
 #[test]
 fn between_neighbours_no_step_is_higher_than_a_hillside_rises() {

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
 use crate::common::random_link;
+use crate::common::tier::{first, tiers};
 use geo::{Distance, Euclidean};
 use proptest::prelude::*;
 use riverseed::annotate::place::{
@@ -68,11 +69,27 @@ fn shapes(one: &Standing) -> (geo::Polygon<f64>, Vec<geo::LineString<f64>>) {
     (geo::Polygon::new(line(&shape.silhouette, one), vec![]), strokes)
 }
 
+/// How far a glyph reaches from its foot, and more than such distances are off.
+fn reach(one: &Standing, silhouette: &geo::Polygon<f64>, strokes: &[geo::LineString<f64>]) -> f32 {
+    let ends = strokes.iter().chain([silhouette.exterior()]).flat_map(|line| line.coords());
+    let away = ends.map(|end| Vec2::new(end.x as f32, end.y as f32).distance(one.foot));
+    away.fold(0.0, f32::max) + 0.01
+}
+
 /// The distance of a glyph from the banks of some lines, measured by discs along them.
 fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
     let (silhouette, strokes) = shapes(one);
+    let reach = reach(one, &silhouette, &strokes);
+    // The nearest first, by what even the farthest end of the glyph keeps from them.
+    let apart_at_least = |disc: &Place| f64::from(disc.at.distance(one.foot) - reach - disc.half);
+    let discs = discs_near(one.foot, 1.5 * one.size + 12.0, lines);
+    let mut discs: Vec<(f64, Place)> = discs.into_iter().map(|disc| (apart_at_least(&disc), disc)).collect();
+    discs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut nearest = f64::MAX;
-    for disc in discs_near(one.foot, 1.5 * one.size + 12.0, lines) {
+    for (least, disc) in discs {
+        if least >= nearest {
+            break;
+        }
         let middle = geo::Point(coord(disc.at));
         let apart = strokes.iter().map(|stroke| Euclidean.distance(&middle, stroke));
         let apart = apart.fold(Euclidean.distance(&middle, &silhouette), f64::min);
@@ -133,7 +150,12 @@ fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(
             prop_assert!(inland > FROM_COAST - 0.5, "{one:?} is {inland} inland");
         }
     }
-    let is_near = |letter: &&Box| letter.middle.distance(one.foot) < 60.0;
+    let farthest = reach(one, &silhouette, &strokes) + FROM_LETTERS;
+    let is_near = |letter: &&Box| {
+        let middle = letter.middle;
+        let size = letter.corners().map(|corner| corner.distance(middle)).into_iter().fold(0.0, f32::max);
+        middle.distance(one.foot) < farthest + size
+    };
     for letter in input.letters.iter().filter(is_near).map(polygon) {
         let apart = strokes.iter().map(|stroke| Euclidean.distance(&letter, stroke));
         let apart = apart.fold(Euclidean.distance(&letter, &silhouette), f64::min);
@@ -143,9 +165,8 @@ fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(
 }
 
 proptest! {
-    #![proptest_config(large(500))]
+    #![proptest_config(first(3, large(500)))]
 
-    #[test]
     fn nothing_stands_in_water_on_letters_or_nearer_to_a_bank_than_said(
         link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(vec!["ink", "basins", "parchment", "past-courses"]),
     ) {
@@ -156,10 +177,11 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(large(50))]
+tiers!(nothing_stands_in_water_on_letters_or_nearer_to_a_bank_than_said);
 
-    #[test]
+proptest! {
+    #![proptest_config(first(1, large(50)))]
+
     fn trees_stay_where_they_are_when_rivers_move(link in random_link(800), one in 0u32..50, other in 50u32..=100) {
         let session = |strength: u32| {
             let strength = (f64::from(strength) / 100.0).to_string();
@@ -183,7 +205,6 @@ proptest! {
         }
     }
 
-    #[test]
     fn more_woods_are_the_same_trees_and_more(link in random_link(300), few in 0u32..90) {
         let trees = |woods: u32| {
             let session = finished_with(&link, &[(Key::Woods, &(f64::from(woods) / 100.0).to_string()), (Key::Style, "atlas")]);
@@ -195,14 +216,15 @@ proptest! {
     }
 }
 
+tiers!(trees_stay_where_they_are_when_rivers_move, more_woods_are_the_same_trees_and_more);
+
 /// A change of a finished map: woods and hills in tenths, the style, and the number of parts after which its picture is
 /// abandoned for another.
 type Change = (u32, u32, &'static str, u32);
 
 proptest! {
-    #![proptest_config(cases(10))]
+    #![proptest_config(first(2, cases(10)))]
 
-    #[test]
     fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
         link in random_link(300), labels in any::<bool>(), changes in prop::collection::vec(
             (0u32..=10, 0u32..=10, prop::sample::select(vec!["ink", "dark", "basins", "survey", "skeleton"]), 0u32..30), 2..6),
@@ -230,6 +252,8 @@ proptest! {
         prop_assert!(kept.pixmap().data() == untouched.pixmap().data());
     }
 }
+
+tiers!(a_picture_painted_in_parts_is_that_of_a_fresh_one);
 
 const MAP: &str = "land=island&attractors=3000&seed=kauri";
 

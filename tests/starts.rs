@@ -4,6 +4,7 @@
 
 use crate::common::plain::plain;
 use crate::common::property::large;
+use crate::common::tier::{one_in, pairs, tiers};
 use crate::common::{random_link, random_outline};
 use glam::Vec2;
 use proptest::prelude::*;
@@ -83,34 +84,31 @@ fn strays(settings: &GrowthSettings) -> f32 {
     }
 }
 
-#[test]
 fn a_drawn_course_is_the_trunk_of_its_river_in_its_order() {
-    for growth in ALL {
-        for (drawing, seed) in [ISLAND, ""].into_iter().flat_map(|land| (0..6).map(move |seed| (land, seed))) {
-            let link = format!(
-                "land=drawn&growth={growth}&seed={seed}&attractors=1500&roughness=0.4&outline={drawing}{RIVERS}"
-            );
-            let growth = grown(&link::read(&plain(&link)).unwrap());
-            let (tree, settings) = (growth.tree(), growth.settings());
-            let course = &settings.starts[0].course;
-            let strays = strays(settings);
-            let end = course[course.len() - 1];
-            let mut node =
-                (0..tree.len()).min_by(|&a, &b| tree.at[a].distance(end).total_cmp(&tree.at[b].distance(end)));
-            let (mut last, mut first) = (f32::INFINITY, 0.0);
-            let length = along(course, end).0;
-            assert!(along(course, tree.at[node.unwrap()]).0 > length - 2.0 * strays, "{link}: it ends too early");
-            while let Some(here) = node {
-                let (passed, away) = along(course, tree.at[here]);
-                assert!(away <= strays, "{link}: {} is {away} from the course", tree.at[here]);
-                assert!(passed < last + strays, "{link}: the river turns back at {}", tree.at[here]);
-                assert!(last > length || last - passed < 2.0 * strays, "{link}: nothing for {}", last - passed);
-                (last, first, node) = (passed, passed, tree.parent_of(here));
-            }
-            assert!(first < 1.5 * strays, "{link}: its mouth is {first} up the course");
+    for ((growth, drawing), seed) in one_in(7, pairs(pairs(ALL, [ISLAND, ""]), 0..6)) {
+        let link =
+            format!("land=drawn&growth={growth}&seed={seed}&attractors=1500&roughness=0.4&outline={drawing}{RIVERS}");
+        let growth = grown(&link::read(&plain(&link)).unwrap());
+        let (tree, settings) = (growth.tree(), growth.settings());
+        let course = &settings.starts[0].course;
+        let strays = strays(settings);
+        let end = course[course.len() - 1];
+        let mut node = (0..tree.len()).min_by(|&a, &b| tree.at[a].distance(end).total_cmp(&tree.at[b].distance(end)));
+        let (mut last, mut first) = (f32::INFINITY, 0.0);
+        let length = along(course, end).0;
+        assert!(along(course, tree.at[node.unwrap()]).0 > length - 2.0 * strays, "{link}: it ends too early");
+        while let Some(here) = node {
+            let (passed, away) = along(course, tree.at[here]);
+            assert!(away <= strays, "{link}: {} is {away} from the course", tree.at[here]);
+            assert!(passed < last + strays, "{link}: the river turns back at {}", tree.at[here]);
+            assert!(last > length || last - passed < 2.0 * strays, "{link}: nothing for {}", last - passed);
+            (last, first, node) = (passed, passed, tree.parent_of(here));
         }
+        assert!(first < 1.5 * strays, "{link}: its mouth is {first} up the course");
     }
 }
+
+tiers!(a_drawn_course_is_the_trunk_of_its_river_in_its_order);
 
 #[test]
 fn land_without_a_start_stays_dry() {
@@ -127,10 +125,9 @@ fn land_without_a_start_stays_dry() {
     }
 }
 
-#[test]
 fn one_mouth_waters_the_whole_land() {
     // Near every place of the land there is a river, however far from the only mouth it is.
-    for (growth, seed) in ALL.into_iter().flat_map(|growth| (0..5).map(move |seed| (growth, seed))) {
+    for (growth, seed) in one_in(4, pairs(ALL, 0..5)) {
         let link = format!("land=drawn&growth={growth}&seed={seed}&attractors=1500&outline={ISLAND}...ZmGa");
         let growth = grown(&link::read(&plain(&link)).unwrap());
         let land = growth.settings().land().unwrap();
@@ -141,3 +138,5 @@ fn one_mouth_waters_the_whole_land() {
         assert!(watered * 100 >= inland.len() * 98, "{link}: {watered} of {}", inland.len());
     }
 }
+
+tiers!(one_mouth_waters_the_whole_land);

@@ -4,11 +4,13 @@
 //!
 //! Nature's values are those of single basins, so a single basin is measured: a rectangle with one mouth. A map with
 //! several coasts has many small basins, of too few orders for meaningful ratios. `cargo test --test all statistics
-//! -- --nocapture` prints them for such lands too, in the test of disliked features.
+//! -- --nocapture --include-ignored` prints them for such lands too, in the test of disliked features.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use crate::common::tier::{one_in, pairs, tiers};
 use riverseed::analyse::statistics::{Measures, Streams, TABLE, hack_exponent};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::link;
@@ -40,36 +42,39 @@ fn median(values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
     (values.len() == 8).then(|| (values[3] + values[4]) / 2.0)
 }
 
-/// Measures of a basin trimmed by a number of nodes: R_B, R_L, T_1, c and Hack's exponent, each the median of eight.
-fn ratios_of_a_basin(grower: &str, nodes: u32) -> [Option<f64>; 5] {
+/// Measures of a basin trimmed by numbers of nodes: R_B, R_L, T_1, c and Hack's exponent, each the median of eight.
+fn ratios_of_a_basin(grower: &str, trims: [u32; 2]) -> [[Option<f64>; 5]; 2] {
     let rows = of_seeds(&format!("land=rectangle&mouths=1&{grower}"), |mut session| {
         while session.growth().ending().is_none() {
             session.advance(1).unwrap();
         }
-        let tree = session.tree();
-        let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..session.trim() });
-        let (order, area) = (&pruned.hydrology.order, &pruned.hydrology.discharge);
-        let streams = Streams::of(&pruned.tree, order);
-        [
-            streams.bifurcation_ratio(),
-            streams.length_ratio(),
-            streams.side_branches(1),
-            streams.tokunaga_c(),
-            hack_exponent(&pruned.tree, order, area),
-        ]
+        trims.map(|nodes| ratios(&session, nodes))
     });
-    std::array::from_fn(|i| median(rows.iter().map(|row| row[i])))
+    std::array::from_fn(|trim| std::array::from_fn(|i| median(rows.iter().map(|row| row[trim][i]))))
+}
+
+fn ratios(session: &Session, nodes: u32) -> [Option<f64>; 5] {
+    let tree = session.tree();
+    let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..session.trim() });
+    let (order, area) = (&pruned.hydrology.order, &pruned.hydrology.discharge);
+    let streams = Streams::of(&pruned.tree, order);
+    [
+        streams.bifurcation_ratio(),
+        streams.length_ratio(),
+        streams.side_branches(1),
+        streams.tokunaga_c(),
+        hack_exponent(&pruned.tree, order, area),
+    ]
 }
 
 fn is_in(value: Option<f64>, range: RangeInclusive<f64>) -> bool {
     value.is_some_and(|value| range.contains(&value))
 }
 
-#[test]
 fn ratios_of_drainage_and_of_valleys_are_those_of_nature() {
-    for grower in GROWERS {
-        for nodes in [5, 0] {
-            let all = ratios_of_a_basin(grower, nodes);
+    const TRIMS: [u32; 2] = [5, 0];
+    for grower in one_in(4, [GROWERS[2], GROWERS[0], GROWERS[1], GROWERS[3]]) {
+        for (nodes, all) in TRIMS.into_iter().zip(ratios_of_a_basin(grower, TRIMS)) {
             let words = ["R_B", "R_L", "T1", "c", "Hack"].iter().zip(all).map(|(name, value)| match value {
                 Some(value) => format!("{name} {value:.3}"),
                 None => format!("{name} too small"),
@@ -88,6 +93,8 @@ fn ratios_of_drainage_and_of_valleys_are_those_of_nature() {
     }
 }
 
+tiers!(ratios_of_drainage_and_of_valleys_are_those_of_nature);
+
 /// The medians of all measures of finished maps, printed, by their names.
 fn measured(link: &str) -> impl Fn(&str) -> f64 + use<> {
     let rows = of_seeds(link, |mut session| {
@@ -103,16 +110,18 @@ fn measured(link: &str) -> impl Fn(&str) -> f64 + use<> {
     move |name| medians.iter().find(|(own, _)| *own == name).and_then(|(_, value)| *value).unwrap()
 }
 
-#[test]
 fn what_eyes_dislike_is_at_most_a_third_of_colonization_s() {
-    for land in ["land=island&sea=0.6", "land=continent&sea=0.3"] {
-        let [colonized, calm, wild, valleys] = GROWERS.map(|grower| measured(&format!("{land}&{grower}")));
+    let mut of_colonization = BTreeMap::new();
+    let [paper, calm, wild, valleys] = GROWERS;
+    for (land, grower) in one_in(6, pairs(["land=island&sea=0.6", "land=continent&sea=0.3"], [wild, calm, valleys])) {
+        let colonized = of_colonization.entry(land).or_insert_with(|| measured(&format!("{land}&{paper}")));
+        let like_nature = measured(&format!("{land}&{grower}"));
         for count in ["umbrellas", "parallels", "along-coast"] {
             let most = colonized(count) / 3.0;
             assert!(most > 0.0, "{land} has {count} to be rid of");
-            for (like_nature, which) in [(&calm, "calm"), (&wild, "wild"), (&valleys, "valleys")] {
-                assert!(like_nature(count) <= most, "{land}, {which}: {count} {}, not {most}", like_nature(count));
-            }
+            assert!(like_nature(count) <= most, "{land}, {grower}: {count} {}, not {most}", like_nature(count));
         }
     }
 }
+
+tiers!(what_eyes_dislike_is_at_most_a_third_of_colonization_s);

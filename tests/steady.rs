@@ -1,10 +1,11 @@
 //! Sliders that keep the map: after a small change (more sea, rougher coasts, or a few more parcels or attractors), the
 //! greater rivers of drainage, and of space colonization along valleys, stay where they are. Medians over eight fixed
-//! seeds; `cargo test --test all steady -- --nocapture` prints them.
+//! seeds; `cargo test --test all steady -- --nocapture --include-ignored` prints them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeMap;
 
+use crate::common::tier::{one_in, pairs, tiers};
 use glam::Vec2;
 use riverseed::domain::AREA;
 use riverseed::network::{NONE, Network};
@@ -74,21 +75,18 @@ fn points(network: &Network, every: f32) -> Vec<Vec2> {
 /// The kept share of the greater rivers of a link, as medians over eight seeds: after each small change, and for
 /// another seed.
 fn kept(link: &str) -> Vec<f64> {
-    let of_seed = |seed: u32| {
-        let recipe = |seed: u32| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
-        let notched = |&(key, change): &(Key, &str)| {
-            let mut recipe = recipe(seed);
-            let value =
-                key.parameter().text_of(recipe.value(key)).parse::<f64>().unwrap() + change.parse::<f64>().unwrap();
-            recipe.set(key, format!("{value:.2}").trim_end_matches(".00")).unwrap();
-            recipe
-        };
-        let before = Courses::of(recipe(seed));
-        let after = NOTCHES.iter().map(notched).chain([recipe(seed + 8)]);
-        after.map(|after| before.kept_in(&Courses::of(after))).collect::<Vec<f64>>()
+    let recipe = |seed: usize| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
+    let notched = |seed: usize, (key, change): (Key, &str)| {
+        let mut recipe = recipe(seed);
+        let before: f64 = key.parameter().text_of(recipe.value(key)).parse().unwrap();
+        let value = before + change.parse::<f64>().unwrap();
+        recipe.set(key, format!("{value:.2}").trim_end_matches(".00")).unwrap();
+        Courses::of(recipe)
     };
-    let rows: Vec<Vec<f64>> = (0..8).map(of_seed).collect();
-    (0..=NOTCHES.len()).map(|i| median(rows.iter().map(|row| row[i]).collect())).collect()
+    let before: Vec<Courses> = (0..8).map(|seed| Courses::of(recipe(seed))).collect();
+    let another = |seed: usize| before[seed].kept_in(&before[(seed + 1) % 8]);
+    let after = NOTCHES.map(|notch| median((0..8).map(|seed| before[seed].kept_in(&notched(seed, notch))).collect()));
+    after.into_iter().chain([median((0..8).map(another).collect())]).collect()
 }
 
 /// The mean of the two in the middle of eight.
@@ -104,22 +102,24 @@ fn told(link: &str, kept: &[f64]) -> String {
     format!("{link}: of the greater rivers is kept: {}", shares.collect::<Vec<_>>().join(", "))
 }
 
-#[test]
 fn notches_of_a_slider_keep_the_greater_rivers() {
-    for land in ["land=island&sea=0.6", "land=continent&sea=0.3"] {
+    let growers = ["growth=drainage&valleys=0.2", "growth=drainage&valleys=0", "growth=colonize&valleys=0.2"];
+    let mut of_colonization = BTreeMap::new();
+    for (land, grower) in one_in(6, pairs(["land=island&sea=0.6", "land=continent&sea=0.3"], growers)) {
         // For comparison: there is no bar for space colonization without valleys, whose fronts meet elsewhere after any
         // change.
-        let colonized = kept(&format!("{land}&growth=colonize&valleys=0"));
-        for grower in ["growth=drainage&valleys=0", "growth=drainage&valleys=0.2", "growth=colonize&valleys=0.2"] {
-            let link = format!("{land}&{grower}");
-            let kept = kept(&link);
-            let told = format!("{}\n{}", told(&link, &kept), told("with growth=colonize&valleys=0", &colonized));
-            println!("{told}");
-            let (another, notches) = kept.split_last().unwrap();
-            assert!(notches.iter().all(|&share| share >= BAR), "{told}");
-            assert!(notches.iter().zip(&colonized).all(|(share, colonized)| share > colonized), "{told}");
-            // Of rivers that have nothing to do with these, the measure says so.
-            assert!(*another < 0.2, "{told}");
-        }
+        let colonized =
+            of_colonization.entry(land).or_insert_with(|| kept(&format!("{land}&growth=colonize&valleys=0")));
+        let link = format!("{land}&{grower}");
+        let kept = kept(&link);
+        let told = format!("{}\n{}", told(&link, &kept), told("with growth=colonize&valleys=0", colonized));
+        println!("{told}");
+        let (another, notches) = kept.split_last().unwrap();
+        assert!(notches.iter().all(|&share| share >= BAR), "{told}");
+        assert!(notches.iter().zip(&*colonized).all(|(share, colonized)| share > colonized), "{told}");
+        // Of rivers that have nothing to do with these, the measure says so.
+        assert!(*another < 0.2, "{told}");
     }
 }
+
+tiers!(notches_of_a_slider_keep_the_greater_rivers);

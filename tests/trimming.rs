@@ -4,6 +4,7 @@
 use crate::common::plain::plain;
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::tier::{first, tiers};
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};
@@ -42,9 +43,8 @@ fn children(tree: &Tree) -> Vec<Vec<usize>> {
 }
 
 proptest! {
-    #![proptest_config(cases(150))]
+    #![proptest_config(first(25, cases(150)))]
 
-    #[test]
     fn a_node_goes_by_both_inequalities_or_with_its_parent(link in random_link(600), t in 0u32..40) {
         let tree = grown(&link);
         let children = children(&tree);
@@ -60,7 +60,6 @@ proptest! {
         }
     }
 
-    #[test]
     fn regular_endings_stay_and_no_river_ends_elsewhere(link in random_link(600), t in 0u32..40) {
         let tree = grown(&link);
         let hydrology = Hydrology::of(&tree);
@@ -76,7 +75,6 @@ proptest! {
         prop_assert_eq!(pruned.tree.mouths(), tree.mouths());
     }
 
-    #[test]
     fn water_is_neither_lost_nor_made(link in random_link(600), t in 0u32..40) {
         let tree = grown(&link);
         let hydrology = Hydrology::of(&tree);
@@ -93,6 +91,12 @@ proptest! {
         prop_assert_eq!(Hydrology::of(&pruned.tree).discharge, pruned.hydrology.discharge);
     }
 }
+
+tiers!(
+    a_node_goes_by_both_inequalities_or_with_its_parent,
+    regular_endings_stay_and_no_river_ends_elsewhere,
+    water_is_neither_lost_nor_made,
+);
 
 #[test]
 fn trimming_takes_most_short_branches() {

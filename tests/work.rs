@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::common::lands::every_land;
+use crate::common::tier::{Tier, one_in, pairs, tiers};
 use riverseed::base::random::{Purpose, Seed};
 use riverseed::base::work;
 use riverseed::recipe::{Stage, link};
@@ -69,24 +70,22 @@ fn check(recipe: &str) {
 
 /// A mouth more was searched for among fifty thousand places, all of them again for each, in a single tick: over 100
 /// million elementary steps, and as much for the next.
-#[test]
 fn no_drawn_coast_of_random_points_holds_a_tick() {
-    for (seed, lines) in [("a", 1), ("b", 1), ("c", 8)] {
-        let land = format!("seed={seed}&land=drawn&outline={}", coasts(seed, lines, 240));
-        for (attractors, growth) in [
-            (100, "reach=12"),
-            (1000, "reach=12&kill=0.5&step=0.2"),
-            (1000, "reach=12&step=0.2&mouths=64&mouth-spacing=0&meander=none"),
-            (3000, "reach=12&curl=2&momentum=0.9&mouths=64&mouth-spacing=0&scatter=grid"),
-        ] {
-            check(&format!("{land}&growth=colonize&attractors={attractors}&{growth}"));
-        }
-        check(&format!("{land}&growth=brownian&sensitivity=8"));
-        for drainage in EXTREMES_OF_DRAINAGE {
-            check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
-        }
+    let growths = [
+        "attractors=100&growth=colonize&reach=12",
+        "attractors=1000&growth=colonize&reach=12&kill=0.5&step=0.2",
+        "attractors=1000&growth=colonize&reach=12&step=0.2&mouths=64&mouth-spacing=0&meander=none",
+        "attractors=3000&growth=colonize&reach=12&curl=2&momentum=0.9&mouths=64&mouth-spacing=0&scatter=grid",
+        "growth=brownian&sensitivity=8",
+    ];
+    let drainage = EXTREMES_OF_DRAINAGE.map(|drainage| format!("attractors=20000&trim=0&{drainage}"));
+    let growths: Vec<String> = growths.map(String::from).into_iter().chain(drainage).collect();
+    for ((seed, lines), growth) in one_in(7, pairs([("a", 1), ("b", 1), ("c", 8)], growths)) {
+        check(&format!("seed={seed}&land=drawn&outline={}&{growth}", coasts(seed, lines, 240)));
     }
 }
+
+tiers!(no_drawn_coast_of_random_points_holds_a_tick);
 
 /// Drainage at both ends of its ranges: an invasion alone decides, or nothing but distance.
 const EXTREMES_OF_DRAINAGE: [&str; 3] = [
@@ -103,12 +102,13 @@ const CLOSED_LANDS: [&str; 4] = [
     "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnnYAnnYAYA",
 ];
 
-#[test]
 fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
-    for (land, drainage) in CLOSED_LANDS.iter().flat_map(|land| EXTREMES_OF_DRAINAGE.map(|drainage| (land, drainage))) {
+    for (land, drainage) in one_in(5, pairs(CLOSED_LANDS, EXTREMES_OF_DRAINAGE)) {
         check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
     }
 }
+
+tiers!(no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave);
 
 /// Parcels are laid out over the whole map, and few of them are kept where there is little land.
 #[test]
@@ -147,74 +147,79 @@ fn a_search_for_a_mouth_ends_soon() {
 }
 
 /// With valleys a tick takes up so many attractors, however long the way to each is.
-#[test]
 fn no_tick_along_valleys_takes_long() {
-    for land in every_land().into_iter().chain([format!("land=drawn&outline={}", coasts("c", 8, 240))]) {
-        check(&format!("{land}&growth=colonize&valleys=0.5&attractors=100&reach=12&kill=0.5&step=0.2&meander=none"));
-        check(&format!(
-            "{land}&growth=colonize&valleys=1&attractors=20000&reach=12&step=0.2&curl=2&mouths=64&meander=none"
-        ));
+    let lands = every_land().into_iter().chain([format!("land=drawn&outline={}", coasts("c", 8, 240))]);
+    let growths = ["valleys=0.5&attractors=100&kill=0.5", "valleys=1&attractors=20000&curl=2&mouths=64"];
+    for (land, growth) in one_in(5, pairs(lands, growths)) {
+        check(&format!("{land}&growth=colonize&reach=12&step=0.2&meander=none&{growth}"));
     }
 }
+
+tiers!(no_tick_along_valleys_takes_long);
 
 /// Rivers that meander as much as recipes allow.
 const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
 
-#[test]
 fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
-    for land in every_land() {
-        check(&format!("{land}&roughness=1&growth=colonize&attractors=100&reach=12&step=0.2{WILD}"));
-        check(&format!("{land}&roughness=1&growth=colonize&attractors=3000&reach=12&step=0.2{WILD}"));
-        check(&format!("{land}&roughness=1&growth=brownian&sensitivity=8{WILD}"));
-        check(&format!("{land}&roughness=1&{}&attractors=3000{WILD}", EXTREMES_OF_DRAINAGE[0]));
-    }
-    for growth in ["colonize&step=0.5", "drainage&channel-area=1"] {
-        check(&format!("attractors=20000&growth={growth}{WILD}"));
+    let drainage = format!("{}&attractors=3000", EXTREMES_OF_DRAINAGE[0]);
+    let growths = [
+        "growth=colonize&attractors=100&reach=12&step=0.2",
+        "growth=colonize&attractors=3000&reach=12&step=0.2",
+        "growth=brownian&sensitivity=8",
+        &drainage,
+    ];
+    let maps = pairs(every_land(), growths).map(|(land, growth)| format!("{land}&roughness=1&{growth}"));
+    let large =
+        ["colonize&step=0.5", "drainage&channel-area=1"].map(|growth| format!("attractors=20000&growth={growth}"));
+    for map in one_in(9, maps.chain(large)) {
+        check(&format!("{map}{WILD}"));
     }
 }
 
+tiers!(no_land_holds_a_step_however_its_rivers_grow_and_meander);
+
 /// However many rivers there are, however wide, straight or winding: each step of their relief is a small part of it.
 /// The worst for valleys are wide rivers with many vertices; for ridges, many long ones.
-#[test]
 fn no_relief_holds_a_step() {
     let ridges = coasts("e", 1, 200).replacen('.', "..", 1);
     let ridges = format!("land=drawn&outline={}{ridges}", coasts("d", 1, 40));
     let course = format!("land=drawn&outline=..{}", coasts("a", 1, 240));
-    for land in every_land().into_iter().chain([ridges, course]) {
-        for growth in [
-            "drainage&attractors=20000&channel-area=1&mouths=1",
-            "colonize&attractors=1000&step=0.2",
-            "brownian&sensitivity=12",
-        ] {
-            let recipe = format!("{land}&growth={growth}&style=atlas&trim=0&simplify=0&courses=grown&width=40");
-            let mut session = Session::new(link::read(&recipe).unwrap()).unwrap();
-            while session.phase() != Phase::Relief {
-                assert!(session.advance(1).unwrap(), "there is no relief: {recipe}");
-            }
-            let begun = work::steps();
-            assert!(session.advance(1).unwrap() && work::steps() == begun, "the first step only asks for memory");
-            let (mut most, mut all) = (0, 0);
-            while session.phase() == Phase::Relief {
-                let before = work::steps();
-                session.advance(1).unwrap();
-                most = most.max(work::steps() - before);
-                all += work::steps() - before;
-            }
-            let vertices = session.network().unwrap().vertices.len() as u64;
-            let bound = 1_500_000 + 20 * vertices;
-            assert!(most < bound, "{most} elementary steps, over {bound}: {recipe}");
-            assert!(all > 10 * 250_000, "{all} elementary steps, fewer than are made: {recipe}");
+    let growths = [
+        "drainage&attractors=20000&channel-area=1&mouths=1",
+        "colonize&attractors=1000&step=0.2",
+        "brownian&sensitivity=12",
+    ];
+    for (land, growth) in one_in(10, pairs(every_land().into_iter().chain([ridges, course]), growths)) {
+        let recipe = format!("{land}&growth={growth}&style=atlas&trim=0&simplify=0&courses=grown&width=40");
+        let mut session = Session::new(link::read(&recipe).unwrap()).unwrap();
+        while session.phase() != Phase::Relief {
+            assert!(session.advance(1).unwrap(), "there is no relief: {recipe}");
         }
+        let begun = work::steps();
+        assert!(session.advance(1).unwrap() && work::steps() == begun, "the first step only asks for memory");
+        let (mut most, mut all) = (0, 0);
+        while session.phase() == Phase::Relief {
+            let before = work::steps();
+            session.advance(1).unwrap();
+            most = most.max(work::steps() - before);
+            all += work::steps() - before;
+        }
+        let vertices = session.network().unwrap().vertices.len() as u64;
+        let bound = 1_500_000 + 20 * vertices;
+        assert!(most < bound, "{most} elementary steps, over {bound}: {recipe}");
+        assert!(all > 10 * 250_000, "{all} elementary steps, fewer than are made: {recipe}");
     }
 }
 
+tiers!(no_relief_holds_a_step);
+
 /// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none,
 /// and a change of land or growth only plants.
-#[test]
 fn no_change_holds_a_page() {
+    let attractors = if Tier::here() == Tier::First { 3000 } else { 20_000 };
     for growth in ["colonize&step=0.5", "drainage&channel-area=2"] {
         let mut most = Most::default();
-        let mut session = most.plant(&format!("attractors=20000&growth={growth}{WILD}"));
+        let mut session = most.plant(&format!("attractors={attractors}&growth={growth}{WILD}"));
         most.finish(&mut session);
         for (change, first) in [
             ("width=39", Stage::Shape),
@@ -238,22 +243,23 @@ fn no_change_holds_a_page() {
     }
 }
 
+tiers!(no_change_holds_a_page);
+
 /// As long a course as a drawing holds is followed at once, and so are as many mouths.
-#[test]
 fn no_scribbled_rivers_hold_a_tick() {
     let course = format!("..{}", coasts("a", 1, 240));
     let mouths = coasts("b", 140, 140).replace('.', "...");
     let land = coasts("c", 1, 120);
     let half = format!("{land}..{}", coasts("d", 1, 120));
-    for outline in [&course, &mouths, &half] {
-        let drawn = format!("seed=a&land=drawn&outline={outline}");
-        for growth in [
-            "colonize&attractors=1000&reach=12&kill=0.5&step=0.2",
-            "colonize&attractors=20000&reach=12&step=0.2&curl=2&trim=400&meander=none",
-            "brownian&sensitivity=8",
-            "drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0",
-        ] {
-            check(&format!("{drawn}&growth={growth}"));
-        }
+    let growths = [
+        "colonize&attractors=1000&reach=12&kill=0.5&step=0.2",
+        "colonize&attractors=20000&reach=12&step=0.2&curl=2&trim=400&meander=none",
+        "brownian&sensitivity=8",
+        "drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0",
+    ];
+    for (outline, growth) in one_in(5, pairs([course, mouths, half], growths)) {
+        check(&format!("seed=a&land=drawn&outline={outline}&growth={growth}"));
     }
 }
+
+tiers!(no_scribbled_rivers_hold_a_tick);

@@ -1,6 +1,6 @@
 //! Code that several test files share.
 #![allow(dead_code, reason = "each test file uses its own part")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
 pub mod lands;
 pub mod literal;
@@ -10,6 +10,7 @@ pub mod pairs;
 pub mod parts;
 pub mod plain;
 pub mod property;
+pub mod tier;
 pub mod twin;
 
 use proptest::prelude::*;

@@ -8,7 +8,7 @@
 use proptest::test_runner::{Config, RngSeed};
 
 /// Drawn once, at random.
-const SEED: u64 = 11_400_714_819_323_198_485;
+pub const SEED: u64 = 11_400_714_819_323_198_485;
 
 /// A configuration with this number of cases.
 pub fn cases(count: u32) -> Config {
@@ -19,6 +19,10 @@ pub fn cases(count: u32) -> Config {
 /// A configuration with this number of cases when exploring, otherwise a twentieth of them: for properties whose cases
 /// take long.
 pub fn large(count: u32) -> Config {
-    let is_exploring = std::env::var_os("PROPTEST_RNG_SEED").is_some();
-    cases(if is_exploring { count } else { count.div_ceil(20) })
+    cases(if is_exploring() { count } else { count.div_ceil(20) })
+}
+
+/// Returns `true` where a seed is given, to try what no test has tried.
+pub fn is_exploring() -> bool {
+    std::env::var_os("PROPTEST_RNG_SEED").is_some()
 }

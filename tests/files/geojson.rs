@@ -1,6 +1,7 @@
 //! GeoJSON: each feature, its place on the globe and its properties.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use glam::{DVec2, Vec2};
 use riverseed::recipe::link;
@@ -8,7 +9,7 @@ use riverseed::session::Session;
 use serde_json::Value;
 
 use super::definitions::{course, heights, lakes, length, line, magnitudes, mouth, orders};
-use super::{finished, geojson, list, names, of_all, some};
+use super::{SESSIONS, finished, geojson, list, names, some};
 
 /// Where a point of the domain lies on the globe, east and north: a unit is a hundredth of a degree, the middle at 0, 0.
 fn degrees(session: &Session, at: Vec2) -> DVec2 {
@@ -24,11 +25,17 @@ fn position(value: &Value) -> DVec2 {
 /// Half of a hundred-thousandth of a degree, and what floats of units lose.
 const ROUNDING: f64 = 7e-6;
 
+/// Checks the files of all maps, each written once.
+fn of_all_files(check: impl Fn(&Session, &Value)) {
+    static FILES: LazyLock<[Value; 6]> = LazyLock::new(|| SESSIONS.each_ref().map(geojson));
+    SESSIONS.iter().zip(&*FILES).for_each(|(session, file)| check(session, file));
+}
+
 #[test]
 fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
-    of_all(|session| {
-        let (file, network) = (geojson(session), session.network().unwrap());
-        assert_eq!(names(&file), ["type", "riverseed", "features"]);
+    of_all_files(|session, file| {
+        let network = session.network().unwrap();
+        assert_eq!(names(file), ["type", "riverseed", "features"]);
         assert_eq!(file["type"], "FeatureCollection");
         assert_eq!(link::read(file["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
         let kinds = |feature: &Value| {
@@ -51,8 +58,8 @@ fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
 
 #[test]
 fn lines_lie_where_the_rivers_are_north_up_and_to_scale() {
-    of_all(|session| {
-        let (file, network, heights) = (geojson(session), session.network().unwrap(), heights(session));
+    of_all_files(|session, file| {
+        let (network, heights) = (session.network().unwrap(), heights(session));
         for (river, feature) in network.rivers.iter().zip(list(&file["features"])) {
             let vertices = course(river);
             let line = list(&feature["geometry"]["coordinates"]);
@@ -89,8 +96,8 @@ fn south_is_where_a_map_s_mouths_are() {
 
 #[test]
 fn rivers_have_the_properties_that_they_are_said_to_have() {
-    of_all(|session| {
-        let (file, network) = (geojson(session), session.network().unwrap());
+    of_all_files(|session, file| {
+        let network = session.network().unwrap();
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         for (id, (river, feature)) in network.rivers.iter().zip(list(&file["features"])).enumerate() {
             let properties = &feature["properties"];
@@ -120,8 +127,8 @@ fn turned(ring: &[DVec2]) -> f64 {
 
 #[test]
 fn lakes_are_closed_wound_and_where_the_loops_were() {
-    of_all(|session| {
-        let (file, network) = (geojson(session), session.network().unwrap());
+    of_all_files(|session, file| {
+        let network = session.network().unwrap();
         let features = &list(&file["features"])[network.rivers.len()..];
         for ((id, oxbow), feature) in lakes(network).into_iter().zip(features) {
             let properties = &feature["properties"];
