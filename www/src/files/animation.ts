@@ -16,7 +16,7 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import { PageError } from "../engine/errors.ts";
-import type { River } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/types.ts";
 import { type Course, inSteps, partOf } from "./course.ts";
 import { type MakerCore, paint } from "./painting.ts";
 
@@ -77,7 +77,7 @@ function even(length: number): number {
 /** The river that is filmed. */
 class Scenes {
   constructor(
-    private readonly river: River,
+    private readonly river: SteeredRiver,
     private readonly core: MakerCore,
     readonly video: Video,
   ) {}
@@ -99,7 +99,7 @@ class Scenes {
     }
   }
 
-  async skip(phase: River["phase"], course: Course): Promise<void> {
+  async skip(phase: SteeredRiver["phase"], course: Course): Promise<void> {
     const { river } = this;
     await inSteps(
       course,

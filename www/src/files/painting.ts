@@ -1,7 +1,7 @@
 /** Paints a river for a file, with its labels and scenery. */
 
 import type { SteerCore } from "../engine/steer.ts";
-import type { River } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/types.ts";
 import { askMapForFile, type LoadTeller } from "../player/annotator.ts";
 import { type Course, inSteps } from "./course.ts";
 
@@ -11,7 +11,7 @@ export interface MakerCore extends SteerCore {
 }
 
 /** Paints a finished river, with its labels. */
-export async function paint(river: River, core: MakerCore, course: Course): Promise<void> {
+export async function paint(river: SteeredRiver, core: MakerCore, course: Course): Promise<void> {
   if (river.wantsAnnotation()) {
     const means = { loadTeller: core.loadTeller, holdOn: () => {} };
     const { width, height } = river;

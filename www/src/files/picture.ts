@@ -1,6 +1,6 @@
 /** Makes pictures and cards of a link. Each grows a river for itself. */
 
-import type { River } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/types.ts";
 import { type Course, grow, partOf } from "./course.ts";
 import { CARD, type CardOrder, changed, type PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";
@@ -25,7 +25,7 @@ export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore
   }
 }
 
-function sidesFor(river: River, { longerSide }: PictureOrder): [width: number, height: number] {
+function sidesFor(river: SteeredRiver, { longerSide }: PictureOrder): [width: number, height: number] {
   const [width = 0, height = 0] = river.sidesFor(longerSide);
   return [width, height];
 }

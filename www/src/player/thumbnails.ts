@@ -1,7 +1,7 @@
 /** Small pictures of one finished map in many styles, made a little at a time. */
 
 import { named } from "../engine/errors.ts";
-import type { River } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 
 /** The time for making them in one task. */
@@ -21,7 +21,7 @@ export interface Thumbnail {
  * stopped.
  */
 export async function* thumbnails(
-  river: River,
+  river: SteeredRiver,
   memory: WebAssembly.Memory,
   styles: readonly string[],
   { width, height }: { width: number; height: number },
@@ -46,7 +46,7 @@ export async function* thumbnails(
 
 async function pixelsIn(
   style: string,
-  river: River,
+  river: SteeredRiver,
   memory: WebAssembly.Memory,
   pause: () => Promise<boolean>,
 ): Promise<Thumbnail["pixels"] | "stopped"> {

@@ -7,13 +7,13 @@ import plain from "../../../../tests/digest.txt?raw";
 import annotated from "../../../../tests/digest-annotated.txt?raw";
 import { find } from "../../browser/dom.ts";
 import { named, PageError } from "../../engine/errors.ts";
-import { type Core, load } from "../../engine/make.ts";
+import { loadSteer, type SteerCore } from "../../engine/steer.ts";
 import { loadTeller, type Teller } from "../../engine/tell.ts";
 import { annotate, askMap } from "../../player/annotator.ts";
 import { type Line, linesOf } from "./lines.ts";
 
 async function compare(): Promise<void> {
-  const [core, teller] = [await load(), await loadTeller()];
+  const [core, teller] = [await loadSteer(), await loadTeller()];
   const lines = [...linesOf(plain), ...linesOf(annotated)];
   const grown: Line[] = [];
   for (const { link } of lines) {
@@ -29,7 +29,7 @@ async function compare(): Promise<void> {
 }
 
 /** Grows and paints a recipe, and returns the digest of the map and its picture. */
-function digestOf({ engine, memory }: Core, teller: Teller, link: string): string {
+function digestOf({ engine, memory }: SteerCore, teller: Teller, link: string): string {
   const river = new engine.River(link);
   try {
     if (river.notices.length > 0) throw new PageError("bad-params", link);

@@ -4,13 +4,13 @@
  */
 
 import type { Teller } from "../../engine/tell.ts";
-import type { FinishedMap, Inspector, River } from "../../engine/types.ts";
+import type { FinishedMap, Inspector, SteeredRiver } from "../../engine/types.ts";
 import { askMap } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { dotsOf, linesOf } from "./path-text.ts";
 import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 
-type Player = RiverPlayer;
+type Player = RiverPlayer<SteeredRiver>;
 
 /** A limit above any number of rivers. */
 const ALL_RIVERS = 0xffff_ffff;
@@ -87,7 +87,7 @@ export class Inspections {
   }
 
   async #make(player: Player, link: string): Promise<Inspected | undefined> {
-    const river = (): River | undefined =>
+    const river = (): SteeredRiver | undefined =>
       player.link === link && player.state === "finished" ? player.river : undefined;
     // Without the teller there are no answers, until it arrives.
     const teller = await this.loadTeller().catch(() => undefined);
@@ -110,7 +110,7 @@ const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspec
 };
 
 /** The points and lines of any map that the other overlays show. */
-const liveOverlays: Record<LiveOverlayName, (river: River) => string[][]> = {
+const liveOverlays: Record<LiveOverlayName, (river: SteeredRiver) => string[][]> = {
   attractors,
   sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
@@ -122,7 +122,7 @@ function isLive(name: OverlayName): name is LiveOverlayName {
   return name in liveOverlays;
 }
 
-function live(river: River, link: string, name: LiveOverlayName): Overlay {
+function live(river: SteeredRiver, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
@@ -131,11 +131,11 @@ function live(river: River, link: string, name: LiveOverlayName): Overlay {
 }
 
 /** Returns all attractors, and on top of them those that are left. */
-function attractors(river: River): string[][] {
+function attractors(river: SteeredRiver): string[][] {
   return [[dotsOf(river.scattered())], [dotsOf(river.left())]];
 }
 
-function sizeOf(river: River | undefined): [width: number, height: number] {
+function sizeOf(river: SteeredRiver | undefined): [width: number, height: number] {
   const [width = 1, height = 1] = river?.lengths() ?? [];
   return [width, height];
 }
@@ -166,7 +166,7 @@ function basins(inspector: Inspector): string[][] {
 }
 
 /** Makes a part of the relief, which determines basins. Returns whether there is more to do. */
-function riseFor(river: River | undefined, milliseconds: number): boolean {
+function riseFor(river: SteeredRiver | undefined, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   let isLeft = river?.raiseRelief() ?? false;
   while (isLeft && performance.now() < end) isLeft = river?.raiseRelief() ?? false;

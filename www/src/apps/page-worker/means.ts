@@ -1,7 +1,7 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
 import type { SteerCore } from "../../engine/steer.ts";
-import type { Measure, River } from "../../engine/types.ts";
+import type { Measure, SteeredRiver } from "../../engine/types.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
 import { askMap } from "../../player/annotator.ts";
@@ -12,10 +12,10 @@ import { Inspections } from "./inspections.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
 import { Timelines } from "./timelines.ts";
 
-type Player = RiverPlayer;
+type Player = RiverPlayer<SteeredRiver>;
 
 /** Returns the means of a renderer. `holdOn` is called before a long step. */
-export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<Question, Answer> {
+export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<SteeredRiver, Question, Answer> {
   const maker = { ...core, loadTeller };
   const inspections = new Inspections(loadTeller);
   const timelines = new Timelines();
@@ -65,7 +65,7 @@ async function loadTeller() {
 }
 
 /** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */
-function copyFor(link: string, player: Player | undefined, { engine }: SteerCore): River {
+function copyFor(link: string, player: Player | undefined, { engine }: SteerCore): SteeredRiver {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
   try {

@@ -1,10 +1,10 @@
 /** Goes back and forth through the making of a map, in the renderer. */
 
-import type { River, Timeline } from "../../engine/types.ts";
+import type { SteeredRiver, Timeline } from "../../engine/types.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import type { Making, Moment } from "./protocol.ts";
 
-type Player = RiverPlayer;
+type Player = RiverPlayer<SteeredRiver>;
 
 const PARTS = ["growth", "bends", "map"] as const;
 /** The time for steps before other messages are handled. */
@@ -48,7 +48,7 @@ export class Timelines {
   async #go(kept: Kept, { part, step }: Moment): Promise<void> {
     const wish = ++this.#wishes;
     const { player, link, timeline } = kept;
-    const river = (): River | undefined =>
+    const river = (): SteeredRiver | undefined =>
       wish === this.#wishes && this.#kept === kept && player.link === link ? player.river : undefined;
     const number = PARTS.indexOf(part);
     player.hold();
@@ -61,7 +61,11 @@ export class Timelines {
 }
 
 /** Makes steps for some time. Returns whether there is more to do. */
-function advance(river: River | undefined, milliseconds: number, step: (river: River) => boolean): boolean {
+function advance(
+  river: SteeredRiver | undefined,
+  milliseconds: number,
+  step: (river: SteeredRiver) => boolean,
+): boolean {
   if (!river) return false;
   const end = performance.now() + milliseconds;
   let isLeft = step(river);

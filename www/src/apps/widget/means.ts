@@ -1,6 +1,7 @@
 /** The means by which a renderer of widgets makes rivers and their files. */
 
 import type { Core } from "../../engine/make.ts";
+import type { River } from "../../engine/types.ts";
 import { pngOf, svgOf } from "../../files/files.ts";
 import type { Means } from "../../host/renderer.ts";
 import { loadTeller } from "./late.ts";
@@ -14,7 +15,7 @@ export function meansOf(
   { engine, memory }: Core,
   wasmUrl: string | undefined,
   holdOn: () => void = () => {},
-): Means<Question, Blob> {
+): Means<River, Question, Blob> {
   const maker = { engine, memory, loadTeller: () => loadTeller(wasmUrl) };
   return {
     maker,

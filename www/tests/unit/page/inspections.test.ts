@@ -11,10 +11,10 @@ import { teller } from "../../tell.ts";
 const ORDERS = "orders";
 
 /** A player of a finished map. */
-function player(seed: string): RiverPlayer & { river: engine.River } {
+function player(seed: string): RiverPlayer<engine.River> & { river: engine.River } {
   const river = new engine.River(`seed=${seed}&attractors=200&meander-rounds=2`);
   while (river.advance(1000));
-  return { river, link: river.link, state: "finished" } as RiverPlayer & { river: engine.River };
+  return { river, link: river.link, state: "finished" } as RiverPlayer<engine.River> & { river: engine.River };
 }
 
 /** What rejections nobody heard of. */

@@ -13,9 +13,9 @@ vi.mock("../../../src/engine/tell.ts", async () => {
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
 
 /** As much of a player as is asked: its river, and how that stands. */
-function player(river: engine.River): RiverPlayer {
+function player(river: engine.River): RiverPlayer<engine.River> {
   const state = river.phase === "finished" ? "finished" : "growing";
-  return { river, link: river.link, state } as RiverPlayer;
+  return { river, link: river.link, state } as RiverPlayer<engine.River>;
 }
 
 function river(steps: number): engine.River {
