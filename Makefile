@@ -263,12 +263,13 @@ goldens: ## redraw the golden pictures and digests; then look at them and say in
 	@git status --short tests
 
 .PHONY: docs
-docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
+docs: ## write what is generated again: the parameters (docs/ and www/src/engine/parameters.json), the JSON form, the figures, the tables of the element
+	@$(setup) rust node
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test all --test program -- documents schema
 	@$(npm) element-page
 	@$(run) cargo test --all-features --quiet --test all --test program -- documents schema
-	@git status --short docs
+	@git status --short docs www/src/engine/parameters.json
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay

@@ -362,13 +362,13 @@ function size() {
     "the element's": "www/pkg-make/riverseed_bg.wasm",
     "the page's": "www/pkg-steer/riverseed_steer_bg.wasm",
     "the teller's": "www/pkg-tell/riverseed_tell_bg.wasm",
-    "the tracing of pictures,": "www/pkg-trace/riverseed_trace_bg.wasm",
+    "that of drawn land,": "www/pkg-trace/riverseed_trace_bg.wasm",
   };
   const bars = {
     "the element's": atMost(150, 130),
     "the page's": atMost(150, 130),
     "the teller's": atMost(190, 170),
-    "the tracing of pictures,": atMost(22, 20),
+    "that of drawn land,": atMost(22, 20),
   };
   for (const [whose, file] of Object.entries(files)) {
     const bytes = readFileSync(file);

@@ -15,6 +15,9 @@ use crate::session::{Session, SessionError};
 /// The width and height, in pixels, of the picture that goes into a digest.
 pub const WIDTH: u32 = 160;
 
+/// The size of that picture in bytes.
+const BYTES: usize = 4 * (WIDTH * WIDTH) as usize;
+
 /// The committed digests that every change is tested against, one a line: a digest, a space and a link.
 pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-annotated.txt"));
 
@@ -35,6 +38,12 @@ pub enum DigestError {
     /// `names`.
     #[error("there is no digest of a map with labels, a cartouche, woods or hills here: this build draws none of them")]
     NoNames,
+    /// The picture does not have the size that goes into a digest.
+    #[error("a digest takes a picture of {BYTES} bytes, not {bytes}")]
+    Picture {
+        /// The size that was given.
+        bytes: usize,
+    },
 }
 
 /// Grows, paints and exports a recipe. Returns a 64-bit FNV-1a hash as 16 hexadecimal digits. It covers the tree, its
@@ -44,22 +53,29 @@ pub enum DigestError {
 /// # Errors
 /// Fails if there is not enough memory, or if this build cannot draw such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
-    if recipe.is_annotated() && !cfg!(feature = "names") {
-        return Err(DigestError::NoNames);
-    }
+    refuse_annotation(recipe)?;
     let mut session = Session::new(recipe.clone())?;
     let map = session.finish()?;
     let mut picture = Picture::new(WIDTH, WIDTH)?;
     picture.paint(&session);
-    Ok(digest_of(&map, picture.pixmap().data(), &session.growth().scattered())?)
+    digest_of(&map, picture.pixmap().data(), &session.growth().scattered())
+}
+
+/// Refuses a recipe that this build cannot draw.
+fn refuse_annotation(recipe: &Recipe) -> Result<(), DigestError> {
+    if recipe.is_annotated() && !cfg!(feature = "names") { Err(DigestError::NoNames) } else { Ok(()) }
 }
 
 /// Returns the digest of a map that has been painted elsewhere, from the RGBA bytes of its picture, [`WIDTH`] pixels
 /// square, and the attractors that it grew to.
 ///
 /// # Errors
-/// Fails if there is not enough memory.
-pub fn digest_of(map: &Map, picture: &[u8], attractors: &[Vec2]) -> Result<String, ExportError> {
+/// Fails if the picture has another size, if there is not enough memory, or if this build cannot draw such a map.
+pub fn digest_of(map: &Map, picture: &[u8], attractors: &[Vec2]) -> Result<String, DigestError> {
+    refuse_annotation(map.recipe())?;
+    if picture.len() != BYTES {
+        return Err(DigestError::Picture { bytes: picture.len() });
+    }
     let has_names = map.recipe().is_annotated();
     let mut hash = Fnv1a::new();
     hash_rivers(&mut hash, map);

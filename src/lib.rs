@@ -6,7 +6,7 @@
 //! [painted](paint). Data flows one way:
 //!
 //! ```text
-//! recipe ─► land ─► grow ─► prune ─► network ─► paint / export
+//! recipe ─► land ─► grow ─► prune ─► network ─► relief ─► map ─► annotate / paint / export / analyse
 //! ```
 //!
 //! Each stage is a function of its part of the recipe, the previous stage and its own random stream. Results are the

@@ -98,7 +98,6 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
             }
             map.read(py, |map| written(|out| write_text(out, map, options)))
         }
-        form => Err(Failure::Refused(format!("form: '{}' cannot be made here", form.name())).into()),
     }
 }
 
@@ -112,7 +111,9 @@ fn write_text(out: &mut Vec<u8>, map: &riverseed::Map, options: &Options) -> Don
         Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(map)?.as_bytes())?,
         Form::Svg => out.write_all(svg::svg(map)?.as_bytes())?,
         Form::GeoJson => geojson::write(&mut *out, map)?,
-        _ => json::write(&mut *out, map, None)?,
+        Form::Json => json::write(&mut *out, map, None)?,
+        // These are no texts.
+        Form::Png | Form::Pack | Form::Raster(_) => {}
     }
     Ok(writeln!(out)?)
 }

@@ -2,9 +2,9 @@
 
 use super::rasters::Layer;
 
-/// The forms of a file, each named after the ending of its files.
+/// The forms of a file, each named after the ending of its files. Not `#[non_exhaustive]`: programs that write all forms
+/// want the compiler to ask for a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Form {
     /// The picture.
     Png,

@@ -4,7 +4,7 @@
 //! made from it: each is land, water or a ridge that no river may cross, as in Demiurge, part 2.
 //!
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which is made from hand-drawn lines
-//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or from a picture (`trace`, in the feature `files`).
+//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or from a picture ([`trace`]).
 //!
 //! Growth uses cells, painting uses smoothed coast distances ([`SmoothedDistance`]). Therefore the coast is smooth at
 //! any size, and rivers end at it.

@@ -26,7 +26,7 @@ pub struct Word {
 }
 
 impl Word {
-    /// Empties label and help text unless the feature `controls` is on.
+    /// Empties label and help text unless the feature `texts` is on.
     const fn explained(self) -> Self {
         if cfg!(feature = "texts") { self } else { Self { label: "", help: "", ..self } }
     }

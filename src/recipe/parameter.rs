@@ -96,7 +96,7 @@ pub struct Parameter {
     pub key: Key,
     /// The key in links, attributes, options and JSON.
     pub name: &'static str,
-    /// The name on the page. `label`, `help` and `group` are empty without the feature `controls`.
+    /// The name on the page. `label`, `help` and `group` are empty without the feature `texts`.
     pub label: &'static str,
     /// One line of explanation.
     pub help: &'static str,

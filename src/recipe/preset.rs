@@ -181,7 +181,7 @@ pub static COUNTRIES: &[Preset] = &[
     },
 ];
 
-/// Empties labels and help texts unless the feature `controls` is on.
+/// Empties labels and help texts unless the feature `texts` is on.
 const fn explained<const COUNT: usize>(mut presets: [Preset; COUNT]) -> [Preset; COUNT] {
     let mut i = 0;
     while i < COUNT && !cfg!(feature = "texts") {

@@ -110,6 +110,15 @@ mod tests {
     }
 
     #[test]
+    fn the_link_of_a_file_means_what_the_file_shows_on_dark_pages_too() {
+        for text in ["seed=kauri", "seed=kauri&style=ink", "seed=kauri&style=atlas"] {
+            let recipe = link::read(text).unwrap();
+            assert_eq!(read(&link::write_for_file(&recipe), DARK).recipe, recipe, "{text}");
+        }
+        assert_ne!(read(&link::write(&Recipe::default()), DARK).recipe, Recipe::default());
+    }
+
+    #[test]
     fn each_way_of_growing_has_a_limit_within_the_range_that_its_default_keeps() {
         for &method in GrowthMethod::ALL {
             let (key, limit, beyond) = bound(widget_limit(method));

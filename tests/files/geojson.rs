@@ -37,7 +37,9 @@ fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
         let network = session.network().unwrap();
         assert_eq!(names(file), ["type", "riverseed", "features"]);
         assert_eq!(file["type"], "FeatureCollection");
-        assert_eq!(link::read(file["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
+        let link = file["riverseed"].as_str().unwrap();
+        assert_eq!(link::read(link).as_ref(), Ok(session.recipe()));
+        assert!(link.contains("style="), "{link}");
         let kinds = |feature: &Value| {
             assert_eq!(feature["type"], "Feature");
             let properties = &feature["properties"];

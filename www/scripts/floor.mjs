@@ -10,7 +10,8 @@ import { membersOf, newerThanFloor } from "./newer.mjs";
 const FOLDERS = ["src", "public"];
 
 const scripts = FOLDERS.flatMap(scriptsIn);
-const engine = membersOf(read("pkg-make/riverseed.d.ts"), "dts");
+const MODULES = ["pkg-steer/riverseed_steer", "pkg-tell/riverseed_tell", "pkg-trace/riverseed_trace"];
+const engine = MODULES.flatMap((name) => [...membersOf(read(`${name}.d.ts`), "dts")]);
 const ours = new Set([...engine, ...scripts.flatMap((file) => membersOf(read(file)))]);
 
 for (const file of scripts)

@@ -139,7 +139,8 @@ impl Files {
             }
             (Form::GeoJson, ..) => export::geojson::write(&mut *out, map).and_then(|()| writeln!(out)),
             (Form::Json, ..) => export::json::write(&mut *out, map, attractors.as_deref()).and_then(|()| writeln!(out)),
-            _ => Ok(()),
+            // Not made for this form.
+            (Form::Png | Form::Pack | Form::Raster(_), ..) => Ok(()),
         };
         Ok(written?)
     }

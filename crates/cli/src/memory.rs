@@ -41,8 +41,7 @@ pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
     match form {
         Form::Png | Form::Raster(_) => Ok(()),
         Form::Svg | Form::GeoJson | Form::Json => ask(bytes_of(map)),
-        // A pack, and any other form: no other is known to need as much.
-        _ => ask(bytes_of(map) + COMPRESSORS),
+        Form::Pack => ask(bytes_of(map) + COMPRESSORS),
     }
 }
 

@@ -1,6 +1,6 @@
 //! An atlas page.
 
-use super::sheet::{Sheet, haloed, strokes};
+use super::look::{Look, haloed, strokes};
 use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
 
 /// Rings in the sea, the nearest first.
@@ -21,7 +21,7 @@ static RELIEF: ReliefLook = ReliefLook {
     )
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0xcf, 0xe3, 0xe6],
         fade: 150.0,

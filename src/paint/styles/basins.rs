@@ -1,6 +1,6 @@
 //! River systems in colours on paper, their basins in tints of the same colours.
 
-use super::sheet::{Sheet, bare, strokes};
+use super::look::{Look, bare, strokes};
 use crate::paint::palette::{BasinColours, Colour, Palette, ReliefLook, even, tinted};
 
 const PAPER: Colour = [0xf6, 0xf1, 0xe4];
@@ -33,7 +33,7 @@ static RELIEF: ReliefLook = ReliefLook {
     ..tinted(&[(0.0, PAPER)], 0.82)
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         relief: Some(&RELIEF),
         ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58])

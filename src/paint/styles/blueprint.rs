@@ -1,6 +1,6 @@
 //! A blueprint: white lines on blue.
 
-use super::sheet::{Sheet, bodied, haloed};
+use super::look::{Look, bodied, haloed};
 use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
 
 const LAND: Colour = [0x13, 0x44, 0x81];
@@ -15,7 +15,7 @@ static RELIEF: ReliefLook = ReliefLook {
 
 const RIVER: Colour = [0xf4, 0xfa, 0xff];
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         rings: &[(5.0, 0.4), (10.0, 0.28), (16.0, 0.18)],
         grids: &[

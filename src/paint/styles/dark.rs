@@ -1,14 +1,14 @@
 //! Ink's drawing on dark paper.
 
 use super::ink;
-use super::sheet::{SceneryLook, Sheet, bare, strokes};
+use super::look::{Look, SceneryLook, bare, strokes};
 use crate::paint::palette::{Colour, Palette, even};
 
 const PAPER: Colour = [0x16, 0x1f, 0x2b];
 
 const RIVER: Colour = [0x9c, 0xc6, 0xe8];
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         rings: ink::STYLE.palette.rings,
         ..even(PAPER, [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], RIVER)

@@ -1,6 +1,6 @@
 //! A painting in ink and water.
 
-use super::sheet::{LabelLook, Sheet, bodied, haloed};
+use super::look::{LabelLook, Look, bodied, haloed};
 use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, Tints, even, tinted};
 
 const PAPER: Colour = [0xf5, 0xf1, 0xe8];
@@ -14,7 +14,7 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0x8f, 0xb0, 0xb8],
         fade: 55.0,

@@ -8,22 +8,22 @@ mod contrast;
 mod dark;
 mod ink;
 mod ink_wash;
+mod look;
 mod night;
 mod orbit;
 mod parchment;
 mod past_courses;
-mod sheet;
 mod skeleton;
 mod survey;
 
-pub(crate) use sheet::{LabelLook, SceneryLook};
+pub(crate) use look::{LabelLook, SceneryLook};
 
 use super::palette::Palette;
 use crate::recipe::Style;
-use sheet::Sheet;
+use look::Look;
 
 /// All that a style paints with.
-fn sheet(style: Style) -> &'static Sheet {
+fn look(style: Style) -> &'static Look {
     match style {
         Style::Ink => &ink::STYLE,
         Style::Dark => &dark::STYLE,
@@ -42,17 +42,17 @@ fn sheet(style: Style) -> &'static Sheet {
 
 /// The colours and forms of a style.
 pub(crate) fn palette(style: Style) -> &'static Palette {
-    &sheet(style).palette
+    &look(style).palette
 }
 
 /// How a style draws letters.
 pub(crate) fn label_look(style: Style) -> LabelLook {
-    sheet(style).labels
+    look(style).labels
 }
 
 /// How a style draws trees and hills; `None` if it has none.
 pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
-    sheet(style).scenery
+    look(style).scenery
 }
 
 #[cfg(test)]
@@ -63,10 +63,10 @@ mod tests {
     #[test]
     fn styles_show_what_they_have_colours_for_and_no_more() {
         for &style in Style::ALL {
-            let sheet = sheet(style);
-            assert_eq!(style.has_relief(), sheet.palette.relief.is_some(), "relief of {style:?}");
-            assert_eq!(style.has_beds(), sheet.palette.beds.is_some(), "beds of {style:?}");
-            assert_eq!(style.has_woods(), sheet.scenery.is_some(), "woods of {style:?}");
+            let look = look(style);
+            assert_eq!(style.has_relief(), look.palette.relief.is_some(), "relief of {style:?}");
+            assert_eq!(style.has_beds(), look.palette.beds.is_some(), "beds of {style:?}");
+            assert_eq!(style.has_woods(), look.scenery.is_some(), "woods of {style:?}");
             assert!(style.has_woods() || !style.has_hills(), "hills of {style:?}");
         }
     }

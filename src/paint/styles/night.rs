@@ -1,7 +1,7 @@
 //! The land by night.
 
 use super::atlas::RINGS;
-use super::sheet::{Sheet, haloed, strokes};
+use super::look::{Look, haloed, strokes};
 use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
 
 static RELIEF: ReliefLook = ReliefLook {
@@ -12,7 +12,7 @@ static RELIEF: ReliefLook = ReliefLook {
     )
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0x16, 0x30, 0x3d],
         fade: 150.0,

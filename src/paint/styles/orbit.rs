@@ -1,6 +1,6 @@
 //! The land as satellites see it.
 
-use super::sheet::{Sheet, haloed};
+use super::look::{Look, haloed};
 use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, Tints, even, tinted};
 
 const TINTED: ReliefLook = tinted(
@@ -21,7 +21,7 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0x24, 0x74, 0x8e],
         fade: 130.0,

@@ -1,6 +1,6 @@
 //! An engraving on old paper.
 
-use super::sheet::{Sheet, bodied, haloed};
+use super::look::{Look, bodied, haloed};
 use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, even, tinted};
 
 const LAND: Colour = [0xf1, 0xe4, 0xc3];
@@ -13,7 +13,7 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         lowland: [0xe0, 0xc9, 0x9c],
         fade: 14.0,

@@ -1,11 +1,11 @@
 //! The former courses of great rivers, as Fisk mapped those of the Mississippi (1944).
 
-use super::sheet::{Sheet, haloed, strokes};
+use super::look::{Look, haloed, strokes};
 use crate::paint::palette::{Beds, Colour, Grid, Lines, Palette, even};
 
 const PAPER: Colour = [0xf1, 0xe9, 0xd6];
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0xe6, 0xe7, 0xdb],
         fade: 60.0,

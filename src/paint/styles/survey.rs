@@ -1,6 +1,6 @@
 //! A sheet of a topographic survey: contours over the faintest of tints and shades.
 
-use super::sheet::{LabelLook, Sheet, bodied, haloed};
+use super::look::{LabelLook, Look, bodied, haloed};
 use crate::paint::palette::{Casing, Contours, Palette, ReliefLook, even, tinted};
 
 const TINTED: ReliefLook = tinted(
@@ -14,7 +14,7 @@ static RELIEF: ReliefLook = ReliefLook {
     ..TINTED
 };
 
-pub(super) static STYLE: Sheet = Sheet {
+pub(super) static STYLE: Look = Look {
     palette: Palette {
         rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
         relief: Some(&RELIEF),

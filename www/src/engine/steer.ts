@@ -5,6 +5,8 @@ import wasmUrl from "../../pkg-steer/riverseed_steer_bg.wasm?url";
 import type { Core } from "./make.ts";
 import { once, start } from "./wasm-module.ts";
 
+export type { Drafted, Lines, River as SteeredRiver, Timeline } from "../../pkg-steer/riverseed_steer.js";
+
 export type SteerCore = Core<typeof engine>;
 
 /**

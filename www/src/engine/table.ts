@@ -1,6 +1,7 @@
 /** The parameter table, the presets and the countries. They are data, written by the library (`make docs`). */
 
 import { PageError } from "./errors.ts";
+import { limited, SCRIPT_MS } from "./time-limits.ts";
 import type { Stage } from "./types.ts";
 
 /** A row of the parameter table. */
@@ -43,9 +44,10 @@ export interface Table {
 /** Fetches the table. */
 export async function loadTable(): Promise<Table> {
   try {
-    const { default: table } = await import("./parameters.json");
+    const { default: table } = await limited(SCRIPT_MS, "the parameters", () => import("./parameters.json"));
     return table as unknown as Table;
   } catch (error) {
+    if (error instanceof PageError) throw error;
     throw new PageError("file-missing", String(error));
   }
 }

@@ -1,5 +1,4 @@
 /** The types of the wasm modules' functions. Only this folder knows where the packages are. */
 
 export type * from "../../pkg-make/riverseed.js";
-export type { Drafted, Lines, River as SteeredRiver, Timeline } from "../../pkg-steer/riverseed_steer.js";
 export type { Cells, FinishedMap, Inspector, Measure, RiverFacts } from "../../pkg-tell/riverseed_tell.js";

@@ -16,7 +16,7 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import { PageError } from "../engine/errors.ts";
-import type { SteeredRiver } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/steer.ts";
 import { type Course, inSteps, partOf } from "./course.ts";
 import { type MakerCore, paint } from "./painting.ts";
 

@@ -1,6 +1,6 @@
 /** The making of a file in steps; between them it reports its progress and lets others have their turn. */
 
-import type { SteeredRiver } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/steer.ts";
 
 /** The course of one file. */
 export interface Course {

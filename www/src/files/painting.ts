@@ -1,7 +1,6 @@
 /** Paints a river for a file, with its labels and scenery. */
 
-import type { SteerCore } from "../engine/steer.ts";
-import type { SteeredRiver } from "../engine/types.ts";
+import type { SteerCore, SteeredRiver } from "../engine/steer.ts";
 import { askMapForFile, type LoadTeller } from "../player/annotator.ts";
 import { type Course, inSteps } from "./course.ts";
 

@@ -1,6 +1,6 @@
 /** Makes pictures and cards of a link. Each grows a river for itself. */
 
-import type { SteeredRiver } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/steer.ts";
 import { type Course, grow, partOf } from "./course.ts";
 import { CARD, type CardOrder, changed, type PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";

@@ -7,11 +7,12 @@ import type { Framing } from "../browser/canvas.ts";
 import { named, PageError } from "../engine/errors.ts";
 import type { Teller } from "../engine/tell.ts";
 import type { FinishedMap, River } from "../engine/types.ts";
+import { isEngineUnsure } from "../engine/unsure.ts";
 
 export type LoadTeller = () => Promise<Teller>;
 
 /** The part of a river that its map is handed over by, and labels are laid over. */
-export type FinishedRiver = Pick<River, "wantsAnnotation" | "mapData" | "takeAnnotation" | "width" | "height">;
+export type FinishedRiver = Pick<River, "link" | "wantsAnnotation" | "mapData" | "takeAnnotation" | "width" | "height">;
 
 export interface AnnotatorEvents {
   /** Called when the teller has arrived: pictures can be painted with labels now. */
@@ -21,7 +22,9 @@ export interface AnnotatorEvents {
 
 export class Annotator {
   #teller: Teller | undefined;
-  #isAsked = false;
+  /** The link of the map for which the teller was asked for last. */
+  #askedFor: string | undefined;
+  #isAsking = false;
 
   constructor(
     private readonly load: LoadTeller,
@@ -35,7 +38,7 @@ export class Annotator {
   lay(river: FinishedRiver, ratio: number, framing?: Framing): boolean {
     if (!river.wantsAnnotation()) return false;
     if (this.#teller) return this.#lay(river, this.#teller, ratio, framing);
-    void this.#ask();
+    void this.#ask(river.link);
     return false;
   }
 
@@ -50,15 +53,18 @@ export class Annotator {
     return true;
   }
 
-  /** Fetches the teller. A failure is reported once and not tried again: the map is shown without labels. */
-  async #ask(): Promise<void> {
-    if (this.#isAsked) return;
-    this.#isAsked = true;
+  /** Fetches the teller. After a failure the map is shown without labels, and it is tried again for another one. */
+  async #ask(link: string): Promise<void> {
+    if (this.#isAsking || this.#askedFor === link) return;
+    this.#askedFor = link;
+    this.#isAsking = true;
     try {
       this.#teller = await this.load();
       this.events.arrived();
     } catch (error) {
       this.events.failed(unlabelled(error));
+    } finally {
+      this.#isAsking = false;
     }
   }
 }
@@ -70,10 +76,14 @@ export function askMap<Said>(
   ask: (map: FinishedMap) => Said,
 ): Said {
   const map = new FinishedMap(river.mapData());
+  let mayFree = true;
   try {
     return ask(map);
+  } catch (error) {
+    mayFree = !isEngineUnsure(named(error));
+    throw error;
   } finally {
-    map.free();
+    if (mayFree) map.free();
   }
 }
 
@@ -93,13 +103,13 @@ export async function askMapForFile<Said>(
   { loadTeller, holdOn }: FileMeans,
   ask: (map: FinishedMap) => Said,
 ): Promise<Said> {
-  const teller = await forFile(loadTeller);
+  const teller = await required(loadTeller);
   holdOn();
   return askMap(river, teller, ask);
 }
 
-/** Loads the teller for a file, which cannot be made without. */
-async function forFile(load: LoadTeller): Promise<Teller> {
+/** Loads the teller for a file or an answer, which cannot be made without. */
+export async function required(load: LoadTeller): Promise<Teller> {
   try {
     return await load();
   } catch (error) {

@@ -3,7 +3,8 @@
  * changes to that link.
  */
 
-import type { Drafted, ReadOptions, River, Stage } from "../engine/types.ts";
+import type { Drafted } from "../engine/steer.ts";
+import type { ReadOptions, River, Stage } from "../engine/types.ts";
 import type { Wanted } from "./showing.ts";
 
 /** The time for painting a draft in one go. The hand sees it sooner than if each part had to wait for a frame. */

@@ -1,7 +1,7 @@
 /** Small pictures of one finished map in many styles, made a little at a time. */
 
 import { named } from "../engine/errors.ts";
-import type { SteeredRiver } from "../engine/types.ts";
+import type { SteeredRiver } from "../engine/steer.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 
 /** The time for making them in one task. */

@@ -32,7 +32,7 @@ const adjustable = table.parameters
 /** Those with a control of the table's own: names are a list (`names.spec.ts`). */
 const controlled = adjustable.filter(({ key }) => key !== "names");
 
-/** Those that a picture of a few attractors shows at once: annotations come later, and want room. */
+/** Those that a picture of a few attractors shows at once: labels and scenery come later, and want room. */
 const drawn = controlled.filter(({ stage }) => stage !== "name");
 
 function reasonIn(link: string, key: string): string | undefined {

@@ -159,7 +159,7 @@ test("for data and shapes of finished rivers nothing is fetched but what names t
   // Each is asked once whether there is more to do.
   expect(await advanced()).toEqual({ onPage: 0, inWorker: before + formats.length });
   const others = fetched.filter((url) => !url.startsWith("blob:"));
-  expect(others.map((url) => /annotation[^/]*\.(js|wasm)$/.exec(url)?.[1])).toEqual(["wasm"]);
+  expect(others.map((url) => /riverseed_tell_bg[^/]*\.(js|wasm)$/.exec(url)?.[1])).toEqual(["wasm"]);
 });
 
 test("a file is of what the page showed when it was asked for, whatever is on the canvas", async ({ page }) => {

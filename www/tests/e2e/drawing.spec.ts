@@ -373,6 +373,51 @@ test("a picture is refused while the part that traces does not arrive, and trace
   await expectAddress(page, "land", "drawn");
 });
 
+test("what is drawn while the part that makes land is on its way is seen, and is the land once it is there", async ({
+  page,
+}) => {
+  let arrive = (): void => {};
+  const gate = new Promise<void>((open) => {
+    arrive = open;
+  });
+  await page.route("**/riverseed_trace*.wasm", async (route) => {
+    await gate;
+    await route.continue();
+  });
+  await openTool(page);
+  await draw(page, BLOB);
+  await expect(page.locator("#sketch path")).not.toHaveCount(0);
+  await expect(page.getByRole("button", { name: "Undo line" })).toBeEnabled();
+  arrive();
+  await expectAddress(page, "land", "drawn");
+});
+
+test("without the part that makes land the tool closes and says so, and opens again", async ({ page }) => {
+  await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
+  await openTool(page);
+  await expect(page.locator("#notices")).toContainText("could not be downloaded");
+  await expect(page.locator("#tools")).toBeHidden();
+  await page.unroute("**/riverseed_trace*.wasm");
+  await page.getByRole("button", { name: "Draw", exact: true }).click();
+  await draw(page, BLOB);
+  await expectAddress(page, "land", "drawn");
+});
+
+test("opening the tool leaves a linked land as it is", async ({ page }) => {
+  await openTool(page);
+  await draw(page, BLOB);
+  await expectAddress(page, "land", "drawn");
+  const linked = page.url();
+  await page.goto("about:blank");
+  await openFinished(page, new URL(linked).search.slice(1));
+  const module = page.waitForResponse("**/riverseed_trace*.wasm");
+  await page.getByRole("button", { name: "Draw", exact: true }).click();
+  await (await module).finished();
+  await expect(page.locator("#sketch path")).not.toHaveCount(0);
+  for (let i = 0; i < 10; i++) await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+  expect(page.url()).toBe(linked);
+});
+
 /** The head of a PNG of too many pixels: its size alone is looked at. */
 function tooLarge(): Buffer {
   const picture = png(20, 20, () => [0, 0, 0]);

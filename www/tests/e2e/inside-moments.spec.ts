@@ -1,7 +1,7 @@
 /** What is laid over a map while it grows, and at the moments of its making. */
 
 import { expect, type Page, test } from "@playwright/test";
-import { dotsOf, linesOf } from "../../src/apps/page-worker/path-text.ts";
+import { dotsOf, linesOf, ringsOf } from "../../src/apps/page-worker/path-text.ts";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";
@@ -169,7 +169,7 @@ test("masks are water and ridges; curvature is there when the map is finished", 
   await openFinished(page, DRAINED.replace("island", "valley"));
   const river = new engine.River(DRAINED.replace("island", "valley"));
   await page.keyboard.press("m");
-  await expect.poll(async () => (await laid(page, 1))?.endsWith(linesOf(river.coasts(), true))).toBe(true);
+  await expect.poll(async () => (await laid(page, 1))?.endsWith(ringsOf(river.coasts()))).toBe(true);
   expect(await laid(page, 2)).toBe(linesOf(river.ridges()));
   expect(linesOf(river.ridges())).toMatch(/^M/);
   await page.keyboard.press("c");

@@ -73,16 +73,6 @@ test("in Node a link becomes an SVG file, GeoJSON and names, as the page makes t
   river.free();
 });
 
-test("in Node a link without names is written without the part that writes them", () => {
-  const program = `
-    import { grow } from "riverseed/node";
-    const map = grow("seed=rimu&attractors=300");
-    console.log(map.svg());`;
-  const river = new engine.River("seed=rimu&attractors=300");
-  while (river.advance(1000));
-  expect(runs(program)).toBe(`${told(river, (map) => map.svg())}\n`);
-});
-
 test("in Node parameters are listed with their ranges, and a link beyond them is refused by name", () => {
   const program = `
     import { grow, PageError, parameters } from "riverseed/node";

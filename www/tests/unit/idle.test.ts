@@ -50,7 +50,7 @@ const CLOSE = merged(
 
 const keys = table.parameters
   .filter(isAdjustable)
-  // What annotations are made by shows on larger maps than these, or in files only: `annotation-maker.test.ts` and tests of the core look at it.
+  // What annotates a map shows on larger maps than these, or in files only: `annotator.test.ts` and tests of the core look at it.
   .filter(({ stage }) => stage !== "name")
   .map(({ key }) => key);
 

@@ -59,8 +59,6 @@ enum Wanted {
         picture: Png,
         raster: Png,
     },
-    /// A form that is always written anew.
-    Unknown,
 }
 
 impl Wanted {
@@ -84,7 +82,6 @@ impl Wanted {
                 picture: Png::picture(&link, recipe, options),
                 raster: Png::raster(&link, Layer::Heights, recipe, options),
             },
-            _ => Self::Unknown,
         }
     }
 
@@ -98,7 +95,6 @@ impl Wanted {
             }
             Self::Png(png) => Ok(ends_with(file, Png::END)? && png.begins(&start(file, png.chunk.len() + NEAR)?)),
             Self::Pack { picture, raster } => is_pack(file, picture, raster),
-            Self::Unknown => Ok(false),
         }
     }
 }

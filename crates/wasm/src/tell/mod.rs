@@ -12,7 +12,7 @@ use crate::objects::coded;
 use riverseed::Map;
 use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
-use riverseed::digest;
+use riverseed::digest::{self, DigestError};
 use riverseed::export::ExportError;
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
@@ -57,7 +57,9 @@ impl FinishedMap {
     /// `digestWidth()` pixels square, as RGBA bytes, and the attractors of its `River` (`scattered`).
     pub fn digest(&self, picture: &[u8], attractors: &[f32]) -> Result<String, JsValue> {
         let attractors: Vec<Vec2> = attractors.chunks_exact(2).map(Vec2::from_slice).collect();
-        digest::digest_of(&self.0, picture, &attractors).map_err(|error| export_error(&error))
+        let code =
+            |error: &DigestError| if matches!(error, DigestError::Export(_)) { "too-large" } else { "bad-params" };
+        digest::digest_of(&self.0, picture, &attractors).map_err(|error| coded(code(&error), &error.to_string()))
     }
 
     /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeAnnotation`. `ratio` is picture

@@ -1,5 +1,5 @@
 /**
- * Keeps the page for visits without a connection: the page itself, its engine and the teller, all of one
+ * Keeps the page for visits without a connection: the page itself, its engine, the teller and what makes land of drawings, all of one
  * version, and the visited parts of the gallery. All other files in its folder, such as the element's and `embed.html`,
  * are not touched.
  *

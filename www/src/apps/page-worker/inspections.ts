@@ -3,17 +3,20 @@
  * for that map. Overlays of unfinished maps come from the river itself.
  */
 
+import type { SteeredRiver } from "../../engine/steer.ts";
 import type { Teller } from "../../engine/tell.ts";
-import type { FinishedMap, Inspector, SteeredRiver } from "../../engine/types.ts";
-import { askMap } from "../../player/annotator.ts";
+import type { FinishedMap, Inspector } from "../../engine/types.ts";
+import { askMap, required } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
-import { dotsOf, linesOf } from "./path-text.ts";
+import { dotsOf, linesOf, ringsOf } from "./path-text.ts";
 import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 
 type Player = RiverPlayer<SteeredRiver>;
 
 /** A limit above any number of rivers. */
 const ALL_RIVERS = 0xffff_ffff;
+/** The time after a failed download before the next. */
+export const PATIENCE_MS = 5000;
 /** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
 /** The number of colours of basins. */
@@ -34,6 +37,8 @@ interface Kept {
 
 export class Inspections {
   #kept: Kept | undefined;
+  /** The last failure to load the teller. */
+  #failure: { error: unknown; at: number } | undefined;
 
   constructor(private readonly loadTeller: () => Promise<Teller>) {}
 
@@ -86,14 +91,24 @@ export class Inspections {
     return next;
   }
 
+  /** Loads the teller. After a failure it waits before it tries again, since a pointer asks with each move. */
+  async #teller(): Promise<Teller> {
+    if (this.#failure && performance.now() - this.#failure.at < PATIENCE_MS) throw this.#failure.error;
+    try {
+      return await required(this.loadTeller);
+    } catch (error) {
+      this.#failure = { error, at: performance.now() };
+      throw error;
+    }
+  }
+
   async #make(player: Player, link: string): Promise<Inspected | undefined> {
     const river = (): SteeredRiver | undefined =>
       player.link === link && player.state === "finished" ? player.river : undefined;
-    // Without the teller there are no answers, until it arrives.
-    const teller = await this.loadTeller().catch(() => undefined);
+    const teller = await this.#teller();
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
     const finished = river();
-    return teller && finished && askMap(finished, teller, (map) => inspected(map, sizeOf(finished)));
+    return finished && askMap(finished, teller, (map) => inspected(map, sizeOf(finished)));
   }
 }
 
@@ -114,8 +129,11 @@ const liveOverlays: Record<LiveOverlayName, (river: SteeredRiver) => string[][]>
   attractors,
   sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
-  masks: (river) => [[linesOf(river.coasts(), true)], [linesOf(river.ridges())]],
-  captures: (river) => [[linesOf(river.formerWays())], [linesOf(river.formerWays().map((way) => way.slice(0, 2)))]],
+  masks: (river) => [[ringsOf(river.coasts())], [linesOf(river.ridges())]],
+  captures: (river) => {
+    const ways = river.formerWays();
+    return [[linesOf(ways)], [linesOf(ways.map((way) => way.slice(0, 2)))]];
+  },
 };
 
 function isLive(name: OverlayName): name is LiveOverlayName {

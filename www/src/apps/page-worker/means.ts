@@ -1,10 +1,10 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
-import type { SteerCore } from "../../engine/steer.ts";
-import type { Measure, SteeredRiver } from "../../engine/types.ts";
+import type { SteerCore, SteeredRiver } from "../../engine/steer.ts";
+import type { Measure } from "../../engine/types.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
-import { askMap } from "../../player/annotator.ts";
+import { askMap, required } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
 import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
@@ -34,7 +34,7 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
           return namesOn(playerIn(question.of, playerOf), question.count);
         case "renamed": {
           const { names, mark, name } = question;
-          const { FinishedMap } = await loadTeller();
+          const { FinishedMap } = await required(loadTeller);
           return FinishedMap.renamed(names, mark, name);
         }
         case "thumbnails":
@@ -58,7 +58,7 @@ function playerIn(of: number | undefined, playerOf: (id: number) => Player | und
   return of === undefined ? undefined : playerOf(of);
 }
 
-/** Loads the teller, only when it is needed: most maps have no names. */
+/** Loads the teller, only when it is needed: most maps are shown without it. */
 async function loadTeller() {
   const tell = await import("../../engine/tell.ts");
   return tell.loadTeller();
@@ -78,7 +78,7 @@ function copyFor(link: string, player: Player | undefined, { engine }: SteerCore
 }
 
 async function namesOn(player: Player | undefined, count: number): Promise<Names | undefined> {
-  const teller = await loadTeller();
+  const teller = await required(loadTeller);
   // By now there may be another river, or none.
   const river = player?.river;
   if (!player || !river || player.state !== "finished") return;
@@ -87,7 +87,7 @@ async function namesOn(player: Player | undefined, count: number): Promise<Names
 
 async function measuresOf(player: Player | undefined): Promise<readonly Measure[] | undefined> {
   if (player?.state !== "finished") return;
-  const teller = await loadTeller();
+  const teller = await required(loadTeller);
   const river = player.state === "finished" ? player.river : undefined;
   return river && askMap(river, teller, (map) => map.measures());
 }

@@ -1,6 +1,6 @@
 /** Goes back and forth through the making of a map, in the renderer. */
 
-import type { SteeredRiver, Timeline } from "../../engine/types.ts";
+import type { SteeredRiver, Timeline } from "../../engine/steer.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import type { Making, Moment } from "./protocol.ts";
 

@@ -64,11 +64,15 @@ class Page {
       river: (place) => this.#viewport.river(place),
       greatest: () => this.#names.greatest(),
       covered,
+      failed: (error) => this.#miss(error),
     },
   );
   readonly #inside = new LookInside(elements, {
     overlay: (name) => this.#viewport.overlay(name),
     middle: () => middleOf(covered()),
+    failed: (error) => {
+      if (named(error).code === "no-files") this.#failBeside(error);
+    },
   });
   readonly #track = new Track(elements.bar, {
     making: async (to) => {
@@ -77,6 +81,7 @@ class Page {
       return making;
     },
   });
+  #hasMissed = false;
   readonly #six: SixWays;
   readonly #presetNote: PresetNote;
 
@@ -329,6 +334,14 @@ class Page {
     else this.#note(error.message);
   }
 
+  /** Notes once that the part that tells about rivers did not arrive: a moving pointer asks for it again and again. */
+  #miss(thrown: unknown): void {
+    const { code, message } = named(thrown);
+    if (code !== "no-files" || this.#hasMissed) return;
+    this.#hasMissed = true;
+    this.#note(message);
+  }
+
   #note(message: string): void {
     showNotices(elements.notices, [message], () => this.#showNotices());
   }
@@ -402,8 +415,12 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   );
   const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);
   viewport.start(howFor("watch"));
+  const shut = (error: unknown): never => {
+    viewport.close();
+    throw error;
+  };
   await turn();
-  const page = new Page(own, await table, recipe, viewport, renderHost);
+  const page = new Page(own, await table.catch(shut), recipe, viewport, renderHost);
   await turn();
   page.start();
 }

@@ -196,8 +196,7 @@ export class RiverSeed extends Base {
 
   #file(file: FileRequest): Promise<Blob> {
     if (!this.isConnected) throw new DOMException("this river-seed is in no document", "InvalidStateError");
-    const wasmUrl = this.#wasmUrl;
-    return renderHost.ask({ ...file, link: this.#linkNow, wasmUrl }, wasmUrl);
+    return renderHost.ask({ ...file, link: this.#linkNow }, this.#wasmUrl);
   }
 
   // ---- state

@@ -20,8 +20,6 @@ export interface FileRequest {
 /** The only question: for a file of finished rivers, which need not be shown anywhere. */
 export interface Question extends FileRequest {
   link: LinkToRead;
-  /** The address of the lean engine if it is not beside the script; the full one is beside it. */
-  wasmUrl: string | undefined;
 }
 
 export type Report = AnyReport<Blob>;

@@ -46,7 +46,7 @@ for (const place of ["a worker", "the page"]) {
     expect(width).toBe(shown);
   });
 
-  test(`an SVG is of the finished river, by the full engine, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
+  test(`an SVG is of the finished river, by the teller, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
     page,
     blog,
   }) => {
@@ -60,10 +60,7 @@ for (const place of ["a worker", "the page"]) {
   });
 }
 
-test("an engine with files that does not arrive is an error with a name, and the picture stays", async ({
-  page,
-  blog,
-}) => {
+test("a teller that does not arrive is an error with a name, and the picture stays", async ({ page, blog }) => {
   blog.answer("/widget/riverseed_tell_bg.wasm", { status: 404 });
   await open(page, blog, "a worker");
   const code = await page

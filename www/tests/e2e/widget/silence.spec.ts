@@ -117,10 +117,7 @@ test("an engine that stops half-way is given up, and a later widget tries again"
 });
 
 for (const file of ["riverseed_tell_bg.wasm", "tag-tell.js"]) {
-  test(`an engine with files that never comes is given up by name, and the river stays: ${file}`, async ({
-    page,
-    blog,
-  }) => {
+  test(`a teller that never comes is given up by name, and the river stays: ${file}`, async ({ page, blog }) => {
     blog.headers = { "content-security-policy": "worker-src 'none'" };
     blog.answer(`/widget/${file}`, { hangs: true });
     const events = await open(page, blog, widget("rimu"));

@@ -1,5 +1,5 @@
-import { expect, test } from "vitest";
-import { Inspections } from "../../../src/apps/page-worker/inspections.ts";
+import { expect, test, vi } from "vitest";
+import { Inspections, PATIENCE_MS } from "../../../src/apps/page-worker/inspections.ts";
 import { turn } from "../../../src/browser/turn.ts";
 import type { Teller } from "../../../src/engine/tell.ts";
 import type { Inspector } from "../../../src/engine/types.ts";
@@ -76,13 +76,18 @@ function counting(): { counting: Teller; count: { made: number; freed: number } 
   return { counting, count };
 }
 
-test("where the teller does not arrive there is no answer, and the next question asks for it again", async () => {
-  let isThere = false;
-  const inspections = new Inspections(() => (isThere ? Promise.resolve(teller) : Promise.reject(new Error("offline"))));
+test("a teller that does not arrive is an error, and after a while it is asked for again", async () => {
+  vi.useFakeTimers({ toFake: ["performance"] });
+  const load = vi.fn(() => Promise.reject<Teller>(new TypeError("offline")));
+  const inspections = new Inspections(() => load());
   const one = player("kauri");
-  expect(await inspections.overlay(one, ORDERS)).toBe(undefined);
-  isThere = true;
+  for (let i = 0; i < 3; i++)
+    await expect(inspections.overlay(one, ORDERS)).rejects.toMatchObject({ code: "no-files" });
+  expect(load).toHaveBeenCalledTimes(1);
+  load.mockImplementation(() => Promise.resolve(teller));
+  vi.advanceTimersByTime(PATIENCE_MS);
   expect((await inspections.overlay(one, ORDERS))?.link).toBe(one.link);
+  vi.useRealTimers();
 });
 
 test("whoever asks of the map before gets no answer, and that map's inspector is freed", async () => {

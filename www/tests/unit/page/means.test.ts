@@ -56,6 +56,12 @@ test("names are those of a finished map, and there are none before", async () =>
   expect(await ask({ about: "names", of: undefined, count: 5 }, one)).toBe(undefined);
 });
 
+test("measures are those of a finished map, and there are none before", async () => {
+  const one = river(100_000);
+  expect(await ask({ about: "measures", of: 1 }, one)).toEqual(told(one, (map) => map.measures()));
+  expect(await ask({ about: "measures", of: 1 }, river(3))).toBe(undefined);
+});
+
 test("a name of one's own is added to those there are", async () => {
   const names = await ask({ about: "renamed", names: "", mark: "12", name: "Home" });
   expect(names).toBe(teller.FinishedMap.renamed("", "12", "Home"));

@@ -3,8 +3,8 @@
 import { setText } from "../../../browser/dom.ts";
 import { isTaken } from "../../../browser/keys.ts";
 import { named } from "../../../engine/errors.ts";
+import type { Lines } from "../../../engine/steer.ts";
 import type { Traced, Tracing } from "../../../engine/tracing.ts";
-import type { Lines } from "../../../engine/types.ts";
 import { showLines } from "./overlay.ts";
 import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 
@@ -55,6 +55,8 @@ export class Drawing {
   #frame = 0;
   /** The module that makes outlines, once it has arrived. */
   #tracing: Tracing | undefined;
+  /** True if something has been drawn of which no outline could be made yet. */
+  #isBehind = false;
 
   constructor(
     private readonly elements: DrawingElements,
@@ -87,7 +89,7 @@ export class Drawing {
   async #load(): Promise<void> {
     try {
       this.#tracing ??= await this.events.load();
-      if (this.#sketch.lines.length > 0) this.#outlineSketch();
+      if (this.#isBehind) this.#outlineSketch();
     } catch (error) {
       this.close();
       this.events.failed(error);
@@ -105,6 +107,7 @@ export class Drawing {
   show(outline: string): void {
     if (outline === this.#outline) return;
     this.#outline = outline;
+    this.#isBehind = false;
     this.#kept = this.core.outlineLines(outline);
     this.#sketch.open(this.#kept);
     this.#tell();
@@ -113,6 +116,7 @@ export class Drawing {
   /** Replaces the drawing by a traced outline, and shows what the tracing kept. */
   take(traced: Traced): void {
     const lines = this.core.outlineLines(traced.outline);
+    this.#isBehind = false;
     this.open();
     this.#sketch.replace(lines);
     this.#become(traced.outline, lines);
@@ -204,10 +208,15 @@ export class Drawing {
   #outlineSketch(): void {
     const { lines, isLive } = this.#sketch;
     if (lines.length === 0) {
+      this.#isBehind = false;
       this.#becomeNothing(HINTS[this.#kind]);
       return;
     }
-    if (!this.#tracing) return;
+    this.#isBehind = !this.#tracing;
+    if (!this.#tracing) {
+      this.#tell();
+      return;
+    }
     try {
       const of = (kind: LineKind) => pointsOf(lines, kind);
       const outline = this.#tracing.outlineOf(of("coast"), of("ridge"), of("river"));
@@ -254,7 +263,7 @@ export class Drawing {
     clear.disabled = lines.length === 0;
     if (!this.#isOpen) return;
     this.#keepFocus();
-    const raw = this.#kept === NOTHING ? lines : lines.slice(isLive ? -1 : lines.length);
+    const raw = this.#kept === NOTHING || this.#isBehind ? lines : lines.slice(isLive ? -1 : lines.length);
     showLines(sketch, this.#kept, raw);
   }
 }

@@ -1,7 +1,7 @@
 /** Draws lines over the picture, in fractions of its width and height. */
 
 import { svg } from "../../../browser/dom.ts";
-import type { Lines } from "../../../engine/types.ts";
+import type { Lines } from "../../../engine/steer.ts";
 import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
 
 /** Shows the lines that are kept of a drawing, and lines as the pen left them. */

@@ -24,6 +24,7 @@ export interface InsideEvents {
   overlay(name: OverlayName): Promise<Overlay | undefined>;
   /** Returns the middle of the visible part of the map, on the page. */
   middle(): Point;
+  failed(error: unknown): void;
 }
 
 export class LookInside {
@@ -133,7 +134,10 @@ export class LookInside {
     if (look !== this.#shown) this.#clear();
     if (!look) return;
     this.#isAsking = true;
-    const overlay = await this.events.overlay(look.name).catch(() => undefined);
+    const overlay = await this.events.overlay(look.name).catch((error) => {
+      this.events.failed(error);
+      return undefined;
+    });
     this.#isAsking = false;
     const isMeant = look === this.#meant;
     if (overlay && isMeant) this.#show(look, overlay);

@@ -24,6 +24,7 @@ export interface RiverPointerEvents {
   greatest(): Promise<readonly string[]>;
   /** Measures how much of the picture's place other things cover. */
   covered(): Insets;
+  failed(error: unknown): void;
 }
 
 /** The distance in CSS pixels at which a river is hit; larger for a finger. */
@@ -168,7 +169,10 @@ export class RiverPointer {
     const wanted = this.#wanted;
     if (this.#isAsking || !wanted) return;
     this.#isAsking = true;
-    const river = await this.events.river(wanted.place).catch(() => undefined);
+    const river = await this.events.river(wanted.place).catch((error) => {
+      this.events.failed(error);
+      return undefined;
+    });
     this.#isAsking = false;
     if (this.#wanted === wanted) this.#show(river, wanted.how);
     else if (this.#wanted) this.#ask(this.#wanted.place, this.#wanted.how);

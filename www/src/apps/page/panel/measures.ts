@@ -2,6 +2,7 @@
 
 import { el, setText } from "../../../browser/dom.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
+import { named } from "../../../engine/errors.ts";
 import type { Measure } from "../../../engine/types.ts";
 
 /** A measure in words for people who are not hydrologists. */
@@ -117,7 +118,12 @@ export class MeasuresView {
   async refresh(rest?: string): Promise<void> {
     if (rest !== undefined) setText(this.#rest, rest);
     if (!this.element.open) return;
-    this.#show(told(await this.events.measures().catch(() => [])));
+    try {
+      this.#show(told(await this.events.measures()));
+    } catch (error) {
+      this.#show([]);
+      setText(this.#summary, `Not measured: ${named(error).message}`);
+    }
   }
 
   #show(rows: readonly Told[]): void {

@@ -4,7 +4,7 @@ use crate::paint::palette::{Colour, Palette};
 
 /// A style.
 #[derive(Debug)]
-pub(crate) struct Sheet {
+pub(crate) struct Look {
     pub palette: Palette,
     pub labels: LabelLook,
     /// The look of trees and hills; `None` if the style has none.

@@ -1,0 +1,16 @@
+import { expect, test } from "vitest";
+import { dotsOf, linesOf, ringsOf } from "../../../src/apps/page-worker/path-text.ts";
+
+test("points are dots, in hundredths of a unit", () => {
+  expect(dotsOf(Float32Array.of(1, 2, 3.456, 4))).toBe("M1 2h0M3.46 4h0");
+  expect(dotsOf(new Float32Array())).toBe("");
+});
+
+test("lines go through their points, and one of a single point is a dot", () => {
+  expect(linesOf([Float32Array.of(0, 0, 1, 2, 3, 4), Float32Array.of(5, 6)])).toBe("M0 0L1 2L3 4M5 6h0");
+});
+
+test("a ring is smooth, ends where it began, and touches the middles of its sides", () => {
+  const square = Float32Array.of(0, 0, 4, 0, 4, 4, 0, 4);
+  expect(ringsOf([square, Float32Array.of(0, 0, 1, 1)])).toBe("M0 2Q0 0 2 0Q4 0 4 2Q4 4 2 4Q0 4 0 2z");
+});
