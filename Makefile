@@ -63,7 +63,7 @@ wheel: ## the Python package as a wheel, in target/package
 # ---- prove it
 
 # The first tier, of minutes, tries each promise once; the second is everything else. In the browser a test of the first has @core in its
-# title; in Rust and as wasm a test of the second is ignored (`#[ignore = "second tier"]`); all tests of TypeScript without a browser are of the first.
+# title; in Rust and as wasm a test of the second is ignored (`#[ignore = "second tier"]`); in TypeScript without a browser `tests/tier.ts` divides the cases.
 .PHONY: test
 test: clock test-rust test-page test-wasm test-browser ## the tests of the first tier, and how long each part of them takes
 	@scripts/laps.sh table
@@ -73,7 +73,7 @@ test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-batch test-python test-wasm-more test-browser-more lighthouse test-firefox test-package
+test-more: test-scripts test-rust-more test-crate test-hydrology test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
 
 .PHONY: clock
 clock:
@@ -145,6 +145,11 @@ test-wasm-more: webdriver ## the same of the other recipes
 test-page: wasm ## the TypeScript, without a browser
 	$(npm) test
 	$(lap) "TypeScript, without a browser"
+
+.PHONY: test-page-more
+test-page-more: wasm ## what of that is slow: which parameters do nothing, in all recipes
+	RIVERSEED_TIER=second $(npm) test -- tests/unit/idle.test.ts
+	$(lap) "TypeScript, without a browser: what is slow"
 
 # On a free port, since a page served by another checkout must not be what is tested.
 e2e := PORT=$$(node -e '$(free_port)') $(npm) e2e --

@@ -394,9 +394,10 @@ test("what is drawn while the part that makes land is on its way is seen, and is
 
 test("without the part that makes land the tool closes and says so, and opens again", async ({ page }) => {
   await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
-  await openTool(page);
+  await openFinished(page, SMALL);
+  await page.getByRole("button", { name: "Draw", exact: true }).click();
   await expect(page.locator("#notices")).toContainText("could not be downloaded");
-  await expect(page.locator("#tools")).toBeHidden();
+  await expect(page.getByRole("group", { name: "Drawing a land" })).toBeHidden();
   await page.unroute("**/riverseed_trace*.wasm");
   await page.getByRole("button", { name: "Draw", exact: true }).click();
   await draw(page, BLOB);
