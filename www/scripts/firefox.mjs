@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Tests the built page in a second browser engine: a river grows to its end without warnings, and every recipe of
-// tests/digest.txt gives the committed bits.
+// tests/digest.txt and tests/digest-annotated.txt gives the committed bits.
 //
 // The page must have been built (npm run build). FIREFOX names the browser.
 
@@ -91,9 +91,11 @@ async function isExact() {
   const { page, complaints } = await open("digest.html");
   await page.waitForSelector("body[data-digests]");
   const grown = JSON.parse(await page.$eval("body", (body) => body.dataset.digests));
-  const committed = readFileSync(new URL("../../tests/digest.txt", import.meta.url), "utf8")
-    .split("\n")
-    .filter((line) => line !== "" && !line.startsWith("#"));
+  const committed = ["digest", "digest-annotated"].flatMap((name) =>
+    readFileSync(new URL(`../../tests/${name}.txt`, import.meta.url), "utf8")
+      .split("\n")
+      .filter((line) => line !== "" && !line.startsWith("#")),
+  );
   assert.ok(committed.length >= 50, `tests/digest.txt holds only ${committed.length} recipes`);
   assert.deepEqual(
     grown.map(({ digest, link }) => `${digest} ${link}`),
