@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "@playwright/test";
 import sharp from "sharp";
-import { complaints, expectPictureOfAddress, finished } from "./riverpage.ts";
+import { complaints, expectAddress, expectPictureOfAddress, finished } from "./riverpage.ts";
 import { expect, test } from "./widget/hosts.ts";
 
 /** The built site. */
@@ -46,6 +46,27 @@ test("after a visit the map is drawn without a connection, with names, and so is
   await page.goto("./");
   await finished(page);
   expect(said.filter((text) => !text.includes("ERR_INTERNET_DISCONNECTED"))).toEqual([]);
+});
+
+test("without a connection land is drawn, too", async ({ page, context }) => {
+  await visit(page, "./?attractors=300");
+  await context.setOffline(true);
+  await page.reload();
+  await finished(page);
+  await page.getByRole("button", { name: "Draw", exact: true }).click();
+  const box = await page.locator("#sketch").boundingBox();
+  if (!box) throw new Error("there is nothing to draw on");
+  const to = (x: number, y: number) => page.mouse.move(box.x + box.width * x, box.y + box.height * y, { steps: 5 });
+  await to(0.3, 0.3);
+  await page.mouse.down();
+  for (const [x, y] of [
+    [0.7, 0.3],
+    [0.7, 0.7],
+    [0.3, 0.7],
+  ] as const)
+    await to(x, y);
+  await page.mouse.up();
+  await expectAddress(page, "land", "drawn");
 });
 
 test("of the gallery there is what has been seen", async ({ page, context }) => {
