@@ -4,9 +4,9 @@ use super::Recipe;
 use super::choice::{Cartouche, Labels, Style};
 #[cfg(feature = "names")]
 use super::key::Key;
+use super::key::NumberKey;
 #[cfg(feature = "names")]
 use super::names::OwnNames;
-use super::typed_key::NumberKey;
 
 impl Recipe {
     /// How wooded the land is, and how thickly hills stand, from 0 to 1: 0 in a style that does not draw them.

@@ -1,66 +1,127 @@
-//! The keys of the parameters, their names in code.
+//! The keys of the parameters: their names in code, and the kind of value that each takes.
 
-/// A parameter's key: the index of its row in the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "each key is explained by its row of the table")]
-#[non_exhaustive]
-pub enum Key {
-    Seed,
-    Edition,
-    Aspect,
-    Land,
-    Outline,
-    Sea,
-    Roughness,
-    Mouths,
-    MouthSpacing,
-    Sides,
-    Shores,
-    Growth,
-    Sensitivity,
-    Attractors,
-    Scatter,
-    Reach,
-    Kill,
-    Step,
-    Momentum,
-    Curl,
-    Stretch,
-    Valleys,
-    ValleySpacing,
-    Concavity,
-    Captures,
-    Hardness,
-    HardnessScale,
-    Bending,
-    ChannelArea,
-    Trim,
-    Courses,
-    Simplify,
-    Width,
-    BankVariation,
-    Meander,
-    MeanderRounds,
-    MeanderStrength,
-    MeanderMix,
-    MeanderElsewhere,
-    GreatRivers,
-    FlatShare,
-    Neck,
-    Clearance,
-    Taper,
-    Mountains,
-    Plains,
-    Shade,
-    Style,
-    Labels,
-    LabelSize,
-    Language,
-    Names,
-    Cartouche,
-    Woods,
-    Hills,
+use super::parameter::Kind;
+use super::table::TABLE;
+
+/// Declares the keys, in the order of the table, each with its kind. Those of numbers and of whole numbers are types of
+/// their own, too, by which they are read.
+macro_rules! keys {
+    ($($Key:ident: $Kind:ident,)+) => {
+        /// A parameter's key: the index of its row in the table.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[expect(missing_docs, reason = "each key is explained by its row of the table")]
+        #[non_exhaustive]
+        pub enum Key {
+            $($Key,)+
+        }
+
+        /// The number of parameters.
+        pub(super) const COUNT: usize = [$(Key::$Key),+].len();
+
+        /// Compiles only if the table has the same kinds.
+        const _: () = {
+            $(assert!(
+                matches!(TABLE[Key::$Key as usize].kind, Kind::$Kind { .. }),
+                concat!(stringify!($Key), " is of another kind in the table")
+            );)+
+        };
+
+        keys!(@sort [] [] $($Key: $Kind,)+);
+    };
+    (@sort [$($number:ident)*] [$($integer:ident)*] $Key:ident: Number, $($rest:tt)*) => {
+        keys!(@sort [$($number)* $Key] [$($integer)*] $($rest)*);
+    };
+    (@sort [$($number:ident)*] [$($integer:ident)*] $Key:ident: Integer, $($rest:tt)*) => {
+        keys!(@sort [$($number)*] [$($integer)* $Key] $($rest)*);
+    };
+    (@sort [$($number:ident)*] [$($integer:ident)*] $Key:ident: $Kind:ident, $($rest:tt)*) => {
+        keys!(@sort [$($number)*] [$($integer)*] $($rest)*);
+    };
+    (@sort [$($number:ident)*] [$($integer:ident)*]) => {
+        keys! {
+            @typed
+            /// The key of a parameter that is a number.
+            NumberKey { $($number,)* }
+        }
+        keys! {
+            @typed
+            /// The key of a parameter that is a whole number.
+            IntegerKey { $($integer,)* }
+        }
+    };
+    (@typed $(#[$about:meta])* $Keys:ident { $($Key:ident,)* }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[expect(missing_docs, reason = "each key is explained by its row of the table")]
+        #[non_exhaustive]
+        pub enum $Keys {
+            $($Key = Key::$Key as isize,)*
+        }
+
+        impl From<$Keys> for Key {
+            fn from(key: $Keys) -> Self {
+                match key {
+                    $($Keys::$Key => Self::$Key,)*
+                }
+            }
+        }
+    };
 }
 
-/// The number of parameters.
-pub(super) const COUNT: usize = Key::Hills as usize + 1;
+keys! {
+    Seed: Text,
+    Edition: Integer,
+    Aspect: Number,
+    Land: Choice,
+    Outline: Outline,
+    Sea: Number,
+    Roughness: Number,
+    Mouths: Integer,
+    MouthSpacing: Number,
+    Sides: Sides,
+    Shores: Sides,
+    Growth: Choice,
+    Sensitivity: Integer,
+    Attractors: Integer,
+    Scatter: Choice,
+    Reach: Number,
+    Kill: Number,
+    Step: Number,
+    Momentum: Number,
+    Curl: Number,
+    Stretch: Integer,
+    Valleys: Number,
+    ValleySpacing: Number,
+    Concavity: Number,
+    Captures: Integer,
+    Hardness: Number,
+    HardnessScale: Number,
+    Bending: Number,
+    ChannelArea: Integer,
+    Trim: Number,
+    Courses: Choice,
+    Simplify: Number,
+    Width: Number,
+    BankVariation: Number,
+    Meander: Choice,
+    MeanderRounds: Integer,
+    MeanderStrength: Number,
+    MeanderMix: Number,
+    MeanderElsewhere: Number,
+    GreatRivers: Integer,
+    FlatShare: Number,
+    Neck: Number,
+    Clearance: Number,
+    Taper: Number,
+    Mountains: Number,
+    Plains: Number,
+    Shade: Number,
+    Style: Choice,
+    Labels: Choice,
+    LabelSize: Number,
+    Language: Integer,
+    Names: Text,
+    Cartouche: Choice,
+    Woods: Number,
+    Hills: Number,
+}

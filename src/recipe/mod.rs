@@ -22,18 +22,16 @@ mod parameter;
 pub mod preset;
 pub mod reading;
 pub mod table;
-mod typed_key;
 mod value;
 
 pub use choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
-pub use key::Key;
+pub use key::{IntegerKey, Key, NumberKey};
 #[cfg(feature = "names")]
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};
-pub use typed_key::{IntegerKey, NumberKey};
 pub use value::{Decimal, Sides, Value};
 
 use key::COUNT;

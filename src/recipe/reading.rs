@@ -3,9 +3,8 @@
 
 use super::Recipe;
 use super::choice::{GrowthMethod, Style};
-use super::key::Key;
+use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
-use super::typed_key::IntegerKey;
 use super::value::Value;
 
 /// The place where a link's rivers are shown.

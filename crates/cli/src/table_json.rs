@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
+use riverseed::recipe::{Decimal, Kind, LONGEST_OUTLINE, Parameter};
 use serde_json::{Map, Value, json};
 
 /// Writes the data.
@@ -53,7 +53,7 @@ fn range(kind: Kind) -> Vec<(String, Value)> {
             vec![named("min", min.into()), named("max", max.into()), named("step", 1.into())]
         }
         Kind::Number { min, max, step, .. } => {
-            let number = |name: &str, value: riverseed::recipe::Decimal| named(name, value.to_f64().into());
+            let number = |name: &str, value: Decimal| named(name, value.to_f64().into());
             vec![number("min", min), number("max", max), number("step", step)]
         }
         Kind::Choice { choices } => {

@@ -61,7 +61,7 @@ const ADVICE: Record<Code, Advice> = {
   },
   "no-tracing": {
     title: "A part of Riverseed did not arrive",
-    text: "The part that turns drawings and pictures into land could not be downloaded. Check the connection and try again.",
+    text: "The part that turns drawings and pictures into land did not arrive. Check the connection and try again.",
     reload: true,
   },
   "no-labels": {

@@ -49,6 +49,14 @@ export function named(thrown: unknown): PageError {
   return new PageError("unknown", thrown.message);
 }
 
+/** Returns the error of a part that did not arrive: its name, the cause, and what follows for people. */
+export function missing(code: Code, what: string, thrown: unknown, then = CHECK): PageError {
+  const { code: cause, message } = named(thrown);
+  return new PageError(code, `${what} did not arrive (${cause}: ${message}). ${then}`);
+}
+
+const CHECK = "Check the connection and try again.";
+
 const RECOVERABLE: ReadonlySet<Code> = new Set([
   "no-files",
   "no-tracing",

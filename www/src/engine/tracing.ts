@@ -5,7 +5,7 @@
 
 import init, { longestTracedSide, outlineOf, type Traced, traceImage } from "../../pkg-trace/riverseed_trace.js";
 import wasmUrl from "../../pkg-trace/riverseed_trace_bg.wasm?url";
-import { named, PageError } from "./errors.ts";
+import { missing } from "./errors.ts";
 import { once, start } from "./wasm-module.ts";
 
 export type { Traced } from "../../pkg-trace/riverseed_trace.js";
@@ -32,10 +32,6 @@ export async function loadTracing(): Promise<Tracing> {
   try {
     return await load();
   } catch (error) {
-    const { code, message } = named(error);
-    throw new PageError(
-      "no-tracing",
-      `The part that turns drawings and pictures into land could not be downloaded (${code}: ${message}). Check the connection and try again.`,
-    );
+    throw missing("no-tracing", "The part that turns drawings and pictures into land", error);
   }
 }

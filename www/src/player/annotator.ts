@@ -4,7 +4,7 @@
  */
 
 import type { Framing } from "../browser/canvas.ts";
-import { named, PageError } from "../engine/errors.ts";
+import { missing, named, type PageError } from "../engine/errors.ts";
 import type { Teller } from "../engine/tell.ts";
 import type { FinishedMap, River } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
@@ -113,11 +113,7 @@ export async function required(load: LoadTeller): Promise<Teller> {
   try {
     return await load();
   } catch (error) {
-    const { code, message } = named(error);
-    throw new PageError(
-      "no-files",
-      `the part of Riverseed that does this did not arrive (${code}: ${message}). Check the connection and try again.`,
-    );
+    throw missing("no-files", "the part of Riverseed that does this", error);
   }
 }
 
@@ -128,9 +124,5 @@ export function annotate(river: FinishedRiver, teller: Teller, ratio = 1, framin
 }
 
 function unlabelled(error: unknown): PageError {
-  const { code, message } = named(error);
-  return new PageError(
-    "no-labels",
-    `The part of Riverseed that names rivers could not be loaded (${code}: ${message}). The map is shown without names.`,
-  );
+  return missing("no-labels", "The part of Riverseed that names rivers", error, "The map is shown without names.");
 }

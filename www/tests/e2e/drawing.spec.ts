@@ -367,7 +367,7 @@ test("a picture is refused while the part that traces does not arrive, and trace
   await openFinished(page, SMALL);
   await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
   await choose(page, ISLAND);
-  await expect(page.locator("#notices")).toContainText("could not be downloaded");
+  await expect(page.locator("#notices")).toContainText("did not arrive");
   await page.unroute("**/riverseed_trace*.wasm");
   await choose(page, ISLAND);
   await expectAddress(page, "land", "drawn");
@@ -396,7 +396,7 @@ test("without the part that makes land the tool closes and says so, and opens ag
   await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
   await openFinished(page, SMALL);
   await page.getByRole("button", { name: "Draw", exact: true }).click();
-  await expect(page.locator("#notices")).toContainText("could not be downloaded");
+  await expect(page.locator("#notices")).toContainText("did not arrive");
   await expect(page.getByRole("group", { name: "Drawing a land" })).toBeHidden();
   await page.unroute("**/riverseed_trace*.wasm");
   await page.getByRole("button", { name: "Draw", exact: true }).click();

@@ -1,7 +1,7 @@
 /** What is laid over a map while it grows, and at the moments of its making. */
 
 import { expect, type Page, test } from "@playwright/test";
-import { dotsOf, linesOf, ringsOf } from "../../src/apps/page-worker/path-text.ts";
+import { dotsOf, linesOf, ringsOf } from "../../src/browser/path-text.ts";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";

@@ -1,5 +1,4 @@
 import { expect, test } from "vitest";
-import { pathText } from "../../src/apps/page/land/overlay.ts";
 import { type LineKind, pointsOf, Sketch, tally } from "../../src/apps/page/land/sketch.ts";
 import { engine } from "../core.ts";
 import { outlineOf as outlineOfLines, traceImage } from "../tracing.ts";
@@ -102,10 +101,4 @@ test("what is no land is an error with a name", () => {
   expect(() => outlineOfLines([], [], [])).toThrow(expect.objectContaining({ code: "no-land" }));
   expect(() => engine.outlineLines(".AAA")).toThrow(/coast that begins at character 1/);
   expect(() => traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
-});
-
-test("a path is drawn through all points, and a coast is closed", () => {
-  expect(pathText(Float32Array.of(0, 0, 0.5, 0.25, 1, 1), true)).toBe("M0 0L0.5 0.25L1 1Z");
-  expect(pathText(new Float32Array(), true)).toBe("");
-  expect(pathText(Float32Array.of(0.5, 0.25), false)).toBe("M0.5 0.25L0.5 0.25");
 });

@@ -1,10 +1,9 @@
-//! Fresh seeds and drawn land.
+//! Drawn land.
 
 use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::objects::{coded, object};
-use riverseed::base::dice;
 use riverseed::recipe::{GridPoint, Outline};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -18,12 +17,6 @@ export interface Lines {
   readonly rivers: readonly Float32Array[];
 }
 "#;
-
-/// Makes a new seed: a random word that can be pronounced.
-#[wasm_bindgen(js_name = freshSeed)]
-pub fn fresh_seed() -> Result<String, JsValue> {
-    getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
-}
 
 /// Returns the lines of an outline. Throws an Error if the text is not an outline.
 #[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]

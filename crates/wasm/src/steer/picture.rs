@@ -1,4 +1,4 @@
-//! Parts of a map as a picture, pictures without their ground, and copies.
+//! The page's demands on a picture: a part of the map, no ground, how far it is; and a copy of the river for another picture.
 
 use wasm_bindgen::prelude::*;
 

@@ -1,6 +1,7 @@
 /**
- * Grows every recipe of tests/digest.txt and tests/digest-annotated.txt in this browser and compares the digests with the committed ones: the same
- * recipe must give the same river, bit for bit, everywhere. Tests read the result from the body's data attributes.
+ * Grows every recipe of tests/digest.txt and tests/digest-annotated.txt in this browser and compares the digests with
+ * the committed ones: the same recipe must give the same river, bit for bit, everywhere. Tests read the result from the
+ * body's data attributes.
  */
 
 import plain from "../../../../tests/digest.txt?raw";

@@ -3,12 +3,12 @@
  * for that map. Overlays of unfinished maps come from the river itself.
  */
 
+import { dotsOf, linesOf, ringsOf } from "../../browser/path-text.ts";
 import type { SteeredRiver } from "../../engine/steer.ts";
 import type { Teller } from "../../engine/tell.ts";
 import type { FinishedMap, Inspector } from "../../engine/types.ts";
 import { askMap, required } from "../../player/annotator.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
-import { dotsOf, linesOf, ringsOf } from "./path-text.ts";
 import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 
 type Player = RiverPlayer<SteeredRiver>;

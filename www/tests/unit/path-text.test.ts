@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { dotsOf, linesOf, ringsOf } from "../../../src/apps/page-worker/path-text.ts";
+import { dotsOf, lineOf, linesOf, ringsOf } from "../../src/browser/path-text.ts";
 
 test("points are dots, in hundredths of a unit", () => {
   expect(dotsOf(Float32Array.of(1, 2, 3.456, 4))).toBe("M1 2h0M3.46 4h0");
@@ -8,6 +8,11 @@ test("points are dots, in hundredths of a unit", () => {
 
 test("lines go through their points, and one of a single point is a dot", () => {
   expect(linesOf([Float32Array.of(0, 0, 1, 2, 3, 4), Float32Array.of(5, 6)])).toBe("M0 0L1 2L3 4M5 6h0");
+});
+
+test("a line may have more decimal places", () => {
+  expect(lineOf(Float32Array.of(0.12345, 0.5, 1, 0), 4)).toBe("M0.1235 0.5L1 0");
+  expect(lineOf(new Float32Array())).toBe("");
 });
 
 test("a ring is smooth, ends where it began, and touches the middles of its sides", () => {
