@@ -1,7 +1,15 @@
 //! The keys of the parameters: their names in code, and the kind of value that each takes.
 
-use super::parameter::Kind;
-use super::table::TABLE;
+/// The kind of value that a key takes. The table says more about each, and holds the kind against this one.
+#[derive(Clone, Copy)]
+pub(super) enum KeyKind {
+    Text,
+    Integer,
+    Number,
+    Choice,
+    Sides,
+    Outline,
+}
 
 /// Declares the keys, in the order of the table, each with its kind. Those of numbers and of whole numbers are types of
 /// their own, too, by which they are read.
@@ -18,13 +26,8 @@ macro_rules! keys {
         /// The number of parameters.
         pub(super) const COUNT: usize = [$(Key::$Key),+].len();
 
-        /// Compiles only if the table has the same kinds.
-        const _: () = {
-            $(assert!(
-                matches!(TABLE[Key::$Key as usize].kind, Kind::$Kind { .. }),
-                concat!(stringify!($Key), " is of another kind in the table")
-            );)+
-        };
+        /// The kind of each.
+        pub(super) const KINDS: [KeyKind; COUNT] = [$(KeyKind::$Kind),+];
 
         keys!(@sort [] [] $($Key: $Kind,)+);
     };

@@ -6,7 +6,7 @@
 //! The file is long because it is one table: split by groups, its rows could not be read in their order.
 
 use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
-use super::key::{COUNT, Key};
+use super::key::{COUNT, KINDS, Key, KeyKind};
 use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
 
@@ -624,6 +624,24 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(0.0, 1.0, 0.01, 0.0),
         },
     ])
+};
+
+/// Compiles only if each row stands at the place of its key and has that key's kind.
+const _: () = {
+    let mut row = 0;
+    while row < COUNT {
+        assert!(TABLE[row].key as usize == row, "a row of the table is not at the place of its key");
+        let is_of_its_kind = match TABLE[row].kind {
+            Kind::Text { .. } => matches!(KINDS[row], KeyKind::Text),
+            Kind::Integer { .. } => matches!(KINDS[row], KeyKind::Integer),
+            Kind::Number { .. } => matches!(KINDS[row], KeyKind::Number),
+            Kind::Choice { .. } => matches!(KINDS[row], KeyKind::Choice),
+            Kind::Sides { .. } => matches!(KINDS[row], KeyKind::Sides),
+            Kind::Outline => matches!(KINDS[row], KeyKind::Outline),
+        };
+        assert!(is_of_its_kind, "a key is of another kind than its row of the table");
+        row += 1;
+    }
 };
 
 /// The rows, without the words that only a page of controls shows where there is none.
