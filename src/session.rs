@@ -290,7 +290,7 @@ impl Session {
             grown: self.growth.grown()?,
             tree: self.growth.tree().clone(),
             trim: self.trim(),
-            network: meander.network().clone(),
+            network: meander.drawn().clone(),
             reaches: meander.reaches().clone(),
             rounds: meander.rounds(),
             past: meander.past().clone(),
@@ -353,7 +353,7 @@ impl Session {
         let Some(shaping) = shaping else { return Ok(false) };
         let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
         let settings = || ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
-        self.relief.step(shaping.network().unwrap_or(Network::EMPTY), settings)?;
+        self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
         Ok(true)
     }
 
@@ -395,7 +395,7 @@ impl Session {
 
     /// The rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
-        self.meander().map(|meander| &**meander.network())
+        self.meander().map(|meander| &**meander.drawn())
     }
 
     fn meander(&self) -> Option<&Meander> {

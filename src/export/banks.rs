@@ -1,28 +1,19 @@
 //! Rivers and lakes as shapes: two banks, from the source to the end.
 //!
-//! If a bend is tighter than the river is wide, its inner bank runs backward for a while, like the offset of any curve.
-//! Both banks together still enclose, at least once, all that a disc as wide as the river sweeps. Filled by the
-//! non-zero rule, they show no gap and nothing beyond.
+//! A river's own banks never run backward. Drawn wider than it is, as brooks are that would be hard to see, a bank may for a while,
+//! like the offset of any curve. Both banks together still enclose, at least once, all that a disc as wide as the river sweeps. Filled
+//! by the non-zero rule, they show no gap and nothing beyond.
 
 use std::ops::Range;
 
 use glam::Vec2;
 
 use super::rings::{GridPoint, simple_ring};
-use crate::base::geometry::{direction, length};
-use crate::network::{Network, Oxbow, Place, River};
+use crate::network::{Banks, Network, Oxbow, Place, River};
 use crate::recipe::CourseShape;
 
 /// Distances of the banks from the middle, as shares, to be tried in turn while banks cross.
 const SHARES: [f32; 4] = [1.0, 0.5, 0.25, 0.1];
-
-/// A river's or a lake's outline, in units. Both banks have the same number of points. In rivers as grown, the lines
-/// between them are straight.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Banks {
-    pub left: Vec<Vec2>,
-    pub right: Vec<Vec2>,
-}
 
 /// The width of drawn rivers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +27,7 @@ pub(super) enum Width {
 impl Banks {
     /// Makes a river's banks. They begin at its source, both at one point. A tributary's banks end in the middle of the
     /// river that it joins, those of other rivers past the shore. Empty if the river has no vertices.
-    pub fn of_river(network: &Network, river: &River, width: Width, courses: CourseShape) -> Self {
+    pub(super) fn of_river(network: &Network, river: &River, width: Width, courses: CourseShape) -> Self {
         let line = match width {
             Width::Own { share, more } => widened(network.middle(river), share, more),
             Width::Even { half } => network.course(river).map(|vertex| Place { at: vertex.at, half }).collect(),
@@ -44,18 +35,9 @@ impl Banks {
         Self::of_line(line, courses)
     }
 
-    /// Makes the banks along a line, as wide as its places say. At the first place, they meet.
-    pub fn of_line(mut line: Vec<Place>, courses: CourseShape) -> Self {
-        line.dedup_by_key(|place| place.at);
-        if let Some(source) = line.first_mut() {
-            source.half = 0.0;
-        }
-        Self::along(&line, courses)
-    }
-
     /// Makes a lake's banks, moved outward by a margin; they meet at both ends. Empty if silt has filled the whole
     /// lake.
-    pub fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
+    pub(super) fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
         let mut line = widened(oxbow.middle(), 1.0, more);
         line.dedup_by_key(|place| place.at);
         if let [first, .., last] = &mut line[..] {
@@ -68,12 +50,12 @@ impl Banks {
     /// with north up, and its last point is its first. If it crosses itself, the parts of a bank that run backward are
     /// left out; if that is not enough, the banks are moved nearer to each other; if they still cross, the first half,
     /// quarter and so on without a crossing stands for the whole. `None` only if the outline is narrower than the grid.
-    pub fn simple_ring(&self, rounded: impl Fn(Vec2) -> GridPoint) -> Option<Vec<GridPoint>> {
+    pub(super) fn simple_ring(&self, rounded: impl Fn(Vec2) -> GridPoint) -> Option<Vec<GridPoint>> {
         let tries = self.stretches().flat_map(|stretch| {
             SHARES.into_iter().flat_map(move |share| [false, true].map(|forward| (stretch.clone(), share, forward)))
         });
         tries
-            .map(|(stretch, share, forward)| self.ring(stretch, share, forward).into_iter().map(&rounded).collect())
+            .map(|(stretch, share, forward)| self.ring_of(stretch, share, forward).into_iter().map(&rounded).collect())
             .find_map(simple_ring)
     }
 
@@ -90,7 +72,7 @@ impl Banks {
 
     /// A ring down a stretch of the right bank and up the left one, at a share of their distance from the centerline.
     /// `forward` leaves out the parts of a bank that run backward.
-    fn ring(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
+    fn ring_of(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
         let (left, right) = (&self.left[stretch.clone()], &self.right[stretch]);
         let middle: Vec<Vec2> = left.iter().zip(right).map(|(left, right)| (*left + *right) * 0.5).collect();
         let nearer = |bank: &[Vec2]| {
@@ -109,66 +91,10 @@ impl Banks {
         ring.extend(nearer(left).into_iter().rev());
         ring
     }
-
-    fn along(line: &[Place], courses: CourseShape) -> Self {
-        let mut banks = Self::default();
-        for (i, &Place { at, half }) in line.iter().enumerate() {
-            let [before, after] = ways(line, i);
-            let middle = (before + after) * 0.5;
-            if courses == CourseShape::Grown && middle.length_squared() < SHARP {
-                banks.turn(at, before * half, after * half);
-            } else {
-                let aside = aside(middle) * half;
-                banks.push(at - aside, at + aside);
-            }
-        }
-        banks
-    }
-
-    /// Adds a sharp corner between two ways, each as long as half the width. Both sides keep their width up to it, and
-    /// the outer bank keeps its distance around it. The inner bank passes through the corner itself, so that there is
-    /// no gap.
-    fn turn(&mut self, at: Vec2, before: Vec2, after: Vec2) {
-        let tip = at + direction(before - after) * length(before);
-        self.push(at - before.perp(), at + before.perp());
-        if before.perp_dot(after) > 0.0 {
-            self.push(tip, at);
-        } else {
-            self.push(at, tip);
-        }
-        self.push(at - after.perp(), at + after.perp());
-    }
-
-    fn push(&mut self, left: Vec2, right: Vec2) {
-        self.left.push(left);
-        self.right.push(right);
-    }
 }
 
 fn widened(line: Vec<Place>, share: f32, more: f32) -> Vec<Place> {
     line.into_iter().map(|place| Place { half: place.half * share + more, ..place }).collect()
-}
-
-/// A line turns by more than 60° if the mean of the unit vectors before and after has a smaller square: cos² 30°.
-const SHARP: f32 = 0.75;
-
-/// The unit vectors along a line before and after a place; at either end, the only one twice.
-fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
-    let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
-    let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
-    match (i == 0, i + 1 == line.len()) {
-        (true, _) => [after, after],
-        (_, true) => [before, before],
-        _ => [before, after],
-    }
-}
-
-/// The offset to the right bank at a corner of a line, long enough that both sides of the corner keep their distance: a
-/// mitre. It is cut where the line turns sharply, and zero where it turns straight back.
-fn aside(middle: Vec2) -> Vec2 {
-    // `f32::max` is avoided: it handles NaN, and takes several jumps in wasm.
-    let squared = middle.length_squared();
-    middle.perp() / if squared > SHARP { squared } else { SHARP }
 }
 
 #[cfg(test)]

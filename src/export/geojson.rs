@@ -8,7 +8,6 @@
 
 use glam::Vec2;
 
-use super::banks::Banks;
 use super::data::{Json, Members};
 use super::names::{self, Feature as Named};
 use super::polygons::{Polygon, polygons};
@@ -18,6 +17,7 @@ use crate::annotate::names::Names;
 use crate::domain::Domain;
 use crate::land::SmoothedDistance;
 use crate::map::Map;
+use crate::network::Banks;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
 use crate::relief::{CELL_SIZE, Flow, METRES, Relief};

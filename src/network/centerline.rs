@@ -2,8 +2,9 @@
 
 use glam::Vec2;
 
-use super::{NONE, Network, Oxbow, River, Vertex};
+use super::{Banks, NONE, Network, Oxbow, River, Vertex};
 use crate::base::geometry::direction;
+use crate::recipe::CourseShape;
 
 /// How far beyond its last vertex a river reaches into the sea, in widths. A round end adds another half.
 const PAST_SHORE: f32 = 0.1;
@@ -21,19 +22,27 @@ impl Network {
     /// The middle line of a river from its source to its end: a tributary's end in the middle of the river that it joins, no
     /// wider than it came; another's past the shore.
     pub fn middle(&self, river: &River) -> Vec<Place> {
-        let course: Vec<&Vertex> = self.course(river).collect();
-        let last = course.len().wrapping_sub(1);
-        let is_tributary = river.junction != NONE;
-        let place = |(i, vertex): (usize, &&Vertex)| {
-            let banks = if is_tributary && i == last { course[i.saturating_sub(1)] } else { vertex };
-            between(vertex.at, banks, tangent(&course, i))
-        };
-        let mut line: Vec<Place> = course.iter().enumerate().map(place).collect();
-        if let Some(&mouth) = line.last().filter(|_| !is_tributary) {
-            line.push(Place { at: mouth.at + tangent(&course, last) * (2.0 * mouth.half * PAST_SHORE), ..mouth });
-        }
-        line
+        middle(&self.course(river).collect::<Vec<_>>(), river.junction != NONE)
     }
+
+    /// The banks of a river, from its source to its end: together they are a valid polygon, however the river bends.
+    pub fn banks(&self, river: &River, courses: CourseShape) -> Banks {
+        Banks::of_line(self.middle(river), courses)
+    }
+}
+
+/// The middle line of a course.
+pub(super) fn middle(course: &[&Vertex], is_tributary: bool) -> Vec<Place> {
+    let last = course.len().wrapping_sub(1);
+    let place = |(i, vertex): (usize, &&Vertex)| {
+        let banks = if is_tributary && i == last { course[i.saturating_sub(1)] } else { vertex };
+        between(vertex.at, banks, tangent(course, i))
+    };
+    let mut line: Vec<Place> = course.iter().enumerate().map(place).collect();
+    if let Some(&mouth) = line.last().filter(|_| !is_tributary) {
+        line.push(Place { at: mouth.at + tangent(course, last) * (2.0 * mouth.half * PAST_SHORE), ..mouth });
+    }
+    line
 }
 
 impl Oxbow {

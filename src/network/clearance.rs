@@ -150,6 +150,18 @@ impl ClearanceGrid {
         })
     }
 
+    /// The segments of the last survey whose cells a circle touches that is so much larger than the longest of them.
+    pub fn segments(&self, at: Vec2, radius: f32) -> impl Iterator<Item = u32> + '_ {
+        let radius = radius + self.longest_half;
+        self.runs(at, radius).flat_map(move |row| {
+            let near = self.entries[row].iter().filter(move |entry| {
+                let far = radius - self.longest_half + entry.half;
+                entry.middle.distance_squared(at) < far * far
+            });
+            near.map(|entry| entry.segment)
+        })
+    }
+
     /// Sorts the segments into their cells.
     fn enter(&mut self, network: &Network, downstream: &[u32], reach: &[f32]) {
         self.starts.clear();

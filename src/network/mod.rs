@@ -13,6 +13,7 @@
 //! (`ranking.rs`); and what moves, moves by less than half of the way to the nearest other line (by the [`ClearanceGrid`]), so two lines
 //! can never meet, whatever moves them.
 
+mod banks;
 mod centerline;
 mod clearance;
 mod courses;
@@ -20,6 +21,7 @@ mod curvature;
 mod evenly;
 pub mod hydrology;
 pub mod meander;
+mod narrow;
 mod orders;
 mod ranking;
 #[cfg(test)]
@@ -32,6 +34,7 @@ mod width;
 
 #[doc(hidden)]
 pub use crate::base::geometry::{gap, meet};
+pub use banks::Banks;
 pub use centerline::Place;
 #[doc(hidden)]
 pub use clearance::{ClearanceGrid, NearbyPair};

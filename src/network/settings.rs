@@ -50,6 +50,8 @@ pub struct NetworkSettings {
     pub flat_share: f32,
     /// How near two limbs of a river come before it cuts through, in widths.
     pub neck: f32,
+    /// How many times as long as by default it takes silt to fill an oxbow lake: 0, and there are none; infinity, and it never does.
+    pub oxbow_life: f32,
     /// The least distance between the banks of two rivers, in units.
     pub min_clearance: f32,
     /// Over how many widths meandering sets in, from sources, mouths and junctions on.
@@ -82,6 +84,7 @@ impl NetworkSettings {
             great_rivers: recipe.integer(IntegerKey::GreatRivers),
             flat_share: recipe.number(NumberKey::FlatShare),
             neck: recipe.number(NumberKey::Neck),
+            oxbow_life: oxbow_life(recipe.number(NumberKey::Oxbows)),
             min_clearance: recipe.number(NumberKey::Clearance) * stream_spacing,
             taper: recipe.number(NumberKey::Taper),
         }
@@ -114,6 +117,11 @@ impl NetworkSettings {
     fn noise(&self, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
         self.seed.noise(Purpose::Courses, index, frequency, octaves)
     }
+}
+
+/// From none at 0 over the default at a half to infinity at 1.
+fn oxbow_life(share: f32) -> f32 {
+    share / (1.0 - share)
 }
 
 /// The least width of a stream, in units, and as a share of the distance between streams.

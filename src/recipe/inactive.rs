@@ -58,7 +58,7 @@ impl Given<'_> {
             Key::MeanderRounds => self.no_meandering(),
             Key::MeanderElsewhere | Key::GreatRivers => self.no_rounds(),
             Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
-            Key::MeanderStrength | Key::Neck | Key::Clearance | Key::Taper => self.no_bends(),
+            Key::MeanderStrength | Key::Neck | Key::Oxbows | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),

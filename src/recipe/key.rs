@@ -114,6 +114,7 @@ keys! {
     GreatRivers: Integer,
     FlatShare: Number,
     Neck: Number,
+    Oxbows: Number,
     Clearance: Number,
     Taper: Number,
     Mountains: Number,

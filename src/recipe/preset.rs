@@ -82,9 +82,18 @@ pub static PRESETS: &[Preset] = &explained([
 
 /// The values of a kind of country: its land and its rivers. All countries set the same keys, so that choosing one
 /// leaves no trace of another.
-const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 12] {
+const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 16] {
+    old_country(land, growth, rivers, DEFAULT_BENDS)
+}
+
+/// The values of great rivers, flat share, neck and oxbow lakes in most countries: the defaults.
+const DEFAULT_BENDS: [Text; 4] = ["3", "0.2", "1.5", "0.5"];
+
+/// The same with the ways in which rivers bend.
+const fn old_country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3], bends: [Text; 4]) -> [(Key, Text); 16] {
     let ([aspect, land, sea, roughness, sides], [growth, attractors, sensitivity, channel_area]) = (land, growth);
     let [mouths, width, rounds] = rivers;
+    let [great_rivers, flat_share, neck, oxbows] = bends;
     [
         (Key::Aspect, aspect),
         (Key::Land, land),
@@ -98,6 +107,10 @@ const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key
         (Key::Mouths, mouths),
         (Key::Width, width),
         (Key::MeanderRounds, rounds),
+        (Key::GreatRivers, great_rivers),
+        (Key::FlatShare, flat_share),
+        (Key::Neck, neck),
+        (Key::Oxbows, oxbows),
     ]
 }
 
@@ -149,7 +162,12 @@ pub static COUNTRIES: &[Preset] = &[
         name: "old-river",
         label: "Old river",
         help: "Few rivers, wide and old: loops, cut necks and oxbow lakes.",
-        values: &country(["2", "valley", "0.15", "0.5", "s"], ["drainage", "5000", "16", "20"], ["0", "26", "120"]),
+        values: &old_country(
+            ["2", "valley", "0.15", "0.5", "s"],
+            ["drainage", "5000", "16", "20"],
+            ["0", "26", "120"],
+            ["5", "0.6", "2.5", "1"],
+        ),
     },
     Preset {
         name: "marsh",

@@ -481,6 +481,17 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(1.0, 4.0, 0.1, 1.5),
         },
         Parameter {
+            key: Key::Oxbows,
+            name: "oxbows",
+            label: "Oxbow lakes",
+            help: "How long oxbow lakes last: 0 leaves none, 1 all that are cut off. Rivers that come back take them.",
+            unit: "",
+            group: "Meanders",
+            stage: Shape,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.01, 0.5),
+        },
+        Parameter {
             key: Key::Clearance,
             name: "clearance",
             label: "Clearance",

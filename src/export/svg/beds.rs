@@ -1,10 +1,10 @@
 //! Great rivers and their former beds. Each kept round, and the rivers as they are, take two shapes: all beds with the
 //! line beside them, and all beds without it.
 
-use super::super::banks::Banks;
 use super::outline;
 use super::path::Path;
 use super::text::Text;
+use crate::network::Banks;
 use crate::network::{Network, PastCourse, PastCourses, Place};
 use crate::paint::beds::great_rivers;
 use crate::paint::palette::{Beds, Colour};

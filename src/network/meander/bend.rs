@@ -1,5 +1,5 @@
-//! Meandering by vectors (Hodgin; Dragons Abound): each point moves toward the outside of its bend and downstream, by as much
-//! as the river curves there.
+//! Meandering by vectors (Hodgin; Dragons Abound): each point moves toward the outside of its bend and down the belt of bends, by as
+//! much as the river curves there.
 //!
 //! Curvature is measured in widths, so that wide rivers and narrow ones bend alike; capped, so that no sharp corner runs
 //! away; and smoothed along the river, over a distance at which bends of about eleven widths grow fastest, as they do
@@ -18,6 +18,9 @@ const SHARPEST: f32 = 0.5;
 /// Over how many widths curvature is smoothed. A small bend's rate of growth goes with k² / (1 + k²L²)², which is greatest at
 /// a wavelength of 2πL; grown bends come out somewhat shorter.
 const MEMORY: f32 = 2.2;
+
+/// Over how many widths up and down the river the direction of its belt is taken: about a bend either way.
+const BELT: f32 = 8.0;
 
 /// From this share of it on a bend is eased.
 const NEARLY: f32 = 0.7;
@@ -87,6 +90,12 @@ impl Course {
         direction(self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)])
     }
 
+    /// The unit vector down the belt of bends around a vertex.
+    fn belt(&self, i: usize, settings: &NetworkSettings) -> Vec2 {
+        let stride = (BELT * self.width[i] / settings.step(self.width[i])) as usize;
+        direction(self.at[(i + stride).min(self.at.len() - 1)] - self.at[i.saturating_sub(stride)])
+    }
+
     /// Curvature times width where it may be sharper than the sharpest, up to 1.7 of it.
     pub fn uncapped(&self, i: usize) -> f32 {
         let beyond = fast_max(self.kink[i] - (1.0 - NEARLY), 0.0);
@@ -120,7 +129,8 @@ impl Course {
             let (bend, tangent) = (self.bend[i], self.tangent(i));
             // A positive bend turns toward `perp`, so its outside is the other way.
             let outward = tangent.perp() * -bend;
-            let onward = tangent * bend.abs();
+            // Along its own line a vertex would move nothing: bends travel down the belt in which they lie.
+            let onward = self.belt(i, settings) * bend.abs();
             let push = outward * settings.mix + onward * (1.0 - settings.mix);
             let far = PACE * settings.strength * self.width[i];
             *way = (push * far + self.ease(i)) * step_scale;

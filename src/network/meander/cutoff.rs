@@ -19,36 +19,47 @@ pub(super) struct Cut {
     pub below: u32,
 }
 
-/// Whether there is a loop between two segments of a river, and not only a bend.
-pub(super) fn is_loop(network: &Network, pair: &NearbyPair, settings: &NetworkSettings) -> bool {
-    const LEAST: f32 = 6.0;
-    let between = &network.vertices[pair.first as usize..=pair.second as usize];
-    let length: f32 = between.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
-    length > LEAST * fast_max(between[0].width(), settings.spacing)
+/// How near two limbs of a river come before it breaks through: as near as its neck asks, and so near that their banks would meet.
+fn neck(network: &Network, [a, b]: [u32; 2], settings: &NetworkSettings) -> f32 {
+    let width = |i: u32| network.vertices[i as usize].width();
+    let neck = settings.neck * fast_max(width(a), NARROWEST * settings.spacing);
+    fast_max(neck, (width(a) + width(b)) * 0.5 + settings.min_clearance)
 }
 
-/// The necks to be cut: of each river's the one with the longest loop.
+/// Whether two segments of a river are limbs of a loop, and not only of a bend, and so near each other that it breaks through.
+pub(super) fn is_neck(network: &Network, pair: &NearbyPair, settings: &NetworkSettings) -> bool {
+    /// A bend's way from limb to limb is shorter than so many times the distance between them.
+    const LEAST: f32 = 2.0;
+    let neck = neck(network, [pair.first, pair.second], settings);
+    pair.distance < neck && way(network, pair.first, pair.second) > LEAST * neck
+}
+
+/// The way along a river from one vertex to another.
+fn way(network: &Network, from: u32, to: u32) -> f32 {
+    network.vertices[from as usize..=to as usize].windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
+}
+
+/// The necks to be cut: the longest loops of each river, none within another.
 pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSettings) -> Vec<Cut> {
     let river_of = river_of(network);
-    let mut necks: Vec<Option<Cut>> = vec![None; network.rivers.len()];
-    for pair in near {
-        let &NearbyPair { first, second, distance } = pair;
-        let river = river_of[first as usize];
-        let width = network.vertices[first as usize].width();
-        let is_neck = river == river_of[second as usize]
-            && distance < settings.neck * fast_max(width, NARROWEST * settings.spacing)
-            && is_loop(network, pair, settings);
-        let moves = |i: u32| network.vertices[i as usize].mobility > 0.0;
-        if !is_neck || !(moves(first) || moves(second)) {
-            continue;
-        }
-        let Some(cut) = nearest_ends(network, river, first, second) else { continue };
-        let neck = &mut necks[river as usize];
-        if neck.is_none_or(|other| other.below - other.above < cut.below - cut.above) {
-            *neck = Some(cut);
+    let moves = |i: u32| network.vertices[i as usize].mobility > 0.0;
+    let is_cut = |pair: &&NearbyPair| {
+        let [first, second] = [pair.first, pair.second];
+        river_of[first as usize] == river_of[second as usize]
+            && (moves(first) || moves(second))
+            && is_neck(network, pair, settings)
+    };
+    let cut = |pair: &NearbyPair| nearest_ends(network, river_of[pair.first as usize], pair.first, pair.second);
+    let mut necks: Vec<Cut> = near.iter().filter(is_cut).filter_map(cut).collect();
+    necks.sort_by_key(|cut| (cut.river, u32::MAX - (cut.below - cut.above), cut.above));
+    let mut longest: Vec<Cut> = Vec::new();
+    for cut in necks {
+        let meets = |other: &&Cut| cut.above <= other.below && other.above <= cut.below;
+        if !longest.iter().rev().take_while(|other| other.river == cut.river).any(|other| meets(&other)) {
+            longest.push(cut);
         }
     }
-    necks.into_iter().flatten().collect()
+    longest
 }
 
 /// The ends of two segments of a river that lie nearest each other.
@@ -61,15 +72,18 @@ fn nearest_ends(network: &Network, river: u32, first: u32, second: u32) -> Optio
     nearest.map(|(above, below)| Cut { river, above, below })
 }
 
-/// Cuts through necks, at most one a river.
+/// Cuts through necks, none within another, in the order of their rivers.
 pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
     let loops: Vec<Loop> = cuts.iter().map(|&cut| Loop::of(network, cut)).collect();
-    let oxbows: Vec<Oxbow> = loops.iter().map(|cut_off| cut_off.oxbow(network, round)).collect();
+    let oxbows: Vec<Oxbow> = loops.iter().filter_map(|cut_off| cut_off.oxbow(network, round)).collect();
     network.oxbows.extend(oxbows);
-    let mut cut_of = vec![None; network.rivers.len()];
+    let cuts_of = |river: u32| {
+        let from = cuts.partition_point(|cut| cut.river < river);
+        let count = cuts[from..].partition_point(|cut| cut.river == river);
+        &cuts[from..from + count]
+    };
     let mut bed_of = vec![None; network.rivers.len()];
     for cut_off in &loops {
-        cut_of[cut_off.cut.river as usize] = Some(cut_off.cut);
         if let Some(heir) = cut_off.heir {
             bed_of[heir as usize] = Some(cut_off);
         }
@@ -84,7 +98,8 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
             place[i as usize] = vertices.len() as u32;
             vertices.push(vertex);
         };
-        let is_left = |i: &u32| cut_of[number].is_none_or(|cut: Cut| *i <= cut.above || *i >= cut.below);
+        let own_cuts = cuts_of(number as u32);
+        let is_left = |i: &u32| !own_cuts.iter().any(|cut| cut.above < *i && *i < cut.below);
         (old.start..old.end).filter(is_left).for_each(|i| take(i, network.vertices[i as usize]));
         if let Some(cut_off) = bed_of[number] {
             cut_off.bed(network, &old).for_each(|(i, vertex)| take(i, vertex));
@@ -149,10 +164,12 @@ impl Loop {
         })
     }
 
-    /// The part that is left without a river.
-    fn oxbow(&self, network: &Network, round: u32) -> Oxbow {
+    /// The part that is left without a river, if it is long enough for a lake.
+    fn oxbow(&self, network: &Network, round: u32) -> Option<Oxbow> {
+        const LEAST_WIDTHS: f32 = 5.0;
         let vertices = network.vertices[self.cut.above as usize..=self.taken_from as usize].to_vec();
-        Oxbow { river: self.cut.river, born: round, silt: 0.0, vertices }
+        let is_lake = way(network, self.cut.above, self.taken_from) > LEAST_WIDTHS * vertices[0].width();
+        is_lake.then_some(Oxbow { river: self.cut.river, born: round, silt: 0.0, vertices })
     }
 }
 

@@ -8,15 +8,16 @@ use super::super::{Network, Oxbow, Vertex};
 use super::{CAP, respace};
 use crate::base::geometry::fast_max;
 
-/// The age, in rounds, at which silt begins to fill a lake, and at which it has filled it.
-const YOUNG: u32 = 24;
-const OLD: u32 = 160;
+/// The age at which silt begins to fill a lake, and at which it has filled it.
+const YOUNG: f32 = 24.0;
+const OLD: f32 = 160.0;
 
-/// Lets silt fill lakes as their age asks, and forgets those that are full.
-pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32) {
+/// Lets silt fill lakes as their age asks, in rounds over how long they last, and forgets those that are full.
+pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32, life: f32) {
     for oxbow in &mut *oxbows {
-        let age = (round - oxbow.born).saturating_sub(YOUNG);
-        oxbow.silt = (age as f32 / (OLD - YOUNG) as f32).min(1.0);
+        // 0 / 0 where there are to be no lakes.
+        let age = ((round - oxbow.born) as f32 / life).max(0.0);
+        oxbow.silt = ((age - YOUNG) / (OLD - YOUNG)).clamp(0.0, 1.0);
     }
     oxbows.retain(|oxbow| !oxbow.lake().is_empty());
 }
@@ -61,8 +62,8 @@ mod tests {
     fn silt_narrows_and_shortens_a_lake_until_it_is_gone() {
         let mut oxbows = vec![lake()];
         let mut sizes = Vec::new();
-        for round in 10..10 + OLD {
-            age(&mut oxbows, round);
+        for round in 10..10 + OLD as u32 {
+            age(&mut oxbows, round, 1.0);
             let lake = oxbows[0].lake();
             sizes.push((lake.len(), lake.iter().map(|(vertex, share)| vertex.width() * share).fold(0.0, f32::max)));
         }
@@ -70,7 +71,7 @@ mod tests {
         assert!(sizes.windows(2).all(|pair| pair[1].0 <= pair[0].0 && pair[1].1 <= pair[0].1), "{sizes:?}");
         let last = sizes[sizes.len() - 1];
         assert!(last.0 < 25 && last.1 < 1.1, "{last:?}");
-        age(&mut oxbows, 10 + OLD);
+        age(&mut oxbows, 10 + OLD as u32, 1.0);
         assert!(oxbows.is_empty());
     }
 
@@ -78,7 +79,7 @@ mod tests {
     fn a_lake_that_is_run_over_is_forgotten() {
         let mut oxbows = vec![lake()];
         oxbows[0].vertices.iter_mut().step_by(5).for_each(|vertex| (vertex.left, vertex.right) = (0.0, 0.0));
-        age(&mut oxbows, 11);
+        age(&mut oxbows, 11, 1.0);
         assert!(oxbows.is_empty());
     }
 }

@@ -1,12 +1,10 @@
 //! How freely each vertex meanders: a little all over the map, here more and there not at all, and fully where the great rivers are
-//! flat; not at sources, mouths and junctions, and near them only little by little.
-//!
-//! A much smaller tributary does not hold a river at their junction: the river carries the brook's end along. A tributary
-//! is always held where it ends.
+//! flat, the less the steeper they are; not at a river's own ends, and near them only little by little. Tributaries do not hold a river: it
+//! carries their ends along.
 
 use super::super::hydrology::slopes;
 use super::super::settings::NetworkSettings;
-use super::super::{NONE, Network, Vertex};
+use super::super::{Network, Vertex};
 use crate::base::geometry::{distance, fast_max, fast_min, lengths, smooth_step};
 use crate::base::sort;
 use crate::recipe::MeanderModel;
@@ -14,9 +12,9 @@ use crate::recipe::MeanderModel;
 /// The distance, in widths, from a fixed point of a river within which it does not meander.
 const HELD: f32 = 1.0;
 
-/// The share of a river's discharge below which a tributary does not hold it, and above which it holds it wholly.
-const BROOK: f32 = 0.04;
-const EQUAL: f32 = 0.35;
+/// Other rivers meander where they are flatter than this share of all courses, and less and less up to the second one.
+const GENTLE: f32 = 0.4;
+const STEEP: f32 = 0.85;
 
 /// What sways less than this stands still: it would not be seen, and takes as long as the rest.
 const LEAST: f32 = 0.05;
@@ -26,9 +24,9 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u
     if settings.model == MeanderModel::None {
         return Vec::new();
     }
-    let is_flat = flat_vertices(network, settings);
+    let steepness = steepness(network, settings);
+    let is_flat: Vec<bool> = steepness.iter().map(|&share| share < settings.flat_share).collect();
     let great = great_rivers(network, &is_flat, settings.great_rivers);
-    let holds = holds(network);
     let noise = settings.gentle_noise();
     for (number, river) in network.rivers.clone().iter().enumerate() {
         let along = lengths(&network.places(river));
@@ -38,20 +36,12 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u
         let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / fast_max(settings.taper - HELD, 0.1));
         let in_flat = great.contains(&(number as u32)).then(|| depths_in_flat(&is_flat[river.vertex_range()], &along));
         for (i, vertex) in own.iter_mut().enumerate() {
-            let gently =
-                settings.meander_elsewhere * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
+            let gently = settings.meander_elsewhere
+                * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25)
+                * (1.0 - smooth_step((steepness[river.start as usize + i] - GENTLE) / (STEEP - GENTLE)));
             let fully = in_flat.as_ref().map_or(0.0, |depths| ramp(depths[i], width[i]));
             let mobility = fast_max(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
             vertex.mobility = if mobility < LEAST { 0.0 } else { mobility };
-        }
-        for (at, &hold) in holds[river.vertex_range()].iter().enumerate().filter(|(_, hold)| **hold > 0.0) {
-            let mut ease = |i: usize| {
-                let ramp = ramp((along[i] - along[at]).abs(), width[i]);
-                own[i].mobility *= 1.0 - hold * (1.0 - ramp);
-                ramp < 1.0
-            };
-            let _ = (at..width.len()).all(&mut ease);
-            let _ = (0..at).rev().all(&mut ease);
         }
     }
     great
@@ -77,16 +67,20 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     }
 }
 
-/// Which vertices count as flat: the flattest share of all courses, whose vertices lie evenly.
+/// The share of all courses that is flatter than each vertex; vertices lie evenly.
 #[inline(never)] // two copies weigh more than a call
-fn flat_vertices(network: &Network, settings: &NetworkSettings) -> Vec<bool> {
+fn steepness(network: &Network, settings: &NetworkSettings) -> Vec<f32> {
     let slopes = slopes(network, settings.total_discharge);
     let by_slope = sort::argsort(slopes.iter().map(|&slope| sort::key(slope)));
-    let count = (by_slope.len() as f32 * settings.flat_share) as usize;
-    match by_slope.get(..count).and_then(<[usize]>::last) {
-        Some(&last) => slopes.iter().map(|&slope| slope <= slopes[last]).collect(),
-        None => vec![false; slopes.len()],
+    let mut steepness = vec![0.0; slopes.len()];
+    let mut flatter = 0;
+    for (rank, &i) in by_slope.iter().enumerate() {
+        if rank > 0 && slopes[i] > slopes[by_slope[rank - 1]] {
+            flatter = rank;
+        }
+        steepness[i] = flatter as f32 / slopes.len() as f32;
     }
+    steepness
 }
 
 /// The rivers with the longest flat stretches.
@@ -117,19 +111,6 @@ fn depths_in_flat(is_flat: &[bool], along: &[f32]) -> Vec<f32> {
     depths
 }
 
-/// How firmly each vertex is held by what joins there, from 0 to 1.
-fn holds(network: &Network) -> Vec<f32> {
-    let mut holds = vec![0.0f32; network.vertices.len()];
-    for river in network.rivers.iter().filter(|river| river.junction != NONE) {
-        let Some(last) = network.vertices[river.vertex_range()].last() else { continue };
-        let below = network.vertices[river.junction as usize].discharge;
-        let share = last.discharge as f32 / below.max(1) as f32;
-        let hold = &mut holds[river.junction as usize];
-        *hold = fast_max(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
-    }
-    holds
-}
-
 /// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
 /// spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,7 +125,7 @@ pub struct Reach {
 
 /// The longest flat stretch of each great river.
 pub(super) fn reaches(network: &Network, great: &[u32], settings: &NetworkSettings) -> Vec<Reach> {
-    let is_flat = flat_vertices(network, settings);
+    let is_flat: Vec<bool> = steepness(network, settings).iter().map(|&share| share < settings.flat_share).collect();
     great.iter().map(|&river| reach(network, river, &is_flat)).collect()
 }
 
@@ -193,19 +174,31 @@ mod tests {
     }
 
     #[test]
-    fn nothing_moves_at_sources_mouths_and_equal_junctions() {
+    fn nothing_moves_at_the_ends_of_rivers() {
         let (network, main) = swaying(40, &NetworkSettings { meander_elsewhere: 1.0, ..only_great(2) });
         let mobility = |i: usize| network.vertices[i].mobility;
-        for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
+        for held in [0, 1, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
             assert_eq!(mobility(held), 0.0, "{held}");
         }
         assert!(mobility(100) > 0.9 && mobility(300) > 0.9, "{} {}", mobility(100), mobility(300));
     }
 
     #[test]
-    fn a_brook_does_not_hold_a_river() {
-        let (network, _) = swaying(2, &only_great(1));
-        assert_eq!(network.vertices[200].mobility, 1.0);
+    fn tributaries_do_not_hold_a_river() {
+        for share in [2, 40] {
+            let (network, _) = swaying(share, &only_great(1));
+            assert_eq!(network.vertices[200].mobility, 1.0, "{share}");
+        }
+    }
+
+    #[test]
+    fn other_rivers_meander_the_less_the_steeper_they_are() {
+        let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
+        network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
+        assign(&mut network, &NetworkSettings { meander_elsewhere: 1.0, ..only_great(0) });
+        let most = |part: std::ops::Range<usize>| network.vertices[part].iter().map(|v| v.mobility).fold(0.0, f32::max);
+        assert_eq!(most(0..60), 0.0, "the steepest seventh");
+        assert!(most(60..160) < most(240..380), "{} {}", most(60..160), most(240..380));
     }
 
     #[test]

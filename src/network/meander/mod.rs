@@ -6,6 +6,7 @@
 
 mod bend;
 mod cutoff;
+mod fair;
 mod flow;
 mod lakes;
 mod mobility;
@@ -13,19 +14,20 @@ mod past;
 mod respace;
 mod rest;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
 use super::clearance::{ClearanceGrid, NearbyPair};
 use super::courses::Courses;
 use super::evenly::divide;
+use super::narrow::narrowed;
 use super::ranking::simplified;
 use super::settings::NetworkSettings;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
-use crate::base::geometry::{fast_max, length};
+use crate::base::geometry::{fast_max, fast_min, length};
 use crate::domain::Domain;
 use crate::recipe::MeanderModel;
 
@@ -49,6 +51,8 @@ const OFF_FRAME: f32 = 8.0;
 pub struct Meander {
     settings: NetworkSettings,
     network: Arc<Network>,
+    /// The same as it is drawn; empty until somebody asks for it.
+    drawn: OnceLock<Arc<Network>>,
     guard: ClearanceGrid,
     round: u32,
     past: Arc<PastCourses>,
@@ -72,6 +76,7 @@ impl Meander {
         Self {
             settings,
             network: network.into(),
+            drawn: OnceLock::new(),
             guard,
             round: 0,
             past: Arc::default(),
@@ -80,7 +85,15 @@ impl Meander {
         }
     }
 
-    /// The network as it is.
+    /// The network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself, that banks would meet.
+    pub fn drawn(&self) -> &Arc<Network> {
+        self.drawn.get_or_init(|| match narrowed(&self.network, self.settings.courses) {
+            Some(narrowed) => narrowed.into(),
+            None => self.network.clone(),
+        })
+    }
+
+    /// The network with all its width.
     pub fn network(&self) -> &Arc<Network> {
         &self.network
     }
@@ -116,6 +129,7 @@ impl Meander {
         if self.is_finished() {
             return false;
         }
+        self.drawn = OnceLock::new();
         Arc::make_mut(&mut self.past).keep(&self.network, self.round, self.settings.rounds);
         self.round += 1;
         let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
@@ -127,9 +141,10 @@ impl Meander {
         if self.freeze(&near) || std::mem::take(&mut self.has_stopped) {
             mobility::ease_off(Arc::make_mut(&mut self.network), self.settings.spacing);
         }
-        self.move_bends(&downstream, &clearance, &step_scale);
+        let drift = self.move_bends(&downstream, &clearance, &step_scale);
+        self.ease_bends(&downstream, &mut clearance, drift);
         respace::respace(Arc::make_mut(&mut self.network), &clearance, &step_scale, &self.settings);
-        lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round);
+        lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
         !self.is_finished()
     }
 
@@ -202,7 +217,7 @@ impl Meander {
         (clearance, near)
     }
 
-    /// Cuts through the necks among some pairs, one a river. Returns whether there were any.
+    /// Cuts through the necks among some pairs. Returns whether there were any.
     fn cut_necks(&mut self, downstream: &[u32], near: &[NearbyPair]) -> bool {
         let necks = cutoff::necks(&self.network, near, &self.settings);
         let cuts: Vec<_> = necks
@@ -214,6 +229,9 @@ impl Meander {
         }
         cutoff::cut(Arc::make_mut(&mut self.network), &cuts, self.round);
         Arc::make_mut(&mut self.past).keep_loops(&self.network, self.round);
+        if self.settings.oxbow_life == 0.0 {
+            Arc::make_mut(&mut self.network).oxbows.clear();
+        }
         true
     }
 
@@ -246,13 +264,12 @@ impl Meander {
     }
 
     fn is_too_near(&self, pair: &NearbyPair, river_of: &[u32]) -> bool {
-        let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
+        let NetworkSettings { min_clearance, .. } = self.settings;
         let [a, b] = [pair.first, pair.second].map(|i| (i, river_of[i as usize]));
         let width = |i: u32| self.network.vertices[i as usize].width();
         let apart = (width(a.0) + width(b.0)) * 0.5 + min_clearance;
         if a.1 == b.1 {
-            return pair.distance < 0.5 * neck * fast_max(width(a.0), NARROWEST * spacing)
-                && cutoff::is_loop(&self.network, pair, &self.settings);
+            return cutoff::is_neck(&self.network, pair, &self.settings);
         }
         pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
     }
@@ -264,7 +281,23 @@ impl Meander {
         tributary.parent == river && tributary.end - i <= near && tributary.junction.abs_diff(j) <= near
     }
 
-    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], step_scale: &[f32]) {
+    /// Eases bends that are too sharp for their rivers, most of all before the first round and after the last.
+    fn ease_bends(&mut self, downstream: &[u32], clearance: &mut [f32], drift: f32) {
+        const PASSES: u32 = 1;
+        const MOST_PASSES: u32 = 32;
+        let is_end = self.round == 1 || self.round == self.settings.rounds;
+        let (settings, guard) = (&self.settings, &self.guard);
+        let network = Arc::make_mut(&mut self.network);
+        fair::Fairing { network, downstream, guard, settings, clearance, drift }.ease(if is_end {
+            MOST_PASSES
+        } else {
+            PASSES
+        });
+    }
+
+    /// Lets bends move. Returns how far any vertex has.
+    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], step_scale: &[f32]) -> f32 {
+        let mut farthest = 0.0;
         let moves = match self.settings.model {
             MeanderModel::Flow => flow::moves(&self.network, step_scale, &self.settings),
             _ => bend::moves(&self.network, step_scale, &self.settings),
@@ -283,11 +316,13 @@ impl Meander {
                 vertex.mobility = 0.0;
                 self.has_stopped = true;
             } else if has_room(land.as_deref(), vertex.at, 2.0 * step) {
+                farthest = fast_max(farthest, fast_min(far, limit));
                 vertex.at = to;
             } else {
                 vertex.mobility = 0.0;
             }
         }
+        farthest
     }
 }
 
@@ -357,7 +392,7 @@ mod tests {
             let [young, grown] = [sinuosity(0), sinuosity(20)];
             assert!(young < 1.03 && grown > 1.05, "{model:?}: {young}, then {grown}");
         }
-        let old = meandered(MeanderModel::Bend, 150);
+        let old = meandered(MeanderModel::Bend, 400);
         assert!(!old.oxbows.is_empty());
         assert!(sinuosity(&places(&old)) < 6.0);
     }

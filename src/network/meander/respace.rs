@@ -7,7 +7,7 @@ use super::super::evenly::{between, pieces};
 use super::super::settings::NetworkSettings;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
-use crate::base::geometry::{distance, height};
+use crate::base::geometry::{distance, fast_max, fast_min, height};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.15;
@@ -32,9 +32,9 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
                 && !is_junction[i]
                 // As wide as a tributary's last vertex is, its junction is known to be.
                 && i + 1 < own.end
+                && distance(old[i].at, old[i - 1].at) < 0.5 * settings.step(old[i].width())
                 // Of what stays the clearance is not known.
                 && step_scale[i] > 0.0
-                && distance(old[i].at, old[i - 1].at) < 0.5 * settings.step(old[i].width())
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
                     <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
             if goes {
@@ -48,8 +48,13 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
             last = i as u32;
         }
         if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.junction as usize)) {
+            // Under the water of the other river nobody sees how it runs, and it is not to hold that.
+            let far = distance(upper.at, junction.at);
+            let share = fast_max(far - fast_min(junction.left, junction.right), 0.0) / fast_max(far, f32::MIN_POSITIVE);
+            let at = upper.at.lerp(junction.at, share);
             // No wider for being near a wider river.
-            let end = Vertex { at: junction.at, elevation: junction.elevation, ..*upper };
+            let end =
+                Vertex { at, elevation: upper.elevation + (junction.elevation - upper.elevation) * share, ..*upper };
             divide(&mut vertices, upper, &end, settings);
         }
         river.end = vertices.len() as u32;

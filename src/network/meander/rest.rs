@@ -27,7 +27,10 @@ const STRETCH: f32 = 48.0;
 
 /// The length of a loop, in widths, and the sinuosities from which on it begins to be nearly closed, and is.
 const LOOP: f32 = 16.0;
-const CLOSING: [f32; 2] = [2.6, 3.4];
+const CLOSING: [f32; 2] = [2.1, 2.8];
+
+/// Loops close where rivers meander so freely: not below the first, wholly from the second on.
+const ALMOST_FULLY: [f32; 2] = [0.4, FULLY];
 
 /// What moves slower than this does not move at all.
 const LEAST: f32 = 0.05;
@@ -55,7 +58,7 @@ fn freedom(stretch: f32, around: f32, mobility: f32) -> f32 {
     let fully = fast_min(mobility / FULLY, 1.0);
     let fully = fully * fully.sqrt();
     let most = MOST_OF_BROOKS + (MOST - MOST_OF_BROOKS) * fully;
-    let closing = fully * rise(around, CLOSING) * (1.0 - rise(stretch, [MOST, MOST_WITH_LOOPS]));
+    let closing = rise(mobility, ALMOST_FULLY) * rise(around, CLOSING) * (1.0 - rise(stretch, [MOST, MOST_WITH_LOOPS]));
     fast_max(1.0 - rise(stretch, [1.0 + (most - 1.0) * NEARLY, most]), closing)
 }
 
@@ -139,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_loop_that_is_nearly_closed_moves_on() {
-        assert_eq!([freedom(2.7, 2.0, 1.0), freedom(2.6, 4.0, 1.0), freedom(3.3, 4.0, 1.0)], [0.0, 1.0, 0.0]);
+        assert_eq!([freedom(2.7, 1.9, 1.0), freedom(2.6, 4.0, 1.0), freedom(3.3, 4.0, 1.0)], [0.0, 1.0, 0.0]);
         assert!(freedom(2.6, 4.0, 0.2) < 0.2, "but hardly one of a brook");
     }
 }

@@ -6,7 +6,7 @@ import type { Control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 
 /** Parameters that are seldom wanted: they are under “More” at the end of their group. */
-const RARE = new Set(["flat-share", "neck", "clearance", "taper"]);
+const RARE = new Set(["flat-share", "neck", "oxbows", "clearance", "taper"]);
 
 export interface Group {
   readonly element: HTMLElement;

@@ -1,0 +1,100 @@
+//! Banks: both sides of a line that is as wide as its places say.
+
+use glam::Vec2;
+
+use super::Place;
+use crate::base::geometry::{direction, length};
+use crate::recipe::CourseShape;
+
+/// A river's or a lake's outline, in units. Both banks have the same number of points. In rivers as grown, the lines
+/// between them are straight.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Banks {
+    /// The left bank, looking downstream, from the source to the end.
+    pub left: Vec<Vec2>,
+    /// The right bank.
+    pub right: Vec<Vec2>,
+    /// The number of the place of the line that each point of either bank belongs to.
+    pub(super) places: Vec<u32>,
+}
+
+impl Banks {
+    /// Makes the banks along a line, as wide as its places say.
+    pub(crate) fn along(line: &[Place], courses: CourseShape) -> Self {
+        let mut banks = Self::default();
+        for (i, &Place { at, half }) in line.iter().enumerate() {
+            banks.places.resize(banks.left.len(), (i as u32).wrapping_sub(1));
+            let [before, after] = ways(line, i);
+            let middle = (before + after) * 0.5;
+            if courses == CourseShape::Grown && middle.length_squared() < SHARP {
+                banks.turn(at, before * half, after * half);
+            } else {
+                let aside = aside(middle) * half;
+                banks.push(at - aside, at + aside);
+            }
+        }
+        banks.places.resize(banks.left.len(), (line.len() as u32).wrapping_sub(1));
+        banks
+    }
+
+    /// Makes the banks along a line. At the first place, they meet.
+    pub(crate) fn of_line(mut line: Vec<Place>, courses: CourseShape) -> Self {
+        line.dedup_by_key(|place| place.at);
+        if let Some(source) = line.first_mut() {
+            source.half = 0.0;
+        }
+        Self::along(&line, courses)
+    }
+
+    /// The corners of the shape that both banks enclose: down the left one and up the right one, none twice in a row.
+    pub fn ring(&self) -> Vec<Vec2> {
+        let mut ring: Vec<Vec2> = self.left.iter().chain(self.right.iter().rev()).copied().collect();
+        ring.dedup();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
+    }
+
+    /// Adds a sharp corner between two ways, each as long as half the width. Both sides keep their width up to it, and
+    /// the outer bank keeps its distance around it. The inner bank passes through the corner itself, so that there is
+    /// no gap.
+    fn turn(&mut self, at: Vec2, before: Vec2, after: Vec2) {
+        let tip = at + direction(before - after) * length(before);
+        self.push(at - before.perp(), at + before.perp());
+        if before.perp_dot(after) > 0.0 {
+            self.push(tip, at);
+        } else {
+            self.push(at, tip);
+        }
+        self.push(at - after.perp(), at + after.perp());
+    }
+
+    fn push(&mut self, left: Vec2, right: Vec2) {
+        self.left.push(left);
+        self.right.push(right);
+    }
+}
+
+/// A line turns by more than 60° if the mean of the unit vectors before and after has a smaller square: cos² 30°.
+const SHARP: f32 = 0.75;
+
+/// The unit vectors along a line before and after a place; at either end, the only one twice.
+fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
+    let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
+    let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
+    match (i == 0, i + 1 == line.len()) {
+        (true, _) => [after, after],
+        (_, true) => [before, before],
+        _ => [before, after],
+    }
+}
+
+/// The offset to the right bank at a corner of a line, long enough that both sides of the corner keep their distance: a
+/// mitre. It is cut where the line turns sharply, and zero where it turns straight back.
+fn aside(middle: Vec2) -> Vec2 {
+    // `f32::max` is avoided: it handles NaN, and takes several jumps in wasm.
+    let squared = middle.length_squared();
+    middle.perp() / if squared > SHARP { squared } else { SHARP }
+}

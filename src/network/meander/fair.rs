@@ -1,0 +1,356 @@
+//! Fairing: no wide river bends more sharply than its width allows.
+//!
+//! A vertex of a bend whose radius is under so many widths is drawn toward the mean of the course within a width of it, again and
+//! again until the bend is wide enough. It moves only if the segments that end there cross no others, come no nearer to the banks of
+//! other rivers and stay on land. Tributaries end in it, so they ride with it: what of them lies under the river's own water is drawn
+//! straight to the junction.
+
+use glam::Vec2;
+
+use super::super::clearance::ClearanceGrid;
+use super::super::curvature::curvature;
+use super::super::settings::NetworkSettings;
+use super::super::smooth::LEAST_CLEARANCE;
+use super::super::{NONE, Network, River, Vertex};
+use super::{keeps_off_frame, river_of};
+use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, meet, smooth_step};
+
+/// The least radius of a wide river's bends, in widths: that of the circle through points one width apart.
+const LEAST_RADIUS: f32 = 1.5;
+
+/// Bends are eased from this radius down, so that they rarely come to the least.
+const EASED_RADIUS: f32 = 2.0;
+
+/// What moves more freely than this is eased as if it were at least as wide as vertices are apart.
+const FULLY: f32 = 0.5;
+
+/// A shorter move than this share of a width is no reason for another pass.
+const STILL: f32 = 0.01;
+
+/// A network whose bends are eased, with the grid of its last survey.
+pub(super) struct Fairing<'a> {
+    pub network: &'a mut Network,
+    pub downstream: &'a [u32],
+    pub guard: &'a ClearanceGrid,
+    pub settings: &'a NetworkSettings,
+    /// The clearance of each segment as it was surveyed; kept up to date.
+    pub clearance: &'a mut [f32],
+    /// How far any vertex has moved since the survey, at most.
+    pub drift: f32,
+}
+
+impl Fairing<'_> {
+    /// Eases bends in at most so many passes.
+    pub fn ease(mut self, passes: u32) {
+        let plan = Plan::of(self.network);
+        let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
+        for _ in 0..passes {
+            let mut drift = 0.0;
+            restless.retain(|&river| {
+                let farthest = self.ease_river(river, &plan);
+                drift = fast_max(drift, farthest);
+                farthest > 0.0
+            });
+            self.drift += drift;
+            if restless.is_empty() {
+                break;
+            }
+        }
+    }
+
+    /// Makes a pass over a river. Returns how far any vertex has moved.
+    fn ease_river(&mut self, river: u32, plan: &Plan) -> f32 {
+        let own = self.network.rivers[river as usize];
+        let mut farthest = 0.0;
+        for i in own.start + 1..own.end {
+            let vertex = self.network.vertices[i as usize];
+            let width = fast_max(vertex.width(), self.settings.spacing);
+            let is_wide = vertex.width() == width || vertex.mobility > FULLY;
+            if !is_wide || self.downstream[i as usize] == NONE {
+                continue;
+            }
+            let Some(bend) = Bend::at(self.network, &own, i, width) else { continue };
+            let to = vertex.at.lerp(bend.mean, bend.ease);
+            let far = distance(vertex.at, to);
+            if far > STILL * width && self.try_to_move(i, to, plan) {
+                farthest = fast_max(farthest, far);
+            }
+        }
+        farthest
+    }
+
+    /// Moves a vertex if nothing is in the way of the segments that end in it.
+    fn try_to_move(&mut self, i: u32, to: Vec2, plan: &Plan) -> bool {
+        let vertex = self.network.vertices[i as usize];
+        if !keeps_off_frame(&self.settings.domain, &vertex, to) {
+            return false;
+        }
+        let arms: Vec<Arm> = plan.arms(i).iter().map(|&last| self.arm(last, to, &vertex, plan)).collect();
+        let ends = [(i - 1, i - 1), (i, self.downstream[i as usize])];
+        let mut moved = Moved { i, to, arms: &arms, gaps: Vec::with_capacity(32) };
+        let are_free = ends.into_iter().chain(arms.iter().map(|arm| (arm.last, arm.first))).all(|(segment, end)| {
+            let is_on_land = |land: &crate::land::Land| land.allows(self.network.vertices[end as usize].at, to);
+            self.settings.land.as_deref().is_none_or(is_on_land) && self.is_free(&mut moved, segment, end, plan)
+        });
+        if !are_free {
+            return false;
+        }
+        for (segment, other, gap) in moved.gaps {
+            for segment in [segment, other] {
+                let clearance = &mut self.clearance[segment as usize];
+                *clearance = fast_min(*clearance, gap);
+            }
+        }
+        self.network.vertices[i as usize].at = to;
+        arms.iter().for_each(|arm| arm.straighten(self.network, self.clearance, to));
+        true
+    }
+
+    /// The part of a tributary that lies under the water of the river that it joins, once that vertex has moved.
+    fn arm(&self, last: u32, junction: Vec2, vertex: &Vertex, plan: &Plan) -> Arm {
+        let cover = fast_min(vertex.left, vertex.right);
+        let start = self.network.rivers[plan.river_of[last as usize] as usize].start;
+        let mut first = last;
+        while first > start + 1
+            && !plan.is_junction[first as usize]
+            && distance(self.network.vertices[first as usize].at, junction) < cover
+        {
+            first -= 1;
+        }
+        Arm { first, last }
+    }
+
+    /// Whether a segment from a vertex could end where the moved one goes. Notes how far it is from others then.
+    fn is_free(&self, moved: &mut Moved<'_>, segment: u32, end: u32, plan: &Plan) -> bool {
+        let vertices = &self.network.vertices;
+        let (i, to) = (moved.i, moved.to);
+        let (from, old) = (vertices[end as usize].at, vertices[i as usize].at);
+        let reach = self.apart(segment, segment);
+        let radius = distance(from, to) * 0.5 + reach + self.drift;
+        self.guard.segments((from + to) * 0.5, radius).all(|other| {
+            let below = self.downstream[other as usize];
+            if [i, end].contains(&other) || [i, end].contains(&below) || moved.arms.iter().any(|arm| arm.holds(other)) {
+                return true;
+            }
+            let beside = (vertices[other as usize].at, vertices[below as usize].at);
+            let far = gap((from, to), beside);
+            if far >= reach {
+                return true;
+            }
+            moved.gaps.push((segment, other, far));
+            let is_apart = far >= 2.0 * LEAST_CLEARANCE && !meet((from, to), beside);
+            is_apart && self.keeps_its_distance(segment, other, far, ((from, old), beside), plan)
+        })
+    }
+
+    /// Whether two segments are as far from each other as the banks of rivers ought to be, or at least no nearer than before.
+    fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment), plan: &Plan) -> bool {
+        let [own, other] = [a, b].map(|segment| plan.river_of[segment as usize]);
+        let parent = |river: u32| self.network.rivers[river as usize].parent;
+        let are_joined = own == other || parent(own) == other || parent(other) == own;
+        are_joined || far >= self.apart(a, b) || far >= gap(before.0, before.1)
+    }
+
+    /// How far apart the lines of two rivers are whose banks keep their distance.
+    fn apart(&self, a: u32, b: u32) -> f32 {
+        let [a, b] = [a, b].map(|i| self.network.vertices[i as usize].width());
+        (a + b) * 0.5 + self.settings.min_clearance
+    }
+}
+
+/// A vertex on its way to another place.
+struct Moved<'a> {
+    i: u32,
+    to: Vec2,
+    arms: &'a [Arm],
+    /// Segments that end there, others near them, and their distances.
+    gaps: Vec<(u32, u32, f32)>,
+}
+
+/// The end of a tributary, from the last vertex outside the water of the river that it joins to its last.
+struct Arm {
+    first: u32,
+    last: u32,
+}
+
+impl Arm {
+    fn holds(&self, segment: u32) -> bool {
+        (self.first..=self.last).contains(&segment)
+    }
+
+    /// Leads the end straight to the junction.
+    fn straighten(&self, network: &mut Network, clearance: &mut [f32], junction: Vec2) {
+        let from = network.vertices[self.first as usize].at;
+        let pieces = (self.last - self.first + 1) as f32;
+        let nearest = clearance[self.last as usize];
+        for i in self.first..=self.last {
+            let share = (i - self.first) as f32 / pieces;
+            network.vertices[i as usize].at = from.lerp(junction, share);
+            clearance[i as usize] = fast_min(clearance[i as usize], nearest);
+        }
+    }
+}
+
+/// How sharply a course bends at a vertex.
+struct Bend {
+    /// The mean of the course within a width, most of all of what is near.
+    mean: Vec2,
+    /// How far the vertex goes toward it, from 0 to 1.
+    ease: f32,
+}
+
+impl Bend {
+    /// Measures a bend. `None` at the river's ends.
+    fn at(network: &Network, river: &River, i: u32, width: f32) -> Option<Self> {
+        let course = |k: u32| {
+            let k = if k < river.end { k } else { river.junction };
+            network.vertices.get(k as usize).map(|vertex| vertex.at)
+        };
+        let at = course(i)?;
+        let upper = Side::of(at, width, (river.start..i).rev().map_while(course))?;
+        let lower = Side::of(at, width, (i + 1..=river.end).map_while(course))?;
+        // A zigzag finer than a width has no bend as long as one.
+        let sharpest =
+            fast_max(curvature(upper.end, at, lower.end).abs(), curvature(course(i - 1)?, at, course(i + 1)?).abs());
+        let [from, to] = [EASED_RADIUS, LEAST_RADIUS].map(|radius| 1.0 / radius);
+        let ease = smooth_step((sharpest * width - from) / (to - from));
+        Some(Self { mean: (upper.mean + lower.mean) * 0.375 + at * 0.25, ease })
+    }
+}
+
+/// A course within a width to one side of a vertex.
+struct Side {
+    /// Where it is a width away.
+    end: Vec2,
+    mean: Vec2,
+}
+
+impl Side {
+    /// As far as the course goes. `None` if it ends at the vertex itself.
+    fn of(at: Vec2, width: f32, others: impl Iterator<Item = Vec2>) -> Option<Self> {
+        let (mut from, mut along, mut sum, mut weight) = (at, 0.0, Vec2::ZERO, 0.0);
+        for next in others {
+            let far = distance(from, next);
+            if along + far >= width {
+                let end = from.lerp(next, (width - along) / far);
+                let mean = if weight > 0.0 { sum / weight } else { (at + end) * 0.5 };
+                return Some(Self { end, mean });
+            }
+            along += far;
+            let share = (width - along) * far;
+            (sum, weight) = (sum + next * share, weight + share);
+            from = next;
+        }
+        (weight > 0.0).then(|| Self { end: from, mean: sum / weight })
+    }
+}
+
+/// Which rivers end where.
+struct Plan {
+    river_of: Vec<u32>,
+    is_junction: Vec<bool>,
+    /// Junctions, each with the last vertex of a tributary.
+    arms: Vec<u32>,
+    junctions: Vec<u32>,
+}
+
+impl Plan {
+    fn of(network: &Network) -> Self {
+        let joins = network.rivers.iter().filter(|river| river.junction != NONE && river.end > river.start);
+        let mut arms: Vec<(u32, u32)> = joins.map(|river| (river.junction, river.end - 1)).collect();
+        arms.sort_unstable();
+        let (junctions, arms) = arms.into_iter().unzip();
+        Self { river_of: river_of(network), is_junction: network.junctions(), arms, junctions }
+    }
+
+    /// The last vertices of the rivers that end in a vertex.
+    fn arms(&self, junction: u32) -> &[u32] {
+        let from = self.junctions.partition_point(|&at| at < junction);
+        let count = self.junctions[from..].partition_point(|&at| at == junction);
+        &self.arms[from..from + count]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{places, river, settings, straight};
+    use super::*;
+
+    const WIDTH: f32 = 4.0;
+
+    /// A line with the bends of a river eased, in so many passes.
+    fn eased(mut network: Network, passes: u32) -> Network {
+        let settings = NetworkSettings { min_clearance: 0.5, ..settings() };
+        let downstream = network.downstream();
+        let mut guard = ClearanceGrid::new(&settings.domain, settings.spacing);
+        let reach = vec![WIDTH; downstream.len()];
+        let mut clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
+        let (guard, settings, clearance) = (&guard, &settings, &mut clearance[..]);
+        Fairing { network: &mut network, downstream: &downstream, guard, settings, clearance, drift: 0.0 }.ease(passes);
+        network
+    }
+
+    /// East, then south, with a corner as sharp as can be.
+    fn corner() -> Vec<Vec2> {
+        [straight((100.0, 400.0), (140.0, 400.0), 40), straight((140.0, 401.0), (140.0, 440.0), 39)].concat()
+    }
+
+    /// The least radius of a line, in widths.
+    fn least_radius(network: &Network) -> f32 {
+        let own = network.rivers[0];
+        let sharpest = |i: u32| {
+            let at = |k: u32| network.vertices[k as usize].at;
+            let side = |others: Vec<u32>| Side::of(at(i), WIDTH, others.into_iter().map(at)).unwrap().end;
+            let (upper, lower) = (side((own.start..i).rev().collect()), side((i + 1..own.end).collect()));
+            curvature(upper, at(i), lower).abs() * WIDTH
+        };
+        1.0 / (own.start + 5..own.end - 5).map(sharpest).fold(0.0, fast_max)
+    }
+
+    #[test]
+    fn a_corner_becomes_a_bend_as_wide_as_the_river_asks() {
+        let network = river(&corner(), WIDTH);
+        assert!(least_radius(&network) < 0.8);
+        let eased = eased(network.clone(), 40);
+        assert!(least_radius(&eased) >= LEAST_RADIUS, "{}", least_radius(&eased));
+        assert_eq!(eased.vertices[0], network.vertices[0]);
+        assert_eq!(eased.vertices[79], network.vertices[79]);
+    }
+
+    #[test]
+    fn brooks_and_wide_bends_stay() {
+        let mut brook = river(&corner(), 0.5);
+        brook.vertices.iter_mut().for_each(|vertex| vertex.mobility = 0.3);
+        assert_eq!(places(&eased(brook.clone(), 9)), places(&brook), "a brook keeps its corners");
+        let wide: Vec<Vec2> =
+            (0..90).map(|i| Vec2::new(300.0, 300.0) + Vec2::from_angle(i as f32 / 45.0) * (WIDTH * 3.0)).collect();
+        let wide = river(&wide, WIDTH);
+        assert_eq!(places(&eased(wide.clone(), 9)), places(&wide));
+    }
+
+    #[test]
+    fn a_tributary_rides_along_and_runs_straight_under_the_water() {
+        let arm = straight((150.0, 380.0), (140.5, 399.0), 19);
+        let network = river(&corner(), WIDTH).with_arm(&arm, 40, 10);
+        let eased = eased(network.clone(), 40);
+        let junction = eased.vertices[eased.rivers[1].junction as usize].at;
+        assert!(junction.distance(network.vertices[40].at) > 0.5, "the junction moves");
+        let own = eased.rivers[1].vertex_range();
+        let first = own.clone().rev().find(|&i| eased.vertices[i].at.distance(junction) >= WIDTH / 2.0).unwrap();
+        for i in first + 1..own.end {
+            let off = crate::base::geometry::height(eased.vertices[i].at, eased.vertices[first].at, junction);
+            assert!(off < 1e-3, "{i}: {off}");
+        }
+    }
+
+    #[test]
+    fn no_vertex_moves_across_another_river() {
+        // Another river runs within the corner, where the bend would come to lie.
+        let beside = straight((128.0, 440.0), (138.5, 401.5), 40);
+        let network = river(&corner(), WIDTH).with_arm(&beside, 79, 10);
+        let eased = eased(network, 40);
+        let lines = [0, 1].map(|river: usize| places(&eased)[eased.rivers[river].vertex_range()].to_vec());
+        let crosses = |a: &[Vec2]| lines[1].windows(2).any(|b| meet((a[0], a[1]), (b[0], b[1])));
+        assert!(!lines[0].windows(2).any(crosses));
+    }
+}

@@ -1,0 +1,246 @@
+//! Narrowing: where a course turns more sharply than its river is wide, or comes back to itself, the drawn width gives way.
+//!
+//! Both banks of a river are a ring. Where that crosses or touches itself, the river is made narrower little by little, and widens
+//! again above and below, until it does not.
+
+use std::ops::Range;
+
+use glam::Vec2;
+
+use super::centerline::middle;
+use super::{Banks, NONE, Network, Place, Vertex};
+use crate::base::geometry::{distance, fast_max, fast_min, meet};
+use crate::recipe::CourseShape;
+
+/// How fast half of the width changes along a river that has given way, at most.
+const FLARE: f32 = 0.2;
+
+/// The share of its width that a river keeps where its banks still meet, and how often that is tried.
+const LESS: f32 = 0.85;
+const TRIES: u32 = 96;
+
+/// Returns the network with all rivers as narrow as they need be for banks that do not meet; `None` if they all are.
+pub(super) fn narrowed(network: &Network, courses: CourseShape) -> Option<Network> {
+    let mut narrowed: Option<Network> = None;
+    for river in &network.rivers {
+        let course: Vec<&Vertex> = network.course(river).collect();
+        let own = river.vertex_range().len();
+        let Some(shares) = shares(&course, own, river.junction != NONE, courses) else { continue };
+        let narrowed = narrowed.get_or_insert_with(|| network.clone());
+        for (vertex, share) in narrowed.vertices[river.vertex_range()].iter_mut().zip(shares) {
+            (vertex.left, vertex.right) = (vertex.left * share, vertex.right * share);
+        }
+    }
+    narrowed
+}
+
+/// The share of its width that each own vertex of a course keeps; `None` if that is all of it.
+fn shares(course: &[&Vertex], own: usize, is_tributary: bool, courses: CourseShape) -> Option<Vec<f32>> {
+    let line = middle(course, is_tributary);
+    if own < 2 || !is_in_doubt(&line) {
+        return None;
+    }
+    let mut shares: Vec<f32> = vec![1.0; own];
+    for _ in 0..TRIES {
+        let mut places = Banks::along(&scaled(course, &shares, is_tributary), courses).meetings();
+        if places.is_empty() {
+            break;
+        }
+        places.sort_unstable();
+        places.dedup();
+        for place in places {
+            let place = (place as usize).min(own - 1);
+            shares[place.saturating_sub(1)..(place + 2).min(own)].iter_mut().for_each(|share| *share *= LESS);
+        }
+        flare(&mut shares, &line);
+    }
+    shares.iter().any(|&share| share < 1.0).then_some(shares)
+}
+
+/// The line of a course whose widths are scaled.
+fn scaled(course: &[&Vertex], shares: &[f32], is_tributary: bool) -> Vec<Place> {
+    let narrow = |(vertex, share): (&&Vertex, &f32)| Vertex {
+        left: vertex.left * share,
+        right: vertex.right * share,
+        ..**vertex
+    };
+    let last = course.iter().skip(shares.len()).map(|vertex| **vertex);
+    let course: Vec<Vertex> = course.iter().zip(shares).map(narrow).chain(last).collect();
+    middle(&course.iter().collect::<Vec<_>>(), is_tributary)
+}
+
+/// Whether two pieces of a line come so near each other that banks could meet.
+fn is_in_doubt(line: &[Place]) -> bool {
+    let turns_back = |three: &[Place]| (three[1].at - three[0].at).dot(three[2].at - three[1].at) < 0.0;
+    let pieces: Vec<Piece> = line.windows(2).map(Piece::of).collect();
+    let runs = Runs::of(line.iter().map(|place| place.at));
+    let comes_near = |a: usize| {
+        let own = Runs::range(a, pieces.len());
+        let reach = pieces[own.clone()].iter().map(|piece| 2.0 * piece.radius).fold(0.0, fast_max);
+        let others = runs.near(a, reach).filter(|&b| b >= a).flat_map(|b| Runs::range(b, pieces.len()));
+        others.into_iter().any(|j| own.clone().any(|i| j > i + 1 && pieces[i].may_meet(&pieces[j])))
+    };
+    line.windows(3).any(turns_back) || (0..runs.0.len()).any(comes_near)
+}
+
+/// The circle around a piece of a line and its banks.
+struct Piece {
+    middle: Vec2,
+    radius: f32,
+}
+
+impl Piece {
+    fn of(ends: &[Place]) -> Self {
+        let [a, b] = [ends[0], ends[ends.len() - 1]];
+        Self { middle: (a.at + b.at) * 0.5, radius: distance(a.at, b.at) * 0.5 + fast_max(a.half, b.half) }
+    }
+
+    fn may_meet(&self, other: &Self) -> bool {
+        let far = self.radius + other.radius;
+        self.middle.distance_squared(other.middle) < far * far
+    }
+}
+
+/// Lets widths change little by little along a line.
+fn flare(shares: &mut [f32], line: &[Place]) {
+    let ease = |narrow: f32, a: usize, b: usize| {
+        let room = narrow * line[a].half + FLARE * distance(line[a].at, line[b].at);
+        if narrow < 1.0 && line[b].half > room { room / line[b].half } else { 1.0 }
+    };
+    for i in 1..shares.len() {
+        shares[i] = fast_min(shares[i], ease(shares[i - 1], i - 1, i));
+    }
+    for i in (1..shares.len()).rev() {
+        shares[i - 1] = fast_min(shares[i - 1], ease(shares[i], i, i - 1));
+    }
+}
+
+/// Points in runs, each with the box around it.
+struct Runs(Vec<[Vec2; 2]>);
+
+impl Runs {
+    const LENGTH: usize = 16;
+
+    fn of(points: impl Iterator<Item = Vec2>) -> Self {
+        let mut boxes: Vec<[Vec2; 2]> = Vec::new();
+        for (i, at) in points.enumerate() {
+            match boxes.last_mut().filter(|_| i % Self::LENGTH > 0) {
+                Some([least, most]) => (*least, *most) = (least.min(at), most.max(at)),
+                None => boxes.push([at; 2]),
+            }
+        }
+        Self(boxes)
+    }
+
+    fn of_sides(sides: &[(Vec2, Vec2)]) -> Self {
+        let (lows, highs) = (sides.iter().map(|side| side.0.min(side.1)), sides.iter().map(|side| side.0.max(side.1)));
+        let (lows, highs) = (Self::of(lows), Self::of(highs));
+        Self(lows.0.iter().zip(&highs.0).map(|(low, high)| [low[0], high[1]]).collect())
+    }
+
+    /// The numbers of a run's members, of so many in all.
+    fn range(run: usize, count: usize) -> Range<usize> {
+        (run * Self::LENGTH).min(count)..((run + 1) * Self::LENGTH).min(count)
+    }
+
+    /// The runs that come as near to one as that, itself included.
+    fn near(&self, run: usize, reach: f32) -> impl Iterator<Item = usize> + '_ {
+        let [least, most] = self.0[run];
+        let is_near =
+            move |other: &[Vec2; 2]| other[0].cmple(most + reach).all() && other[1].cmpge(least - reach).all();
+        self.0.iter().enumerate().filter(move |(_, other)| is_near(other)).map(|(i, _)| i)
+    }
+}
+
+impl Banks {
+    /// The numbers of the places where the ring of both banks crosses or touches itself.
+    fn meetings(&self) -> Vec<u32> {
+        let corners = self.left.iter().zip(&self.places).chain(self.right.iter().zip(&self.places).rev());
+        let mut corners: Vec<(Vec2, u32)> = corners.map(|(&at, &place)| (at, place)).collect();
+        corners.dedup_by_key(|corner| corner.0);
+        let Some(&first) = corners.first() else { return Vec::new() };
+        if corners.last().is_some_and(|last| last.0 != first.0) {
+            corners.push(first);
+        }
+        let sides: Vec<(Vec2, Vec2)> = corners.windows(2).map(|pair| (pair[0].0, pair[1].0)).collect();
+        let runs = Runs::of_sides(&sides);
+        let mut meetings = Vec::new();
+        for a in 0..runs.0.len() {
+            for b in runs.near(a, 0.0).filter(|&b| b >= a) {
+                for i in Runs::range(a, sides.len()) {
+                    for j in Runs::range(b, sides.len()).filter(|&j| j > i && sides_meet(&sides, i, j)) {
+                        meetings.extend([i, i + 1, j, j + 1].map(|corner| corners[corner].1));
+                    }
+                }
+            }
+        }
+        meetings
+    }
+}
+
+/// Whether two sides of a closed ring meet elsewhere than in the corner of neighbours.
+fn sides_meet(sides: &[(Vec2, Vec2)], i: usize, j: usize) -> bool {
+    let (a, b) = (sides[i], sides[j]);
+    let turns_back = |a: (Vec2, Vec2), b: (Vec2, Vec2)| {
+        (a.1 - a.0).dot(b.1 - b.0) < 0.0 && crate::base::geometry::doubled_area(a.0, a.1, b.1) == 0.0
+    };
+    if j == i + 1 {
+        turns_back(a, b)
+    } else if i == 0 && j + 1 == sides.len() {
+        turns_back(b, a)
+    } else {
+        meet(a, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{river, straight};
+    use super::*;
+
+    /// A river of a width along a line, as it is drawn; `None` if that is with all its width.
+    fn drawn(line: &[Vec2], width: f32) -> Option<Network> {
+        narrowed(&river(line, width), CourseShape::Smooth)
+    }
+
+    /// Two limbs so far apart, and a half circle between.
+    fn hairpin(apart: f32) -> Vec<Vec2> {
+        let back = straight((140.0, 400.0 + apart), (100.0, 400.0 + apart), 40);
+        let turn = (1..12).map(|i| {
+            let angle = std::f32::consts::PI * (i as f32 / 12.0 - 0.5);
+            Vec2::new(140.0, 400.0 + apart / 2.0) + Vec2::new(libm::cosf(angle), libm::sinf(angle)) * (apart / 2.0)
+        });
+        straight((100.0, 400.0), (140.0, 400.0), 40).into_iter().chain(turn).chain(back).collect()
+    }
+
+    fn meets(network: &Network) -> bool {
+        !network.banks(&network.rivers[0], CourseShape::Smooth).meetings().is_empty()
+    }
+
+    #[test]
+    fn rivers_with_room_keep_all_their_width() {
+        assert_eq!(drawn(&straight((100.0, 400.0), (160.0, 420.0), 60), 6.0), None);
+        assert_eq!(drawn(&hairpin(12.0), 6.0), None);
+    }
+
+    #[test]
+    fn limbs_that_would_meet_give_way_and_little_by_little() {
+        assert!(meets(&river(&hairpin(4.0), 6.0)));
+        let network = drawn(&hairpin(4.0), 6.0).unwrap();
+        assert!(!meets(&network));
+        let widths: Vec<f32> = network.vertices.iter().map(Vertex::width).collect();
+        assert!(widths[1..].iter().all(|&width| (1.0..=6.0).contains(&width)) && widths[20] < 4.5, "{widths:?}");
+        let steepest = widths[1..].windows(2).map(|pair| (pair[0] - pair[1]).abs()).fold(0.0, f32::max);
+        assert!(steepest <= 2.0 * FLARE + 1e-3, "{steepest}");
+    }
+
+    #[test]
+    fn places_are_where_the_ring_crosses_itself() {
+        let line = [(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (5.0, 4.0), (5.0, -6.0)];
+        let bow = Banks::along(&line.map(|(x, y)| Place { at: Vec2::new(x, y), half: 0.5 }), CourseShape::Smooth);
+        let mut places = bow.meetings();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!(places, [0, 1, 3, 4]);
+    }
+}
