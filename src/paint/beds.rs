@@ -2,7 +2,7 @@
 //! Mississippi (1944).
 
 use super::coverage::Coverage;
-use super::ground::lay_mask;
+use super::ground::{lay_mask, river_share, without_rivers};
 use super::palette::{Beds, Colour};
 use super::rivers::{Rivers, VISIBLE_PX, draw_line};
 use super::view::View;
@@ -67,20 +67,25 @@ impl Beds {
 
 /// The rivers that stand out: the great ones or, if none meanders, those of the highest order.
 pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<PastCourse> {
-    let highest = network.rivers.iter().map(|river| river.order).max();
-    let is_great = |id: u32, order: u8| match past.great_rivers() {
-        [] => Some(order) == highest,
-        great => great.contains(&id),
-    };
+    let is_great = is_great(network, past);
     let great = (0..).zip(&network.rivers).filter(|(id, river)| is_great(*id, river.order));
     great.map(|(id, river)| PastCourse { river: id, line: network.middle(river) }).collect()
+}
+
+/// Tells the rivers that stand out, by their number and order.
+pub(crate) fn is_great<'a>(network: &Network, past: &'a PastCourses) -> impl Fn(u32, u8) -> bool + 'a {
+    let highest = network.rivers.iter().map(|river| river.order).max();
+    move |id, order| match past.great_rivers() {
+        [] => Some(order) == highest,
+        great => great.contains(&id),
+    }
 }
 
 struct Drawing<'a> {
     view: &'a View,
     courses: CourseShape,
     mask: Coverage,
-    /// The ground; its fourth channel is the visibility of rivers.
+    /// The ground; its fourth channel says where rivers are seen.
     ground: &'a [[u8; 4]],
 }
 
@@ -102,14 +107,14 @@ impl Drawing<'_> {
         for bed in beds.into_iter().flatten() {
             draw_line(&mut self.mask, &bed.line.iter().map(in_pixels).collect::<Vec<_>>(), self.courses);
         }
-        let open = |i: usize| f32::from(self.ground[i][3]) * strength / 255.0;
+        let open = |i: usize| f32::from(river_share(self.ground[i][3])) * strength / 255.0;
         lay_mask(self.mask.mask().data(), colour, &open, pixels);
     }
 
     /// Hides rivers where something has just been laid.
     fn hide(&self, pixels: &mut [[u8; 4]]) {
         for (pixel, &covered) in pixels.iter_mut().zip(self.mask.mask().data()) {
-            pixel[3] = (u32::from(pixel[3]) * u32::from(255 - covered) / 255) as u8;
+            pixel[3] = without_rivers(pixel[3], covered);
         }
     }
 }

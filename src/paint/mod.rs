@@ -17,6 +17,7 @@ pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;
+pub(crate) mod mouths;
 mod painter;
 pub(crate) mod palette;
 mod paper;

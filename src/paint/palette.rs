@@ -22,6 +22,8 @@ pub(crate) struct Palette {
     /// The colour of land if the whole domain is land.
     pub plain: Colour,
     pub lines: Lines,
+    /// The width of the line that a river leaves along each bank where the sea reaches into its mouth, in units.
+    pub bank: f32,
     /// The look of great rivers over their former beds; `None` if all rivers look alike.
     pub beds: Option<&'static Beds>,
     /// Grids over land and sea, the closest lines first.
@@ -231,6 +233,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         river,
         plain: land,
         lines: Lines::Wide,
+        bank: 0.5,
         beds: None,
         grids: &[],
         paper: None,

@@ -3,6 +3,7 @@
 //! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
 //! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! The line of the coast lies over the rivers, and in `mouths` the sea lies over both.
 //! The link of the recipe is in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
 
 mod beds;
@@ -10,6 +11,7 @@ mod ground;
 #[cfg(feature = "names")]
 mod labels;
 mod light;
+mod mouths;
 pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
@@ -18,6 +20,8 @@ mod text;
 
 use std::sync::Arc;
 
+use glam::Vec2;
+
 use self::ground::Raised;
 use self::path::Path;
 use self::text::Text;
@@ -25,6 +29,7 @@ use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::map::Map;
 use crate::network::{NONE, Network, River};
+use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
@@ -107,6 +112,11 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
+    if let Some(land) = land {
+        ground::coast(&mut out, palette);
+        let drawn = Drawn { palette, past: Some(map.past()), times: 1.0, margin: VISIBLE, hairline: 0.0 };
+        mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
+    }
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())
@@ -191,16 +201,20 @@ fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
 /// Draws down the left bank, around the end, and up the right bank.
 #[inline(never)]
 fn outline(path: &mut Path, banks: &Banks, courses: CourseShape) {
-    let draw = match courses {
-        CourseShape::Smooth => Path::smooth,
-        CourseShape::Grown => Path::straight,
-    };
     if let (Some(&source), Some(&end)) = (banks.left.first(), banks.right.last()) {
         path.start(source);
-        draw(path, &banks.left);
+        bank(path, &banks.left, courses);
         path.half_circle(end);
         let upstream: Vec<_> = banks.right.iter().rev().copied().collect();
-        draw(path, &upstream);
+        bank(path, &upstream, courses);
         path.close();
+    }
+}
+
+/// Draws a bank, from where the path is now.
+fn bank(path: &mut Path, points: &[Vec2], courses: CourseShape) {
+    match courses {
+        CourseShape::Smooth => path.smooth(points),
+        CourseShape::Grown => path.straight(points),
     }
 }
