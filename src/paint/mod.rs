@@ -8,6 +8,7 @@
 
 pub(crate) mod annotation;
 pub(crate) mod beds;
+pub(crate) mod belts;
 mod beyond;
 mod coverage;
 mod cut_out;

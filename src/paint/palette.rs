@@ -1,5 +1,7 @@
 //! The parts of a style: its colours, its rivers and its relief.
 
+use super::belts::Belts;
+
 /// A colour: red, green, blue.
 pub(crate) type Colour = [u8; 3];
 
@@ -37,6 +39,11 @@ pub(crate) struct Palette {
 /// The look of great rivers and of their former beds.
 #[derive(Debug)]
 pub(crate) struct Beds {
+    /// The colours of flood plains and of the lines around them.
+    pub plain: Colour,
+    pub bluff: Colour,
+    /// The colours of scars that are older than all rounds, the oldest first.
+    pub old: [Colour; Belts::SCARS],
     /// The colours of the rounds that are kept, oldest first.
     pub colours: &'static [Colour],
     /// The colour of the lines on both sides of a former bed.

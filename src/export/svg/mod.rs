@@ -96,7 +96,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     if let Some((past, look)) = past {
         out.text("<g id=\"past").text(clip).text("\">\n");
-        beds::draw_past(&mut out, past, look, courses);
+        beds::draw_past(&mut out, network, past, look, courses);
         out.text("</g>\n");
     }
     out.written(&annotation.halo);
