@@ -23,6 +23,7 @@ mod marks;
 mod markup;
 mod mask;
 mod meanders;
+mod mouths;
 mod names;
 mod network;
 mod painting;

@@ -196,6 +196,7 @@ fn count(pixels: &[[u8; 4]], [r, g, b]: [u8; 3]) -> usize {
 #[test]
 fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
     const OLDEST: [u8; 3] = [0xc9, 0xb7, 0x9c];
+    const PLAIN: [u8; 3] = [0xea, 0xe0, 0xbd];
     const LATEST: [u8; 3] = [0x8f, 0xb8, 0xb0];
     const RIVER: [u8; 3] = [0xfb, 0xfa, 0xf5];
     const BROOK: [u8; 3] = [0x7d, 0x8f, 0xa0];
@@ -206,8 +207,10 @@ fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
         ("meander=none", false),
     ] {
         let pixels = pixels(more);
-        let [oldest, latest, river, brook] = [OLDEST, LATEST, RIVER, BROOK].map(|colour| count(&pixels, colour));
+        let [oldest, latest, river, brook, plain] =
+            [OLDEST, LATEST, RIVER, BROOK, PLAIN].map(|colour| count(&pixels, colour));
         assert_eq!((oldest > 50, latest > 50), (bands, bands), "{more}: {oldest} and {latest} pixels");
+        assert_eq!(plain > 3000, bands, "{more}: {plain} pixels of flood plains");
         assert!(river > 3000 && brook > 100, "{more}: {river} and {brook} pixels");
     }
     // Without great rivers those of the highest order stand out.

@@ -322,5 +322,10 @@ fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() 
     assert!(svg("woods=0.5&style=survey").contains("url(#bodies)") && !svg("woods=0.5&style=survey").contains("hill"));
     assert!(!svg("hills=0.5").contains("\"woods\""));
     let bare = svg("labels=none");
-    assert!(!bare.contains("<use") && !bare.contains("scenery") && !bare.contains("<mask"));
+    assert!(
+        !bare.contains("<use href=\"#tree")
+            && !bare.contains("<use href=\"#hill")
+            && !bare.contains("scenery")
+            && !bare.contains("<mask")
+    );
 }

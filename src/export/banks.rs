@@ -35,6 +35,12 @@ impl Banks {
         Self::of_line(line, courses)
     }
 
+    /// Makes the banks along a line that is as wide at its beginning as its places say.
+    pub(super) fn of_reach(mut line: Vec<Place>, courses: CourseShape) -> Self {
+        line.dedup_by_key(|place| place.at);
+        Self::along(&line, courses)
+    }
+
     /// Makes a lake's banks, moved outward by a margin; they meet at both ends. Empty if silt has filled the whole
     /// lake.
     pub(super) fn of_lake(oxbow: &Oxbow, more: f32) -> Self {

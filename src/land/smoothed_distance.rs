@@ -95,6 +95,18 @@ impl SmoothedDistance {
             .flat_map(move |row| columns.map(|column| self.heights[row * self.columns + column]))
     }
 
+    /// The distance of a point from the coast, in units, and its gradient, which points inland.
+    pub(crate) fn at(&self, point: Vec2) -> (f32, Vec2) {
+        let ((column, along), (row, down)) =
+            (self.column(point.x), nearest(point.y / self.spacing + self.margin as f32, self.rows));
+        let columns = beside(column, self.columns);
+        let rows = beside(row, self.rows)
+            .map(|row| Parabola::of(columns.map(|column| self.heights[row * self.columns + column])));
+        let heights = Parabola::of(rows.map(|row| row.at(along)));
+        let east = Parabola::of(rows.map(|row| row.rise(along))).at(down);
+        (heights.at(down), Vec2::new(east, heights.rise(down)) / self.spacing)
+    }
+
     /// The distances along one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
         let (row, t) = nearest(y / self.spacing + self.margin as f32, self.rows);

@@ -4,6 +4,8 @@
 use tiny_skia::Pixmap;
 
 use super::annotation::masks::{AnnotationMasks, SparseMask};
+use super::ground::land_share;
+use super::mouths::SeaShares;
 use super::palette::{Colour, Palette};
 use super::styles::{label_look, palette};
 use crate::recipe::Style;
@@ -12,25 +14,40 @@ use crate::recipe::Style;
 const WHOLE: f32 = 255.0;
 
 /// Gives the pixels of a painted picture an opacity; colours are not premultiplied. `ground` is the flat ground, whose
-/// fourth channel is the visibility of rivers: they show on land and its coast. Without a ground, everything is plain
-/// land.
+/// fourth channel says what is land. Without a ground, everything is plain land. `tongues` are those of the sea in mouths.
 pub(super) fn cut_out(
     pixmap: &mut Pixmap,
     ground: Option<&[[u8; 4]]>,
+    tongues: &SeaShares,
     annotation: Option<&AnnotationMasks>,
     style: Style,
 ) {
     let (look, pixels) = (palette(style), pixmap.data_mut().as_chunks_mut::<4>().0);
-    let open = |i: usize| ground.map_or(255, |ground| ground[i][3]);
-    if is_of_lines(look) {
-        for (i, pixel) in pixels.iter_mut().enumerate() {
-            let paper = if open(i) < 128 { look.deep } else { look.plain };
-            *pixel = lifted(opaque_part(*pixel), paper, covered(opaque_part(*pixel), paper, look.river));
+    let land = |i: usize| ground.map_or(255, |ground| land_share(ground[i][3]));
+    let is_of_lines = is_of_lines(look);
+    let cut = |pixel: Colour, land: u8| {
+        if is_of_lines {
+            let paper = if land < 128 { look.deep } else { look.plain };
+            lifted(pixel, paper, covered(pixel, paper, look.river))
+        } else {
+            lifted(pixel, look.shallows, land)
         }
-        return;
-    }
+    };
+    // Tongues of the sea reach inland.
+    let at_mouths: Vec<_> = tongues
+        .iter()
+        .map(|&(i, sea)| {
+            cut(opaque_part(pixels[i as usize]), (u16::from(land(i as usize)) * u16::from(255 - sea) / 255) as u8)
+        })
+        .collect();
     for (i, pixel) in pixels.iter_mut().enumerate() {
-        *pixel = lifted(opaque_part(*pixel), look.shallows, open(i));
+        *pixel = cut(opaque_part(*pixel), land(i));
+    }
+    for (&(i, _), pixel) in tongues.iter().zip(at_mouths) {
+        pixels[i as usize] = pixel;
+    }
+    if is_of_lines {
+        return;
     }
     if let Some(annotation) = annotation {
         lay(annotation, style, pixels);

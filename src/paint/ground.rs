@@ -13,11 +13,29 @@ use crate::land::{Across, Land, Parabola, SmoothedDistance};
 pub(crate) const RING_WIDTH: f32 = 1.1;
 pub(crate) const COAST_WIDTH: f32 = 1.8;
 
-/// The distance from the coast at which rivers end at sea, in units: just enough to interrupt the line of the coast.
-pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
+/// The fourth channel of a ground's pixels on the line of the coast, where land begins but rivers have ended. It rises from
+/// 0 at sea over this value to 255 on land.
+const ON_COAST: u8 = 127;
 
-/// The ground of a picture, painted from north to south. The fourth channel of its pixels is not opacity but the
-/// visibility of rivers.
+/// The share of land in a pixel of a ground, given its fourth channel, in 255ths. The line of the coast is land.
+#[inline]
+pub(super) fn land_share(ashore: u8) -> u8 {
+    ashore.min(ON_COAST) * 2 + ashore.min(1)
+}
+
+/// The visibility of rivers in a pixel of a ground, given its fourth channel, in 255ths.
+#[inline]
+pub(super) fn river_share(ashore: u8) -> u8 {
+    ashore.saturating_sub(ON_COAST).saturating_mul(2)
+}
+
+/// The fourth channel after something has covered a part of the pixel that hides rivers, in 255ths.
+pub(super) fn without_rivers(ashore: u8, covered: u8) -> u8 {
+    ashore - (u32::from(ashore.saturating_sub(ON_COAST)) * u32::from(covered) / 255) as u8
+}
+
+/// The ground of a picture, painted from north to south. The fourth channel of its pixels is not opacity: it says what
+/// is land (`land_share`) and where rivers are seen (`river_share`).
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     shades: Shades,
@@ -207,7 +225,7 @@ impl Shades {
     }
 }
 
-/// The colour at a distance from the coast, in units and positive on land, and the visibility of rivers there.
+/// The colour at a distance from the coast, in units and positive on land, and the fourth channel there.
 fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
     let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
     let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
@@ -217,7 +235,10 @@ fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
         colour = mix(colour, palette.coast, line(scale, distance + at, RING_WIDTH) * strength);
     }
     let [r, g, b] = mix(colour, palette.coast, line(scale, distance, COAST_WIDTH));
-    [r, g, b, (inside(distance + RIVERS_END) * 255.0 + 0.5) as u8]
+    // Rivers reach a pixel into the line of the coast, so that no land shows between the two.
+    let seen = inside(distance - COAST_WIDTH * 0.5 + 0.75 / scale);
+    let (coast, rest) = (f32::from(ON_COAST), f32::from(255 - ON_COAST));
+    [r, g, b, (inside(distance + COAST_WIDTH * 0.5) * coast + seen * rest + 0.5) as u8]
 }
 
 /// The share of the farther colour, given the share of the way over which it sets in. It ends without an edge.
@@ -286,5 +307,14 @@ mod tests {
                 coast / length
             );
         }
+    }
+
+    #[test]
+    fn the_line_of_the_coast_is_land_without_rivers() {
+        let scale = 4.0;
+        let ashore = |distance: f32| shore(scale, palette(Style::Ink), distance)[3];
+        let shares = |distance: f32| [land_share(ashore(distance)), river_share(ashore(distance))];
+        assert_eq!([-2.0, 0.0, 2.0].map(shares), [[0, 0], [255, 0], [255, 255]]);
+        assert_eq!([0, 100, 255].map(|covered| river_share(without_rivers(255, covered))), [255, 156, 0]);
     }
 }

@@ -48,7 +48,12 @@ impl GroundCache {
         beds.or_else(|| self.flat.as_ref()?.pixels()).map(|pixels| (pixels, &[][..]))
     }
 
-    /// The ground without relief, with the visibility of rivers; `None` if everything is plain land.
+    /// The distances from the coast; `None` if there is no sea.
+    pub fn shown(&self) -> Option<&SmoothedDistance> {
+        self.shown.as_ref()
+    }
+
+    /// The ground without relief, whose fourth channel says what is land; `None` if everything is plain land.
     pub fn flat_pixels(&self) -> Option<&[[u8; 4]]> {
         self.flat.as_ref()?.pixels()
     }

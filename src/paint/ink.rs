@@ -6,6 +6,7 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Covered, Rect};
+use super::ground::river_share;
 use super::palette::{BasinColours, Colour, Palette, opaque, over};
 
 /// Colours rectangles of the picture: rivers on plain land or on a ground, whose pixels may have the numbers of their
@@ -62,6 +63,6 @@ fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[
 /// A river of some coverage over a ground, as far as it shows there.
 #[inline]
 fn river_over(ground: [u8; 4], river: Colour, coverage: u8) -> [u8; 4] {
-    let [red, green, blue, open] = ground;
-    over([red, green, blue], river, (u32::from(coverage) * u32::from(open) + 127) / 255)
+    let [red, green, blue, ashore] = ground;
+    over([red, green, blue], river, (u32::from(coverage) * u32::from(river_share(ashore)) + 127) / 255)
 }

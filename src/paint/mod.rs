@@ -8,6 +8,7 @@
 
 pub(crate) mod annotation;
 pub(crate) mod beds;
+pub(crate) mod belts;
 mod beyond;
 mod coverage;
 mod cut_out;
@@ -17,6 +18,7 @@ pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;
+pub(crate) mod mouths;
 mod painter;
 pub(crate) mod palette;
 mod paper;

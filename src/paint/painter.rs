@@ -14,8 +14,9 @@ use super::coverage::{Coverage, Rect};
 use super::cut_out;
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
+use super::mouths::{self, Drawn, SeaShares, TonguePainter};
 use super::palette::Lines;
-use super::rivers::{Rivers, Widening, draw_network};
+use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network};
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{Framing, PaintError, View};
@@ -23,7 +24,7 @@ use super::{ink, skeleton};
 use crate::base::memory;
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::network::Network;
+use crate::network::{Network, PastCourses};
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
 use crate::relief::Relief;
@@ -90,6 +91,8 @@ pub struct Painter {
     /// The relief that belongs to the finished rivers in the mask, and the kind of their lines; `None` if the mask
     /// holds anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
+    /// The sea in the mouths of the rivers that the picture shows.
+    tongues: SeaShares,
     /// The annotation that the picture shows.
     annotation: Option<Arc<AnnotationMasks>>,
 }
@@ -122,6 +125,7 @@ impl Painter {
             is_finished: false,
             round: None,
             drawn_rivers: None,
+            tongues: SeaShares::new(),
             annotation: None,
         })
     }
@@ -177,7 +181,7 @@ impl Painter {
     /// Makes the background transparent: the sea, or in line styles the paper. The next call of `paint` or
     /// `paint_rivers` paints everything anew.
     pub fn cut_out(&mut self, style: Style) {
-        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.annotation.as_deref(), style);
+        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), &self.tongues, self.annotation.as_deref(), style);
         self.reset();
     }
 
@@ -195,6 +199,7 @@ impl Painter {
         if is_blank {
             self.forget_drawing();
         }
+        self.tongues.clear();
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen, progress.trim.channel_area);
@@ -232,6 +237,7 @@ impl Painter {
         }
         self.coverage.touch_all();
         let changed = self.compose(rivers.style);
+        self.open_mouths(rivers.network, Some(rivers.past), rivers.courses, rivers.style, 1.0);
         if let Some(annotation) = rivers.annotation {
             masks::lay(&mut self.pixmap, annotation, rivers.style);
         }
@@ -251,7 +257,36 @@ impl Painter {
         let widening = Widening { times, ..Widening::NONE };
         draw_network(&mut self.coverage, &self.view, network, courses, palette(style).lines, widening);
         self.coverage.touch_all();
-        self.compose(style)
+        let changed = self.compose(style);
+        self.open_mouths(network, None, courses, style, times);
+        changed
+    }
+
+    /// Lays the sea into the mouths of rivers.
+    fn open_mouths(
+        &mut self,
+        network: &Network,
+        past: Option<&PastCourses>,
+        courses: CourseShape,
+        style: Style,
+        times: f32,
+    ) {
+        /// The width of a line that can be seen.
+        const HAIRLINE_PX: f32 = 0.8;
+        self.tongues.clear();
+        let Some(shown) = self.ground.shown() else { return };
+        let palette = palette(style);
+        let drawn = Drawn {
+            palette,
+            past,
+            times,
+            margin: VISIBLE_PX / self.view.scale,
+            hairline: HAIRLINE_PX / self.view.scale,
+        };
+        let tongues = drawn.tongues(network, shown);
+        let painter = TonguePainter { view: &self.view, courses, shown, rivers: &self.coverage };
+        tongues.iter().for_each(|tongue| painter.draw(tongue, &mut self.tongues));
+        mouths::lay(&mut self.pixmap, &self.tongues, &self.view, palette);
     }
 
     /// Draws rivers, unless the mask already holds them because only the style has changed.

@@ -1,5 +1,7 @@
 //! The parts of a style: its colours, its rivers and its relief.
 
+use super::belts::Belts;
+
 /// A colour: red, green, blue.
 pub(crate) type Colour = [u8; 3];
 
@@ -22,6 +24,8 @@ pub(crate) struct Palette {
     /// The colour of land if the whole domain is land.
     pub plain: Colour,
     pub lines: Lines,
+    /// The width of the line that a river leaves along each bank where the sea reaches into its mouth, in units.
+    pub bank: f32,
     /// The look of great rivers over their former beds; `None` if all rivers look alike.
     pub beds: Option<&'static Beds>,
     /// Grids over land and sea, the closest lines first.
@@ -35,6 +39,11 @@ pub(crate) struct Palette {
 /// The look of great rivers and of their former beds.
 #[derive(Debug)]
 pub(crate) struct Beds {
+    /// The colours of flood plains and of the lines around them.
+    pub plain: Colour,
+    pub bluff: Colour,
+    /// The colours of scars that are older than all rounds, the oldest first.
+    pub old: [Colour; Belts::SCARS],
     /// The colours of the rounds that are kept, oldest first.
     pub colours: &'static [Colour],
     /// The colour of the lines on both sides of a former bed.
@@ -231,6 +240,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         river,
         plain: land,
         lines: Lines::Wide,
+        bank: 0.5,
         beds: None,
         grids: &[],
         paper: None,

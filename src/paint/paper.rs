@@ -3,37 +3,66 @@
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
 
-use super::palette::{Paper, mix};
+use super::ground::land_share;
+use super::palette::{Colour, Paper, mix};
 use super::view::{Rows, View};
+
+/// The ageing of a picture's paper.
+pub(super) struct Ageing<'a> {
+    view: &'a View,
+    paper: &'a Paper,
+    noise: FastNoiseLite,
+}
+
+impl<'a> Ageing<'a> {
+    pub fn new(view: &'a View, paper: &'a Paper) -> Self {
+        let mut noise = FastNoiseLite::with_seed(1);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(paper.octaves));
+        noise.set_frequency(Some(1.0 / paper.size));
+        Self { view, paper, noise }
+    }
+
+    /// The strength of the blotch at a place of the picture.
+    #[inline(never)]
+    fn blotch(&self, pixel: Vec2) -> f32 {
+        let at = self.view.point(pixel);
+        (self.noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0)
+    }
+
+    /// A colour in a pixel, stained and as dark as the paper there.
+    fn aged(&self, colour: Colour, stained: f32, x: u32, y: u32) -> Colour {
+        let size = Vec2::new(self.view.width as f32, self.view.height as f32);
+        let edged = edge((Vec2::new(x as f32, y as f32) + 0.5) / size) * self.paper.edged;
+        let aged = mix(mix(colour, self.paper.blotch, stained * self.paper.blotched), self.paper.edge, edged);
+        aged.map(|part| (f32::from(part) * grain(x, y)).min(255.0) as u8)
+    }
+
+    /// A colour of the sea in a pixel.
+    pub fn at_sea(&self, colour: Colour, x: u32, y: u32) -> Colour {
+        let blotch = self.blotch(Vec2::new(x as f32, y as f32) + 0.5);
+        self.aged(colour, blotch * self.paper.at_sea, x, y)
+    }
+}
 
 /// Ages some rows of a ground.
 pub(super) fn lay(view: &View, paper: &Paper, rows: Rows, pixels: &mut [[u8; 4]]) {
-    let mut noise = FastNoiseLite::with_seed(1);
-    noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-    noise.set_fractal_type(Some(FractalType::FBm));
-    noise.set_fractal_octaves(Some(paper.octaves));
-    noise.set_frequency(Some(1.0 / paper.size));
-    let size = Vec2::new(view.width as f32, view.height as f32);
+    let ageing = Ageing::new(view, paper);
     let columns = view.width as usize;
-    let blotched = |pixel: Vec2| {
-        let at = view.point(pixel);
-        (noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0)
-    };
     // Blotches are looked up only at every so many pixels of a row.
     let every = ((paper.size * view.scale / 18.0) as usize).clamp(1, 8);
     for (y, row) in rows.zip(pixels.chunks_mut(columns)) {
-        let mut blotch = [0.0, blotched(Vec2::new(0.0, y as f32) + 0.5)];
+        let mut blotch = [0.0, ageing.blotch(Vec2::new(0.0, y as f32) + 0.5)];
         for (x, pixel) in row.iter_mut().enumerate() {
-            let at = Vec2::new(x as f32, y as f32) + 0.5;
             if x.is_multiple_of(every) {
-                blotch = [blotch[1], blotched(at + Vec2::X * every as f32)];
+                blotch = [blotch[1], ageing.blotch(Vec2::new((x + every) as f32, y as f32) + 0.5)];
             }
             let way = (x % every) as f32 / every as f32;
             let [r, g, b, open] = *pixel;
-            let here = paper.at_sea + (1.0 - paper.at_sea) * f32::from(open) / 255.0;
-            let stained = (blotch[0] + (blotch[1] - blotch[0]) * way) * paper.blotched * here;
-            let aged = mix(mix([r, g, b], paper.blotch, stained), paper.edge, edge(at / size) * paper.edged);
-            let [r, g, b] = aged.map(|part| (f32::from(part) * grain(x as u32, y)).min(255.0) as u8);
+            let here = paper.at_sea + (1.0 - paper.at_sea) * f32::from(land_share(open)) / 255.0;
+            let stained = (blotch[0] + (blotch[1] - blotch[0]) * way) * here;
+            let [r, g, b] = ageing.aged([r, g, b], stained, x as u32, y);
             *pixel = [r, g, b, open];
         }
     }

@@ -7,6 +7,7 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
+use super::ground::river_share;
 use super::palette::opaque;
 use crate::base::skeletonize::{IS_SET, thin};
 
@@ -34,7 +35,7 @@ fn show(pixels: &mut [u8], mask: &[u8], ground: Option<&[[u8; 4]]>) {
     for (i, (pixel, &mask)) in pixels.chunks_exact_mut(4).zip(mask).enumerate() {
         let beneath = ground.map_or([0, 0, 0, 255], |ground| ground[i]);
         // There are no rivers at sea.
-        let is_river = mask >= IS_SET && beneath[3] >= IS_SET;
+        let is_river = mask >= IS_SET && river_share(beneath[3]) >= IS_SET;
         pixel.copy_from_slice(&if is_river { [255; 4] } else { opaque(beneath) });
     }
 }

@@ -7,7 +7,7 @@ use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
-use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
+use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, mix};
 use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
@@ -35,7 +35,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         return;
     };
     let shown = &SmoothedDistance::of(land.coast_distance());
-    out.text("<clipPath id=\"shore\"><path d=\"").path(&level(shown, -RIVERS_END, 1)).text("\"/></clipPath>\n");
+    out.text("<clipPath id=\"shore\"><use href=\"#coast\"/></clipPath>\n");
     out.text("<g id=\"sea\">\n<rect");
     sheet(out, size, palette.deep);
     let steps = if palette.fade > 0.0 { SHADES } else { 0 };
@@ -48,21 +48,30 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         out.text("<path stroke-opacity=\"").units(strength).text("\" fill=\"none\"");
         line(out, palette.coast, RING_WIDTH, &level(shown, -distance, 1));
     }
-    out.text("</g>\n<g id=\"land\">\n<path id=\"coast\" fill=\"").colour(palette.lowland).text("\"");
-    line(out, palette.coast, COAST_WIDTH, &level(shown, 0.0, 1));
+    out.text("</g>\n<g id=\"land\" fill=\"").colour(palette.lowland).text("\">\n<path id=\"coast\" d=\"");
+    out.path(&level(shown, 0.0, 1)).text("\"/>\n");
     for step in 1..=steps {
         area(out, shown, palette.fade * way_to(share(step)), mix(palette.lowland, palette.inland, share(step)));
     }
     if relief.is_some() {
         out.text("<g clip-path=\"url(#shore)\">\n");
         tints(out, relief, palette);
-        out.text("<path fill=\"none\"");
-        line(out, palette.coast, COAST_WIDTH, &level(shown, 0.0, 1));
         out.text("</g>\n");
     }
     ridges(out, land, palette);
     out.text("</g>\n");
     grid(out, size, palette);
+}
+
+/// The colour of water at the coast, as the shades of the sea have it.
+pub(super) fn water(palette: &Palette) -> Colour {
+    if palette.fade > 0.0 { mix(palette.shallows, palette.deep, 1.0 / SHADES as f32) } else { palette.shallows }
+}
+
+/// Draws the line of the coast over the rivers that end there.
+pub(super) fn coast(out: &mut Text, palette: &Palette) {
+    out.text("<use href=\"#coast\" fill=\"none\" stroke=\"").colour(palette.coast).text("\" stroke-width=\"");
+    out.units(COAST_WIDTH).text("\" stroke-linejoin=\"round\"/>\n");
 }
 
 /// Draws the lines over land and sea, if the style has any.
@@ -170,7 +179,7 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
 }
 
 /// The rings around everything above a level, as a path.
-fn level(land: &SmoothedDistance, level: f32, every: usize) -> Path {
+pub(super) fn level(land: &SmoothedDistance, level: f32, every: usize) -> Path {
     path_of(land.rings_above(level), every)
 }
 

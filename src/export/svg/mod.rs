@@ -3,6 +3,7 @@
 //! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
 //! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! The line of the coast lies over the rivers, and in `mouths` the sea lies over both.
 //! The link of the recipe is in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
 
 mod beds;
@@ -10,6 +11,7 @@ mod ground;
 #[cfg(feature = "names")]
 mod labels;
 mod light;
+mod mouths;
 pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
@@ -17,6 +19,8 @@ mod scenery;
 mod text;
 
 use std::sync::Arc;
+
+use glam::Vec2;
 
 use self::ground::Raised;
 use self::path::Path;
@@ -26,6 +30,7 @@ use super::{ExportError, rivers};
 use crate::map::Map;
 use crate::network::Banks;
 use crate::network::{NONE, Network, River};
+use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
@@ -92,7 +97,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     if let Some((past, look)) = past {
         out.text("<g id=\"past").text(clip).text("\">\n");
-        beds::draw_past(&mut out, past, look, courses);
+        beds::draw_past(&mut out, network, past, look, courses);
         out.text("</g>\n");
     }
     out.written(&annotation.halo);
@@ -108,6 +113,11 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
+    if let Some(land) = land {
+        ground::coast(&mut out, palette);
+        let drawn = Drawn { palette, past: Some(map.past()), times: 1.0, margin: VISIBLE, hairline: 0.0 };
+        mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
+    }
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())
@@ -192,16 +202,20 @@ fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
 /// Draws down the left bank, around the end, and up the right bank.
 #[inline(never)]
 fn outline(path: &mut Path, banks: &Banks, courses: CourseShape) {
-    let draw = match courses {
-        CourseShape::Smooth => Path::smooth,
-        CourseShape::Grown => Path::straight,
-    };
     if let (Some(&source), Some(&end)) = (banks.left.first(), banks.right.last()) {
         path.start(source);
-        draw(path, &banks.left);
+        bank(path, &banks.left, courses);
         path.half_circle(end);
         let upstream: Vec<_> = banks.right.iter().rev().copied().collect();
-        draw(path, &upstream);
+        bank(path, &upstream, courses);
         path.close();
+    }
+}
+
+/// Draws a bank, from where the path is now.
+fn bank(path: &mut Path, points: &[Vec2], courses: CourseShape) {
+    match courses {
+        CourseShape::Smooth => path.smooth(points),
+        CourseShape::Grown => path.straight(points),
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Sheet;
 use crate::paint::coverage::{Coverage, Covered, Rect};
+use crate::paint::ground::river_share;
 use crate::paint::palette::{Casing, mix};
 use crate::paint::view::{Rows, View};
 
@@ -53,10 +54,11 @@ pub(super) fn lay(casing: &Casing, blurred: Option<&Blurred>, sheet: &Sheet<'_>,
 
 fn lay_mask(casing: &Casing, gain: f32, mask: &[u8], pixels: &mut [[u8; 4]]) {
     for (i, covered) in Covered::by(mask) {
-        let [r, g, b, open] = pixels[i];
-        let share = (f32::from(covered) / 255.0 * gain).min(1.0) * casing.strength * f32::from(open) / 255.0;
+        let [r, g, b, ashore] = pixels[i];
+        let seen = f32::from(river_share(ashore)) / 255.0;
+        let share = (f32::from(covered) / 255.0 * gain).min(1.0) * casing.strength * seen;
         let [r, g, b] = mix([r, g, b], casing.colour, share);
-        pixels[i] = [r, g, b, open];
+        pixels[i] = [r, g, b, ashore];
     }
 }
 

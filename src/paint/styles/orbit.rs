@@ -25,6 +25,7 @@ pub(super) static STYLE: Look = Look {
     palette: Palette {
         shallows: [0x24, 0x74, 0x8e],
         fade: 130.0,
+        bank: 0.0,
         rings: &[(1.4, 0.34), (2.6, 0.27), (3.8, 0.2), (5.0, 0.14), (6.2, 0.08)],
         paper: Some(&Paper {
             blotch: [0x12, 0x24, 0x14],

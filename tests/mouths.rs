@@ -1,0 +1,144 @@
+//! Mouths of rivers in pictures: the line of the coast is open, and the river's water turns into the sea's.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use riverseed::glam::Vec2;
+use riverseed::paint::Framing;
+use riverseed::recipe::{Choice, Style};
+use riverseed::{Picture, Session};
+
+const LINK: &str = "seed=skye&attractors=3000&land=island&width=16&meander=none&bank-variation=0";
+
+/// A distance from the coast at which there is nothing but the sea, in units: its line has ended and no ring has begun. Where
+/// beaches sink into the sea, that is farther.
+const OFFSHORE: f32 = 1.4;
+
+fn finished(link: &str) -> Session {
+    let mut session = Session::new(link.parse().unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+/// The mouth of the widest river: a point of the coast, the way to the sea, and the river's width.
+fn widest_mouth(session: &Session) -> (Vec2, Vec2, f32) {
+    let network = session.network().unwrap();
+    let width = |id: u32| network.vertices[network.rivers[id as usize].end as usize - 1].width();
+    let widest = network.mouths().into_iter().max_by(|a, b| width(*a).total_cmp(&width(*b))).unwrap();
+    let at = network.vertices[network.rivers[widest as usize].end as usize - 1].at;
+    let distance = session.land().unwrap().coast_distance();
+    let seaward = -distance.slope(at).normalize();
+    (at + seaward * distance.height(at), seaward, width(widest))
+}
+
+/// A picture of the surroundings of a point, 12 pixels for each unit.
+struct Close {
+    picture: Picture,
+}
+
+impl Close {
+    fn of(session: &Session, at: Vec2) -> Self {
+        const SIDE: u32 = 760;
+        let size = session.domain().size;
+        let across = SIDE as f32 / 12.0 / size.x;
+        let corner = at / size.x - across / 2.0;
+        let mut picture = Picture::new(SIDE, SIDE).unwrap();
+        picture.frame(session, Framing::new(corner.x, corner.y, across));
+        picture.paint(session);
+        Self { picture }
+    }
+
+    fn pixel(&self, at: Vec2) -> [u8; 4] {
+        let pixmap = self.picture.pixmap();
+        let at = self.picture.view().pixel(at);
+        let i = (at.y as usize * pixmap.width() as usize + at.x as usize) * 4;
+        pixmap.data()[i..i + 4].try_into().unwrap()
+    }
+}
+
+fn apart(a: [u8; 4], b: [u8; 4]) -> i32 {
+    (0..3).map(|i| (i32::from(a[i]) - i32::from(b[i])).abs()).sum()
+}
+
+/// The point of the coast, as it is drawn, that lies so far beside another.
+fn along_coast(shown: impl Fn(Vec2) -> f32, at: Vec2, seaward: Vec2, aside: f32) -> Vec2 {
+    let at = at + seaward.perp() * aside;
+    at + seaward * shown(at)
+}
+
+#[test]
+fn the_line_of_the_coast_is_open_across_a_river_in_all_styles() {
+    for &style in Style::ALL.iter().filter(|style| **style != Style::Skeleton) {
+        let session = finished(&format!("{LINK}&style={}", style.word().name));
+        let (at, seaward, width) = widest_mouth(&session);
+        let distance = session.land().unwrap().coast_distance();
+        let close = Close::of(&session, at);
+        let coast = |aside: f32| close.pixel(along_coast(|at| distance.height(at), at, seaward, aside * width));
+        let offshore = if style == Style::Orbit { 8.0 } else { OFFSHORE };
+        let sea = close.pixel(at + seaward * offshore);
+        for tenth in -3..=3 {
+            let here = coast(tenth as f32 * 0.1);
+            assert!(apart(here, sea) < 24, "{style:?}: {here:?} is not the sea, {sea:?}, at {tenth}");
+        }
+        // Beside the river it is closed.
+        for aside in [-1.2, 1.2] {
+            assert!(apart(coast(aside), sea) > 30, "{style:?}: {:?} is like the sea, {sea:?}", coast(aside));
+        }
+    }
+}
+
+#[test]
+fn a_river_keeps_its_colour_up_to_its_mouth_and_nothing_of_it_runs_into_the_sea() {
+    for style in ["ink", "atlas", "night", "blueprint", "parchment"] {
+        let session = finished(&format!("{LINK}&style={style}"));
+        let (at, seaward, width) = widest_mouth(&session);
+        let close = Close::of(&session, at);
+        let [river, mouth, sea] = [-3.0 * width, -0.2 * width, OFFSHORE].map(|way| close.pixel(at + seaward * way));
+        assert!(apart(mouth, sea) * 8 < apart(river, sea), "{style}: {river:?}, {mouth:?}, {sea:?}");
+    }
+}
+
+#[test]
+fn the_sea_in_a_mouth_is_cut_out_with_the_sea() {
+    for style in ["atlas", "orbit", "past-courses"] {
+        let session = finished(&format!("{LINK}&style={style}"));
+        let (at, seaward, width) = widest_mouth(&session);
+        let mut close = Close::of(&session, at);
+        close.picture.cut_out(&session);
+        let opacity = [0.0, -0.3, -3.0].map(|widths| close.pixel(at + seaward * (widths * width))[3]);
+        assert!(opacity[0] < 3 && opacity[1] < 40 && opacity[2] == 255, "{style}: {opacity:?}");
+    }
+}
+
+#[test]
+fn a_brook_ends_in_the_line_of_the_coast() {
+    let session = finished("seed=skye&attractors=3000&land=island&width=1.5&style=ink");
+    let (at, seaward, _) = widest_mouth(&session);
+    let close = Close::of(&session, at);
+    let distance = session.land().unwrap().coast_distance();
+    let [here, aside] = [0.0, 4.0].map(|aside| close.pixel(along_coast(|at| distance.height(at), at, seaward, aside)));
+    assert!(apart(here, aside) < 12, "{here:?} in {aside:?}");
+}
+
+#[test]
+fn a_river_that_leaves_the_map_at_its_frame_has_no_mouth() {
+    let svg = |link: &str| riverseed::export::svg::svg(&finished(link).map().unwrap()).unwrap();
+    assert!(svg(LINK).contains("id=\"mouths\""));
+    assert!(!svg(&LINK.replace("island", "rectangle")).contains("id=\"mouths\""));
+}
+
+#[test]
+fn in_files_the_line_of_the_coast_lies_over_rivers_and_mouths_lie_over_the_line() {
+    for style in ["ink", "atlas", "past-courses"] {
+        let session = finished(&format!("{LINK}&style={style}"));
+        let svg = riverseed::export::svg::svg(&session.map().unwrap()).unwrap();
+        let places = ["<g id=\"rivers\"", "<use href=\"#coast\" fill=\"none\"", "<g id=\"mouths\""]
+            .map(|part| svg.rfind(part).unwrap_or(0));
+        assert!(places[0] > 0 && places.is_sorted(), "{style}: {places:?}");
+        let (at, ..) = widest_mouth(&session);
+        let is_here = |gradient: roxmltree::Node<'_, '_>| {
+            let number = |name: &str| gradient.attribute(name).and_then(|text| text.parse::<f32>().ok());
+            number("cx").zip(number("cy")).is_some_and(|(x, y)| Vec2::new(x, y).distance(at) < 1.0)
+        };
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        assert!(document.descendants().any(is_here), "{style}: {at}");
+    }
+}
