@@ -55,7 +55,7 @@ pub(super) fn draw(
 /// A tongue from bank to bank, with straight ends.
 fn outline(tongue: &Tongue, courses: CourseShape) -> Path {
     let mut path = Path::default();
-    let Banks { left, mut right } = Banks::of_reach(tongue.whole_line(), courses);
+    let Banks { left, mut right, .. } = Banks::of_reach(tongue.whole_line(), courses);
     right.reverse();
     if let (Some(&source), Some(&end)) = (left.first(), right.first()) {
         path.start(source);
