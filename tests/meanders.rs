@@ -3,10 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::tier::{one_in, pairs, tiers};
+use geo::{LineString, Polygon, Validation};
 use glam::Vec2;
 use riverseed::base::work;
 use riverseed::network::{Meander, NONE, Network, NetworkSettings, Place, Shaping, gap};
-use riverseed::recipe::link;
+use riverseed::recipe::preset::COUNTRIES;
+use riverseed::recipe::{CourseShape, link};
 use riverseed::{Oxbow, River, Session};
 
 /// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can
@@ -137,8 +139,8 @@ fn lakes_overlap_neither_rivers_nor_each_other() {
     let held = HELD.map(|recipe| format!("{recipe}&meander=flow"));
     for recipe in one_in(4, OLD.into_iter().chain(held.iter().map(String::as_str))) {
         maps += 1;
-        grow_old(recipe, |meander| {
-            let network = meander.network();
+        grow_old(&format!("{recipe}&oxbows=1&neck=3"), |meander| {
+            let network = meander.drawn();
             let rivers: Vec<Vec<Place>> = network.rivers.iter().map(|river| network.middle(river)).collect();
             let lakes: Vec<Vec<Place>> = network.oxbows.iter().map(Oxbow::middle).collect();
             seen += lakes.len();
@@ -196,6 +198,65 @@ fn no_river_comes_to_run_along_the_frame() {
 }
 
 tiers!(no_river_comes_to_run_along_the_frame);
+
+/// All kinds of country and the pictures of the gallery's kinds, both models, the three ways of growing, widths to 40.
+const DRAWN: [&str; 12] = [
+    "seed=s0&land=island",
+    "seed=s1&land=archipelago&attractors=12000&meander=flow",
+    "seed=s2&land=continent&sea=0.4&roughness=0.9&sides=sw&width=18",
+    "seed=s3&aspect=1.3&land=valley&sea=0.15&roughness=0.7&attractors=18000&channel-area=8&width=20",
+    "seed=s4&aspect=1.3&land=basin&sea=0.25&meander=flow&width=40",
+    "seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5&oxbows=1",
+    "seed=s8&land=island&sea=0.45&growth=brownian&sensitivity=11&width=18",
+    "seed=s9&land=continent&growth=brownian&sensitivity=30&trim=20&width=40&meander=flow",
+    "seed=s10&land=continent&sea=0.3&sides=e&attractors=30000&channel-area=3&width=24",
+    "seed=s12&land=rectangle&growth=colonize&attractors=2000&width=24&curl=0.9&stretch=7",
+    "seed=s13&land=rectangle&growth=colonize&attractors=1500&momentum=0.45&trim=8&width=40&meander=flow&clearance=0",
+    "seed=fisk&land=rectangle&mouths=1&attractors=1500&channel-area=20&trim=30&width=26&meander-mix=0.8&great-rivers=2&flat-share=0.6",
+];
+
+/// The banks of a river from its source to its end, as the geo crate sees them; `None` if the river has no width anywhere.
+fn polygon(network: &Network, river: &River) -> Option<Polygon> {
+    let ring = network.banks(river, CourseShape::Smooth).ring();
+    let has_width = network.vertices[river.vertex_range()].iter().any(|vertex| vertex.width() > 0.0);
+    let corners = ring.iter().map(|at| (f64::from(at.x), f64::from(at.y)));
+    has_width.then(|| Polygon::new(LineString::from(corners.collect::<Vec<_>>()), Vec::new()))
+}
+
+/// The widest rivers bend most, so the drawn network is looked at in all rounds of a page's slider.
+fn no_river_covers_itself() {
+    for recipe in one_in(3, DRAWN) {
+        for rounds in [0, 1, 18, 60, 150, 400] {
+            let mut session = Session::new(link::read(&format!("{recipe}&meander-rounds={rounds}")).unwrap()).unwrap();
+            let map = session.finish().unwrap();
+            for (id, river) in map.network().rivers.iter().enumerate() {
+                let Some(polygon) = polygon(map.network(), river) else { continue };
+                let fault = polygon.check_validation().err();
+                assert!(fault.is_none(), "{recipe}, {rounds} rounds: river {id} {fault:?}");
+            }
+        }
+    }
+}
+
+tiers!(no_river_covers_itself);
+
+/// *Old river* promises oxbow lakes, however long it meanders.
+#[test]
+fn old_rivers_have_oxbow_lakes() {
+    let country = COUNTRIES.iter().find(|country| country.name == "old-river").unwrap();
+    let values: Vec<String> =
+        country.values.iter().map(|(key, text)| format!("{}={text}", key.parameter().name)).collect();
+    for rounds in [120, 400] {
+        let lakes = |seed: u32| {
+            let link = format!("seed=o{seed}&{}&meander-rounds={rounds}", values.join("&"));
+            let link = link.replacen("&meander-rounds=120&", "&", 1);
+            let mut session = Session::new(link::read(&link).unwrap()).unwrap();
+            session.finish().unwrap().network().oxbows.len()
+        };
+        let counts: Vec<usize> = (0..8).map(lakes).collect();
+        assert!(counts.iter().filter(|&&lakes| lakes > 0).count() >= 7, "{rounds} rounds: {counts:?}");
+    }
+}
 
 /// Old rivers are hardly longer than grown ones, so a round of them takes hardly more.
 fn no_round_of_old_rivers_takes_long() {

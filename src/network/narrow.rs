@@ -9,11 +9,17 @@ use glam::Vec2;
 
 use super::centerline::middle;
 use super::{Banks, NONE, Network, Place, Vertex};
-use crate::base::geometry::{distance, fast_max, fast_min, meet};
+use crate::base::geometry::{distance, fast_max, fast_min, length, meet};
 use crate::recipe::CourseShape;
 
 /// How fast half of the width changes along a river that has given way, at most.
 const FLARE: f32 = 0.2;
+
+/// How much farther than half the width a bank is where a line turns, at most.
+const MITRE: f32 = 1.16;
+
+/// A line that turns less, by the cosine of the angle, is as good as straight.
+const STRAIGHT: f32 = 0.98;
 
 /// The share of its width that a river keeps where its banks still meet, and how often that is tried.
 const LESS: f32 = 0.85;
@@ -71,7 +77,12 @@ fn scaled(course: &[&Vertex], shares: &[f32], is_tributary: bool) -> Vec<Place> 
 
 /// Whether two pieces of a line come so near each other that banks could meet.
 fn is_in_doubt(line: &[Place]) -> bool {
-    let turns_back = |three: &[Place]| (three[1].at - three[0].at).dot(three[2].at - three[1].at) < 0.0;
+    let turns = |three: &[Place]| {
+        let (before, after) = (three[1].at - three[0].at, three[2].at - three[1].at);
+        let shorter = fast_min(length(before), length(after));
+        let turn = before.dot(after);
+        turn < 0.0 || three[1].half * MITRE > shorter && turn < STRAIGHT * length(before) * length(after)
+    };
     let pieces: Vec<Piece> = line.windows(2).map(Piece::of).collect();
     let runs = Runs::of(line.iter().map(|place| place.at));
     let comes_near = |a: usize| {
@@ -80,7 +91,7 @@ fn is_in_doubt(line: &[Place]) -> bool {
         let others = runs.near(a, reach).filter(|&b| b >= a).flat_map(|b| Runs::range(b, pieces.len()));
         others.into_iter().any(|j| own.clone().any(|i| j > i + 1 && pieces[i].may_meet(&pieces[j])))
     };
-    line.windows(3).any(turns_back) || (0..runs.0.len()).any(comes_near)
+    line.windows(3).any(turns) || (0..runs.0.len()).any(comes_near)
 }
 
 /// The circle around a piece of a line and its banks.
@@ -92,7 +103,7 @@ struct Piece {
 impl Piece {
     fn of(ends: &[Place]) -> Self {
         let [a, b] = [ends[0], ends[ends.len() - 1]];
-        Self { middle: (a.at + b.at) * 0.5, radius: distance(a.at, b.at) * 0.5 + fast_max(a.half, b.half) }
+        Self { middle: (a.at + b.at) * 0.5, radius: distance(a.at, b.at) * 0.5 + MITRE * fast_max(a.half, b.half) }
     }
 
     fn may_meet(&self, other: &Self) -> bool {

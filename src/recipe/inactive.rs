@@ -257,7 +257,7 @@ mod tests {
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
     const BROWNIAN: (&str, &str) =
         ("mouths mouth-spacing shores attractors valleys valley-spacing", "Brownian trees do not use it");
-    const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
+    const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper";
     const NO_RELIEF: (&str, &str) = ("shade", "this style shows no relief");
     const NO_HEIGHTS: (&str, &str) =
         ("mountains plains", "this style shows no relief, though files of heights have it");
@@ -322,7 +322,7 @@ mod tests {
                 NOT_DRAINING,
                 IN_CELLS,
                 (
-                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
+                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper",
                     STILL,
                 ),
             ],
@@ -335,7 +335,10 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_DRAINING,
                 IN_CELLS,
-                ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
+                (
+                    "meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper",
+                    STILL,
+                ),
             ],
         ),
         (
@@ -346,7 +349,7 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_DRAINING,
                 IN_CELLS,
-                ("meander-strength meander-mix neck clearance taper", STILL),
+                ("meander-strength meander-mix neck oxbows clearance taper", STILL),
                 ("flat-share", "there are no great rivers"),
             ],
         ),
@@ -412,7 +415,10 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_DRAINING,
                 IN_CELLS,
-                ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
+                (
+                    "meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper",
+                    STILL,
+                ),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
                 NO_HEIGHTS,
@@ -429,7 +435,7 @@ mod tests {
                 NOT_DRAINING,
                 IN_CELLS,
                 (
-                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
+                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper",
                     STILL,
                 ),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),

@@ -13,7 +13,7 @@ use super::super::settings::NetworkSettings;
 use super::super::smooth::LEAST_CLEARANCE;
 use super::super::{NONE, Network, River, Vertex};
 use super::{keeps_off_frame, river_of};
-use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, meet, smooth_step};
+use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
 
 /// The least radius of a wide river's bends, in widths: that of the circle through points one width apart.
 const LEAST_RADIUS: f32 = 1.5;
@@ -43,6 +43,7 @@ impl Fairing<'_> {
     /// Eases bends in at most so many passes.
     pub fn ease(mut self, passes: u32) {
         let plan = Plan::of(self.network);
+        self.straighten_ends(&plan);
         let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
         for _ in 0..passes {
             let mut drift = 0.0;
@@ -58,15 +59,41 @@ impl Fairing<'_> {
         }
     }
 
+    /// Leads tributaries straight to their junctions that run past them and come back.
+    fn straighten_ends(&mut self, plan: &Plan) {
+        for (&junction, &last) in plan.junctions.iter().zip(&plan.arms) {
+            let own = self.network.rivers[plan.river_of[last as usize] as usize];
+            let at = self.network.vertices[junction as usize].at;
+            let parent = self.network.rivers[plan.river_of[junction as usize] as usize];
+            let is_end = junction == parent.start || self.downstream[junction as usize] == NONE;
+            if last > own.start && !is_end && self.turns_back(last, at) {
+                self.try_to_move(junction, at, plan);
+            }
+        }
+    }
+
+    /// Whether a vertex lies beyond the junction that comes next, so that the river turns back.
+    fn turns_back(&self, i: u32, junction: Vec2) -> bool {
+        let [above, at] = [i - 1, i].map(|i| self.network.vertices[i as usize].at);
+        (junction - at).dot(at - above) < 0.0
+    }
+
     /// Makes a pass over a river. Returns how far any vertex has moved.
     fn ease_river(&mut self, river: u32, plan: &Plan) -> f32 {
         let own = self.network.rivers[river as usize];
         let mut farthest = 0.0;
         for i in own.start + 1..own.end {
             let vertex = self.network.vertices[i as usize];
+            let below = self.downstream[i as usize];
+            if below == NONE {
+                continue;
+            }
+            if let Some(to) = self.without_spike(i, below) {
+                self.try_to_move(i, to, plan);
+                continue;
+            }
             let width = fast_max(vertex.width(), self.settings.spacing);
-            let is_wide = vertex.width() == width || vertex.mobility > FULLY;
-            if !is_wide || self.downstream[i as usize] == NONE {
+            if vertex.width() < width && vertex.mobility <= FULLY {
                 continue;
             }
             let Some(bend) = Bend::at(self.network, &own, i, width) else { continue };
@@ -77,6 +104,16 @@ impl Fairing<'_> {
             }
         }
         farthest
+    }
+
+    /// The place of a vertex at which its river turns all but straight back, if it is to turn no more.
+    fn without_spike(&self, i: u32, below: u32) -> Option<Vec2> {
+        /// The cosine of a turn of 160°.
+        const SPIKE: f32 = -0.94;
+        let [above, at, below] = [i - 1, i, below].map(|i| self.network.vertices[i as usize].at);
+        let (before, after) = (at - above, below - at);
+        let is_spike = before.dot(after) < SPIKE * length(before) * length(after);
+        is_spike.then(|| (above + below) * 0.5)
     }
 
     /// Moves a vertex if nothing is in the way of the segments that end in it.
@@ -110,11 +147,10 @@ impl Fairing<'_> {
     fn arm(&self, last: u32, junction: Vec2, vertex: &Vertex, plan: &Plan) -> Arm {
         let cover = fast_min(vertex.left, vertex.right);
         let start = self.network.rivers[plan.river_of[last as usize] as usize].start;
+        let is_lost =
+            |i: u32| distance(self.network.vertices[i as usize].at, junction) < cover || self.turns_back(i, junction);
         let mut first = last;
-        while first > start + 1
-            && !plan.is_junction[first as usize]
-            && distance(self.network.vertices[first as usize].at, junction) < cover
-        {
+        while first > start + 1 && !plan.is_junction[first as usize] && is_lost(first) {
             first -= 1;
         }
         Arm { first, last }

@@ -129,8 +129,11 @@ impl Meander {
         if self.is_finished() {
             return false;
         }
+        if self.past.wants(self.round, self.settings.rounds) {
+            let drawn = self.drawn().clone();
+            Arc::make_mut(&mut self.past).keep(&drawn, self.round);
+        }
         self.drawn = OnceLock::new();
-        Arc::make_mut(&mut self.past).keep(&self.network, self.round, self.settings.rounds);
         self.round += 1;
         let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
         let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
@@ -378,8 +381,10 @@ mod tests {
     /// A river of gentle bends, left to itself for some rounds.
     fn meandered(model: MeanderModel, rounds: u32) -> Network {
         let line = sine_generated(0.3, 44.0, 8, 44);
-        let mut meander =
-            Meander::of(river(&line, 4.0), NetworkSettings { model, rounds, strength: 0.6, ..settings() });
+        let mut meander = Meander::of(
+            river(&line, 4.0),
+            NetworkSettings { model, rounds, strength: 0.6, oxbow_life: f32::INFINITY, ..settings() },
+        );
         while meander.round() {}
         assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
         Network::clone(meander.network())

@@ -68,11 +68,13 @@ impl PastCourses {
         &self.rounds
     }
 
-    /// Keeps the courses before another round, of so many in all, if it is one of the even ones.
-    pub(super) fn keep(&mut self, network: &Network, round: u32, of: u32) {
-        if self.great.is_empty() || round * ROUNDS < self.rounds.len() as u32 * of {
-            return;
-        }
+    /// Whether the courses before another round, of so many in all, are to be kept: it is one of the even ones.
+    pub(super) fn wants(&self, round: u32, of: u32) -> bool {
+        !self.great.is_empty() && round * ROUNDS >= self.rounds.len() as u32 * of
+    }
+
+    /// Keeps the courses before another round.
+    pub(super) fn keep(&mut self, network: &Network, round: u32) {
         let course = |&river: &u32| PastCourse { river, line: network.middle(&network.rivers[river as usize]) };
         let mut courses: Vec<PastCourse> = self.great.iter().map(course).collect();
         let every = courses.iter().map(|course| course.line.len()).sum::<usize>().div_ceil(MOST_OF_COURSES);
@@ -122,13 +124,20 @@ mod tests {
         PastCourses::of((0..network.rivers.len() as u32 / 2).collect())
     }
 
+    /// Keeps the courses before a round of so many if they are to be kept.
+    fn keep(past: &mut PastCourses, network: &Network, round: u32, of: u32) {
+        if past.wants(round, of) {
+            past.keep(network, round);
+        }
+    }
+
     #[test]
     fn rounds_that_are_kept_are_even_however_many_there_are() {
         let network =
             river(&straight((0.0, 0.0), (9.0, 0.0), 9), 2.0).with_arm(&straight((4.0, 4.0), (4.0, 1.0), 3), 4, 1);
         for of in 0..=400u32 {
             let mut past = half_great(&network);
-            (0..of).for_each(|round| past.keep(&network, round, of));
+            (0..of).for_each(|round| keep(&mut past, &network, round, of));
             let rounds: Vec<u32> = past.rounds().iter().map(|past| past.round).collect();
             assert_eq!(rounds.len() as u32, of.min(ROUNDS), "{of}");
             let ends: Vec<u32> = rounds.iter().copied().chain((of > 0).then_some(of)).collect();
@@ -143,11 +152,11 @@ mod tests {
         let network =
             river(&straight((0.0, 0.0), (9.0, 0.0), 9), 2.0).with_arm(&straight((4.0, 4.0), (4.0, 1.0), 3), 4, 1);
         let mut past = half_great(&network);
-        past.keep(&network, 0, 40);
+        keep(&mut past, &network, 0, 40);
         let line = network.middle(&network.rivers[0]);
         assert_eq!(past.rounds()[0].courses, [PastCourse { river: 0, line }]);
         let mut none = PastCourses::of(Vec::new());
-        none.keep(&network, 0, 40);
+        keep(&mut none, &network, 0, 40);
         assert_eq!(none.rounds(), []);
     }
 
@@ -157,8 +166,8 @@ mod tests {
         let mut past = PastCourses::of(vec![0]);
         let cut_off = |river: u32, born: u32| Oxbow { river, born, silt: 0.5, vertices: network.vertices.clone() };
         network.oxbows = vec![cut_off(0, 2), cut_off(0, 3), cut_off(1, 3)];
-        past.keep(&network, 0, 24);
-        past.keep(&network, 2, 24);
+        keep(&mut past, &network, 0, 24);
+        keep(&mut past, &network, 2, 24);
         past.keep_loops(&network, 3);
         assert_eq!(past.rounds()[0].loops, []);
         let [PastCourse { river: 0, line }] = &past.rounds()[1].loops[..] else {
@@ -178,7 +187,7 @@ mod tests {
             (0..400).map(|i| Oxbow { river: i % 8, born: i / 16, silt: 0.0, vertices: lake.clone() }).collect();
         let mut past = half_great(&network);
         for round in 0..400 {
-            past.keep(&network, round, 400);
+            keep(&mut past, &network, round, 400);
             past.keep_loops(&network, round);
         }
         let all = past.rounds().iter().flat_map(|past| past.courses.iter().chain(&past.loops));
