@@ -136,9 +136,10 @@ test-wasm: webdriver ## the core as wasm, in headless Chromium: the same picture
 	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %)
 	$(lap) "wasm, in a browser: a third of the recipes"
 
+# With `--ignored` the runner leaves out all other tests and does not run these either.
 .PHONY: test-wasm-more
 test-wasm-more: webdriver ## the same of the other recipes
-	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %) -- --ignored
+	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %) -- --include-ignored all_other_recipes
 	$(lap) "wasm, in a browser: the other recipes"
 
 .PHONY: test-page
