@@ -1,6 +1,6 @@
 //! The keys of the parameters: their names in code, and the kind of value that each takes.
 
-/// The kind of value that a key takes. The table says more about each, and holds the kind against this one.
+/// The kind of value that a key takes. The table of parameters does not compile unless its rows agree.
 #[derive(Clone, Copy)]
 pub(super) enum KeyKind {
     Text,
@@ -11,8 +11,8 @@ pub(super) enum KeyKind {
     Outline,
 }
 
-/// Declares the keys, in the order of the table, each with its kind. Those of numbers and of whole numbers are types of
-/// their own, too, by which they are read.
+/// Declares the keys in the order of the table, each with its kind. The keys of numbers and those of whole numbers become
+/// types of their own, too, so that nobody can read a number by the key of a word.
 macro_rules! keys {
     ($($Key:ident: $Kind:ident,)+) => {
         /// A parameter's key: the index of its row in the table.

@@ -96,7 +96,7 @@ async function isExact() {
       .split("\n")
       .filter((line) => line !== "" && !line.startsWith("#")),
   );
-  assert.ok(committed.length >= 50, `tests/digest.txt holds only ${committed.length} recipes`);
+  assert.ok(committed.length >= 50, `the files of digests hold only ${committed.length} recipes`);
   assert.deepEqual(
     grown.map(({ digest, link }) => `${digest} ${link}`),
     committed,

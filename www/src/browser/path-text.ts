@@ -12,12 +12,14 @@ export function dotsOf(points: Float32Array, places = PLACES): string {
     .join("");
 }
 
-/** Writes a line; one of a single point becomes a dot. */
-export function lineOf(line: Float32Array, places = PLACES): string {
+/** Writes a line, closed or open; one of a single point becomes a dot. */
+export function lineOf(line: Float32Array, places = PLACES, isClosed = false): string {
   const points = pointsOf(line, places);
-  return points.length < 2 ? dotsOf(line, places) : `M${points.map((point) => point.join(" ")).join("L")}`;
+  if (points.length < 2) return dotsOf(line, places);
+  return `M${points.map((point) => point.join(" ")).join("L")}${isClosed ? "z" : ""}`;
 }
 
+/** Writes open lines. */
 export function linesOf(lines: readonly Float32Array[]): string {
   return lines.map((line) => lineOf(line)).join("");
 }
@@ -50,6 +52,6 @@ function pointsOf(line: Float32Array, places: number): Point[] {
   return points;
 }
 
-function rounded(x: number | undefined = 0, places = PLACES): number {
+function rounded(x = 0, places = PLACES): number {
   return Math.round(x * 10 ** places) / 10 ** places;
 }

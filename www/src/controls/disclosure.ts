@@ -34,9 +34,10 @@ export class Disclosures {
   /** Makes a group under a heading, open or closed as it was left; `first` is its initial state. */
   details(name: string, first: boolean, attributes: { class: string }, ...children: Node[]): HTMLDetailsElement {
     const element = el("details", { ...attributes, open: this.isOpen(name, first) }, ...children);
-    element.addEventListener("toggle", () => {
+    // The event "toggle" comes a task later: a page that is left at once would keep the state before.
+    new MutationObserver(() => {
       if (element.open !== this.isOpen(name, first)) this.set(name, element.open);
-    });
+    }).observe(element, { attributeFilter: ["open"] });
     return element;
   }
 

@@ -30,6 +30,20 @@ test("groups fold and unfold by mouse and keys, and are so again next time @core
   await expect(page.getByRole("slider", { name: "Curl" })).toBeVisible();
 });
 
+test("how a group was left is kept at once, so that a page that is closed right then loses nothing", async ({
+  page,
+}) => {
+  await openWithPanel(page, SMALL);
+  const kept = await group(page, "Bends")
+    .locator("summary")
+    .evaluate(async (summary) => {
+      (summary as HTMLElement).click();
+      await Promise.resolve();
+      return localStorage.getItem("riverseed-folds");
+    });
+  expect(JSON.parse(kept ?? "{}")).toMatchObject({ Bends: true });
+});
+
 test("what is seldom wanted stands under More", async ({ page }) => {
   await openWithPanel(page, SMALL);
   await expect(page.getByRole("slider", { name: "Neck" })).toHaveCount(0);

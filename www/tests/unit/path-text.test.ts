@@ -15,6 +15,12 @@ test("a line may have more decimal places", () => {
   expect(lineOf(new Float32Array())).toBe("");
 });
 
+test("a coast is closed, and what has no line is not", () => {
+  expect(lineOf(Float32Array.of(0, 0, 0.5, 0.25, 1, 1), 4, true)).toBe("M0 0L0.5 0.25L1 1z");
+  expect(lineOf(Float32Array.of(0.5, 0.25), 4, true)).toBe("M0.5 0.25h0");
+  expect(lineOf(new Float32Array(), 4, true)).toBe("");
+});
+
 test("a ring is smooth, ends where it began, and touches the middles of its sides", () => {
   const square = Float32Array.of(0, 0, 4, 0, 4, 4, 0, 4);
   expect(ringsOf([square, Float32Array.of(0, 0, 1, 1)])).toBe("M0 2Q0 0 2 0Q4 0 4 2Q4 4 2 4Q0 4 0 2z");

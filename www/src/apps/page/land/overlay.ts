@@ -22,7 +22,7 @@ function path(points: Float32Array, name: string, isClosed: boolean): SVGPathEle
   // The sheet is stretched to the map's shape; its lines are not.
   return svg("path", {
     class: name,
-    d: lineOf(points, PLACES) + (isClosed ? "z" : ""),
+    d: lineOf(points, PLACES, isClosed),
     "vector-effect": "non-scaling-stroke",
   });
 }
