@@ -173,7 +173,7 @@ const BENDS: &str = "seed=fisk&aspect=1&growth=colonize&attractors=400&mouths=3&
 #[test]
 fn past_courses_painted_round_by_round_are_those_painted_at_once() {
     for land in ["island", "rectangle"] {
-        let link = format!("{BENDS}&land={land}&meander-rounds=30");
+        let link = format!("{BENDS}&land={land}&meander-rounds=60");
         let (mut session, mut kept, mut rounds) = (Session::new(link::read(&link).unwrap()).unwrap(), picture(), 0);
         while session.advance(1).unwrap() {
             kept.paint(&session);

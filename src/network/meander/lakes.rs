@@ -5,7 +5,7 @@ use super::super::clearance::ClearanceGrid;
 use super::super::settings::NetworkSettings;
 use super::super::smooth::SHARE_OF_CLEARANCE;
 use super::super::{Network, Oxbow, Vertex};
-use super::{CAP, respace};
+use super::{CAP, ROUNDS_A_SURVEY, respace};
 use crate::base::geometry::fast_max;
 
 /// The age at which silt begins to fill a lake, and at which it has filled it.
@@ -24,8 +24,8 @@ pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32, life: f32) {
 
 /// Takes away of lakes what rivers of the last survey run over, or so near that no land is left between when they have moved.
 pub(super) fn erode(network: &mut Network, downstream: &[u32], guard: &ClearanceGrid, settings: &NetworkSettings) {
-    /// How far a line moves in a round at most, in steps.
-    const MOST_MOVE: f32 = CAP * (SHARE_OF_CLEARANCE + respace::SHARE_OF_CLEARANCE);
+    /// How far a line moves by one survey at most, in steps.
+    const MOST_MOVE: f32 = CAP * (ROUNDS_A_SURVEY as f32 * SHARE_OF_CLEARANCE + respace::SHARE_OF_CLEARANCE);
     let margin = |lake: f32, river: &Vertex| {
         let apart = fast_max(settings.min_clearance, MOST_MOVE * settings.step(river.width()));
         lake + bank(river) + apart

@@ -1,8 +1,9 @@
 //! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
 //!
-//! A round measures how near lines come to each other, cuts through necks, lets bends move by one of two models
-//! (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far as the clearance grid allows, and spaces vertices
-//! evenly again. Vertices that come too near another river stay where they are from then on.
+//! A survey measures how near lines come to each other, and necks are cut. Then bends move for [`ROUNDS_A_SURVEY`] rounds by one of two
+//! models (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far as the survey allows; sharp
+//! bends are eased (`fair.rs`), and vertices spaced evenly again. Those that come too near another river stay where they are from then
+//! on.
 
 mod bend;
 mod cutoff;
@@ -24,7 +25,7 @@ use super::evenly::divide;
 use super::narrow::narrowed;
 use super::ranking::simplified;
 use super::settings::NetworkSettings;
-use super::smooth::{has_room, limits, smooth};
+use super::smooth::{SHARE_OF_CLEARANCE, has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
 use crate::base::geometry::{fast_max, fast_min, length};
@@ -35,7 +36,10 @@ pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
-const CAP: f32 = 0.75;
+const CAP: f32 = 1.0;
+
+/// How many rounds a survey serves. What moves uses the clearance up, so that with more of them bends would hardly move in the last.
+const ROUNDS_A_SURVEY: u32 = 2;
 
 /// From this share of a spacing on a river is wide: what moves near it counts on it to look around, moving or not.
 const WIDE: f32 = 0.6;
@@ -54,11 +58,24 @@ pub struct Meander {
     /// The same as it is drawn; empty until somebody asks for it.
     drawn: OnceLock<Arc<Network>>,
     guard: ClearanceGrid,
+    /// What the last survey found, while there are rounds to make by it.
+    survey: Option<Survey>,
     round: u32,
     past: Arc<PastCourses>,
     reaches: Arc<[Reach]>,
-    /// Whether anything was stopped by the frame of the map in the last round.
+    /// Whether anything was stopped by the frame of the map since the last survey.
     has_stopped: bool,
+}
+
+/// What rounds go by: how far each segment and vertex may move.
+#[derive(Clone, Debug)]
+struct Survey {
+    downstream: Vec<u32>,
+    step_scale: Vec<f32>,
+    /// A distance of each segment from the nearest other one that is not too large, up to its cap.
+    clearance: Vec<f32>,
+    /// How far any vertex has moved since, at most.
+    drift: f32,
 }
 
 impl Meander {
@@ -78,6 +95,7 @@ impl Meander {
             network: network.into(),
             drawn: OnceLock::new(),
             guard,
+            survey: None,
             round: 0,
             past: Arc::default(),
             reaches: Arc::default(),
@@ -135,6 +153,21 @@ impl Meander {
         }
         self.drawn = OnceLock::new();
         self.round += 1;
+        let mut survey = self.survey.take().unwrap_or_else(|| self.survey());
+        let moved = self.move_bends(&survey);
+        survey.drift += moved.iter().copied().fold(0.0, fast_max);
+        if self.round.is_multiple_of(ROUNDS_A_SURVEY) || self.is_finished() {
+            self.settle(survey);
+        } else {
+            survey.use_up(&moved);
+            self.survey = Some(survey);
+        }
+        lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
+        !self.is_finished()
+    }
+
+    /// Measures how near lines are to each other. Cuts necks, and stops what is too near.
+    fn survey(&mut self) -> Survey {
         let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
         let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
         if self.cut_necks(&downstream, &near) {
@@ -144,11 +177,14 @@ impl Meander {
         if self.freeze(&near) || std::mem::take(&mut self.has_stopped) {
             mobility::ease_off(Arc::make_mut(&mut self.network), self.settings.spacing);
         }
-        let drift = self.move_bends(&downstream, &clearance, &step_scale);
-        self.ease_bends(&downstream, &mut clearance, drift);
+        Survey { downstream, step_scale, clearance, drift: 0.0 }
+    }
+
+    /// Eases bends that are too sharp, and spaces vertices evenly: the end of the rounds of a survey.
+    fn settle(&mut self, mut survey: Survey) {
+        self.ease_bends(&mut survey);
+        let Survey { step_scale, clearance, .. } = survey;
         respace::respace(Arc::make_mut(&mut self.network), &clearance, &step_scale, &self.settings);
-        lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
-        !self.is_finished()
     }
 
     /// Whether there is no other round to make.
@@ -156,15 +192,15 @@ impl Meander {
         self.settings.model == MeanderModel::None || self.round >= self.settings.rounds
     }
 
-    /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, three times as
-    /// far: nobody sees it, and a round takes half the time.
+    /// How freely each vertex moves in the rounds of a survey. Rivers that meander but gently do so after every third survey, three times
+    /// as far: nobody sees it, and a round takes half the time.
     pub fn step_scale(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
         let mut step_scale = vec![0.0; self.network.vertices.len()];
         for (number, river) in (0..).zip(&self.network.rivers) {
             let own = &self.network.vertices[river.vertex_range()];
             let is_gentle = own.iter().all(|vertex| vertex.mobility * SELDOM as f32 <= 1.0);
-            let times = match (is_gentle, (self.round + number) % SELDOM) {
+            let times = match (is_gentle, (self.round / ROUNDS_A_SURVEY + number) % SELDOM) {
                 (false, _) => 1.0,
                 (true, 0) => SELDOM as f32,
                 (true, _) => continue,
@@ -284,30 +320,31 @@ impl Meander {
         tributary.parent == river && tributary.end - i <= near && tributary.junction.abs_diff(j) <= near
     }
 
-    /// Eases bends that are too sharp for their rivers, most of all before the first round and after the last.
-    fn ease_bends(&mut self, downstream: &[u32], clearance: &mut [f32], drift: f32) {
-        const PASSES: u32 = 1;
+    /// Eases bends that are too sharp for their rivers, most of all at first and after the last round.
+    fn ease_bends(&mut self, survey: &mut Survey) {
+        const PASSES: u32 = ROUNDS_A_SURVEY;
         const MOST_PASSES: u32 = 32;
-        let is_end = self.round == 1 || self.round == self.settings.rounds;
+        let is_end = self.round <= ROUNDS_A_SURVEY || self.round == self.settings.rounds;
         let (settings, guard) = (&self.settings, &self.guard);
+        let Survey { downstream, clearance, drift, .. } = survey;
         let network = Arc::make_mut(&mut self.network);
-        fair::Fairing { network, downstream, guard, settings, clearance, drift }.ease(if is_end {
+        fair::Fairing { network, downstream, guard, settings, clearance, drift: *drift }.ease(if is_end {
             MOST_PASSES
         } else {
             PASSES
         });
     }
 
-    /// Lets bends move. Returns how far any vertex has.
-    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], step_scale: &[f32]) -> f32 {
-        let mut farthest = 0.0;
+    /// Lets bends move. Returns how far each vertex has.
+    fn move_bends(&mut self, survey: &Survey) -> Vec<f32> {
         let moves = match self.settings.model {
-            MeanderModel::Flow => flow::moves(&self.network, step_scale, &self.settings),
-            _ => bend::moves(&self.network, step_scale, &self.settings),
+            MeanderModel::Flow => flow::moves(&self.network, &survey.step_scale, &self.settings),
+            _ => bend::moves(&self.network, &survey.step_scale, &self.settings),
         };
-        let limits = limits(clearance, downstream);
+        let mut moved = limits(&survey.clearance, &survey.downstream);
         let NetworkSettings { domain, land, .. } = &self.settings;
-        for ((vertex, way), limit) in Arc::make_mut(&mut self.network).vertices.iter_mut().zip(moves).zip(limits) {
+        for ((vertex, way), moved) in Arc::make_mut(&mut self.network).vertices.iter_mut().zip(moves).zip(&mut moved) {
+            let limit = std::mem::take(moved);
             if way == Vec2::ZERO {
                 continue;
             }
@@ -319,13 +356,25 @@ impl Meander {
                 vertex.mobility = 0.0;
                 self.has_stopped = true;
             } else if has_room(land.as_deref(), vertex.at, 2.0 * step) {
-                farthest = fast_max(farthest, fast_min(far, limit));
+                *moved = fast_min(far, limit);
                 vertex.at = to;
             } else {
                 vertex.mobility = 0.0;
             }
         }
-        farthest
+        moved
+    }
+}
+
+impl Survey {
+    /// Takes what moves may have used up off the clearance: those of a segment's own ends, and of others' the most that they may make of
+    /// the distance between them.
+    fn use_up(&mut self, moved: &[f32]) {
+        for (i, clearance) in self.clearance.iter_mut().enumerate() {
+            let lower = moved.get(self.downstream[i] as usize).copied().unwrap_or_default();
+            let others = fast_min(*clearance * SHARE_OF_CLEARANCE, self.drift);
+            *clearance = fast_max(*clearance - fast_max(moved[i], lower) - others, 0.0);
+        }
     }
 }
 
@@ -383,7 +432,7 @@ mod tests {
         let line = sine_generated(0.3, 44.0, 8, 44);
         let mut meander = Meander::of(
             river(&line, 4.0),
-            NetworkSettings { model, rounds, strength: 0.6, oxbow_life: f32::INFINITY, ..settings() },
+            NetworkSettings { model, rounds, strength: 0.6, neck: 4.0, oxbow_life: f32::INFINITY, ..settings() },
         );
         while meander.round() {}
         assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
@@ -436,7 +485,7 @@ mod tests {
         let mut meander = Meander::of(network, settings());
         let mut moves = Vec::new();
         for round in 0..3 {
-            meander.round = round;
+            meander.round = round * ROUNDS_A_SURVEY;
             let step_scale = meander.step_scale();
             let rivers = &meander.network().rivers;
             moves.push(rivers.iter().map(|river| step_scale[river.end as usize - 1]).collect::<Vec<f32>>());
