@@ -6,6 +6,7 @@ use glam::{Mat2, Vec2, Vec2Swizzles};
 use super::CoastDistance;
 use crate::base::geometry::length;
 use crate::base::random::{Purpose, Seed};
+use crate::base::trigonometry::sine_and_cosine;
 use crate::domain::Domain;
 use crate::recipe::{LandKind, NumberKey, Recipe, Sides};
 
@@ -101,7 +102,7 @@ impl<'a> Form<'a> {
         let (size, span) = (shape.domain.size, shape.span());
         // There is most room near a diagonal.
         let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0));
-        let (sin, cos) = libm::sincosf(if chance(0, 1) < 0.5 { -tilt } else { tilt });
+        let (sin, cos) = sine_and_cosine(if chance(0, 1) < 0.5 { -tilt } else { tilt });
         let grain = Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos));
         let peak = |number: u32, far: f32, height: f32| {
             let off = Vec2::new(chance(1, number), chance(2, number)) - 0.5;

@@ -48,14 +48,13 @@ fn shares(course: &[&Vertex], own: usize, is_tributary: bool, courses: CourseSha
     }
     let mut shares: Vec<f32> = vec![1.0; own];
     for _ in 0..TRIES {
-        let mut places = Banks::along(&scaled(course, &shares, is_tributary), courses).meetings();
+        let places = Banks::along(&scaled(course, &shares, is_tributary), courses).meetings();
         if places.is_empty() {
             break;
         }
-        places.sort_unstable();
-        places.dedup();
-        for place in places {
-            let place = (place as usize).min(own - 1);
+        let mut meets = vec![false; own];
+        places.iter().for_each(|&place| meets[(place as usize).min(own - 1)] = true);
+        for place in (0..own).filter(|&place| meets[place]) {
             shares[place.saturating_sub(1)..(place + 2).min(own)].iter_mut().for_each(|share| *share *= LESS);
         }
         flare(&mut shares, &line);

@@ -9,6 +9,7 @@ use glam::Vec2;
 
 use crate::base::geometry::{direction, distance};
 use crate::base::random::{Purpose, Seed};
+use crate::base::trigonometry::sine_and_cosine;
 use crate::network::{Network, PastCourse, PastCourses, Place};
 
 /// The flood plains of great rivers with their old scars.
@@ -143,8 +144,9 @@ fn arc(angle: f32, points: u8) -> Vec<[f32; 2]> {
     let mut at = Vec2::ZERO;
     let mut line = vec![at];
     for i in 0..points {
-        let heading = angle * libm::cosf(std::f32::consts::PI * (f32::from(i) + 0.5) / f32::from(points));
-        at += Vec2::new(libm::cosf(heading), libm::sinf(heading));
+        let (_, turned) = sine_and_cosine(std::f32::consts::PI * (f32::from(i) + 0.5) / f32::from(points));
+        let (sine, cosine) = sine_and_cosine(angle * turned);
+        at += Vec2::new(cosine, sine);
         line.push(at);
     }
     line.pop();

@@ -1,5 +1,6 @@
 //! Presets: named sets of values. A preset is not a parameter: a link that names one is written without it.
 
+use super::choice::Style;
 use super::key::Key;
 
 /// A named set of values. Parameters that it leaves out keep their defaults.
@@ -14,6 +15,8 @@ pub struct Preset {
     pub help: &'static str,
     /// Keys, each with its value as text.
     pub values: &'static [(Key, &'static str)],
+    /// The style that is best on such a map, if it needs one: beside that style the page offers this country.
+    pub style: Option<Style>,
 }
 
 /// The values of a pattern from the paper, from its momentum, curl, stretch and trim. They cover everything that shapes
@@ -47,36 +50,42 @@ pub static PRESETS: &[Preset] = &explained([
         label: "Original",
         help: "Space colonization as it is, with all its short side branches. Suits veins and roots.",
         values: &pattern("0", "0", "8", "0"),
+        style: None,
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag. Suits restless rivers.",
         values: &pattern("0.45", "0", "8", "0"),
+        style: None,
     },
     Preset {
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled country.",
         values: &pattern("0", "0.9", "7", "0"),
+        style: None,
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
         help: "The plain procedure without its short side branches. Suits calm, schematic maps.",
         values: &pattern("0", "0", "8", "29"),
+        style: None,
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches. Suits rugged country.",
         values: &pattern("0.45", "0", "8", "29"),
+        style: None,
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones. Suits natural maps.",
         values: &pattern("0", "0.9", "7", "29"),
+        style: None,
     },
 ]);
 
@@ -121,42 +130,49 @@ pub static COUNTRIES: &[Preset] = &[
         label: "Island",
         help: "One island with bays and islets, all its rivers on their way to the sea.",
         values: &country(["1.6", "island", "0.55", "1", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "18"]),
+        style: None,
     },
     Preset {
         name: "archipelago",
         label: "Archipelago",
         help: "Many islands, each with rivers of its own.",
         values: &country(["1.6", "archipelago", "0.65", "1", "s"], ["drainage", "26000", "16", "5"], ["0", "14", "18"]),
+        style: None,
     },
     Preset {
         name: "coast",
         label: "Coast",
         help: "Land with the sea to the south and west.",
         values: &country(["1.6", "continent", "0.4", "0.9", "sw"], ["drainage", "20000", "16", "6"], ["0", "18", "30"]),
+        style: None,
     },
     Preset {
         name: "great-valley",
         label: "Great valley",
         help: "A broad valley between two ridges, and one great river.",
         values: &country(["1.3", "valley", "0.15", "0.7", "s"], ["drainage", "18000", "16", "8"], ["0", "20", "40"]),
+        style: None,
     },
     Preset {
         name: "lakeland",
         label: "Lakeland",
         help: "A lake in the middle, and rivers that run inward.",
         values: &country(["1.3", "basin", "0.25", "1", "s"], ["drainage", "18000", "16", "6"], ["0", "16", "24"]),
+        style: None,
     },
     Preset {
         name: "banner",
         label: "Banner",
         help: "A coast three times as wide as it is high, for the head of a page.",
         values: &country(["3", "continent", "0.35", "0.8", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "24"]),
+        style: None,
     },
     Preset {
         name: "poster",
         label: "Poster",
         help: "An island on end, for a wall or a phone.",
         values: &country(["0.7", "island", "0.5", "1", "s"], ["drainage", "30000", "16", "5"], ["0", "16", "24"]),
+        style: None,
     },
     Preset {
         name: "old-river",
@@ -168,12 +184,14 @@ pub static COUNTRIES: &[Preset] = &[
             ["0", "26", "120"],
             ["5", "0.6", "2.5", "1"],
         ),
+        style: Some(Style::PastCourses),
     },
     Preset {
         name: "marsh",
         label: "Marsh",
         help: "A Brownian tree: streams that wander everywhere.",
         values: &country(["1.6", "island", "0.45", "0.6", "s"], ["brownian", "20000", "11", "6"], ["0", "18", "18"]),
+        style: None,
     },
     Preset {
         name: "desert",
@@ -184,18 +202,21 @@ pub static COUNTRIES: &[Preset] = &[
             ["drainage", "12000", "16", "40"],
             ["0", "12", "40"],
         ),
+        style: None,
     },
     Preset {
         name: "rainforest",
         label: "Rainforest",
         help: "Water everywhere: the finest network.",
         values: &country(["1.6", "continent", "0.3", "0.8", "e"], ["drainage", "60000", "16", "3"], ["0", "24", "40"]),
+        style: None,
     },
     Preset {
         name: "skerries",
         label: "Skerries",
         help: "More sea than land: islets and rocks with short streams.",
         values: &country(["1.6", "archipelago", "0.8", "1", "s"], ["drainage", "30000", "16", "4"], ["0", "10", "12"]),
+        style: None,
     },
 ];
 
@@ -225,5 +246,11 @@ mod tests {
                 assert!(key.parameter().parse(text).is_ok(), "{}: {key:?}", preset.name);
             }
         }
+    }
+
+    #[test]
+    fn a_style_is_best_on_one_country_at_most() {
+        let best: Vec<_> = COUNTRIES.iter().filter_map(|country| Some((country.style?, country.name))).collect();
+        assert_eq!(best, [(Style::PastCourses, "old-river")]);
     }
 }

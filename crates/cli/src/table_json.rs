@@ -73,7 +73,12 @@ fn choice(value: &str, label: &str) -> Value {
 fn preset(preset: &Preset) -> Value {
     let values =
         preset.values.iter().map(|&(key, text)| json!([key.parameter().name, canonical(key.parameter(), text)]));
-    json!({ "name": preset.name, "label": preset.label, "help": preset.help, "values": values.collect::<Vec<_>>() })
+    let values: Vec<Value> = values.collect();
+    let mut data = json!({ "name": preset.name, "label": preset.label, "help": preset.help, "values": values });
+    if let Some(style) = preset.style {
+        data["style"] = style.word().name.into();
+    }
+    data
 }
 
 /// A value in the spelling that links use.

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use crate::base::random::{ItemHash, Purpose};
+use crate::base::trigonometry::sine_and_cosine;
 use crate::grow::GrowthSettings;
 
 /// Returns the position of a node's child.
@@ -73,28 +74,6 @@ fn with_curl(settings: &GrowthSettings, direction: Vec2, clockwise: bool, identi
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
 }
 
-/// The sine and cosine of an angle up to two radians, by power series, as exactly as numbers allow. A general function
-/// carries a table of π's digits, a hundredth of the page's module.
-fn sine_and_cosine(angle: f32) -> (f32, f32) {
-    /// The reciprocals of the factorials of 1, 3, 5 … and of 0, 2, 4 …, with alternating signs.
-    const SINE: [f64; 12] = series(1);
-    const COSINE: [f64; 12] = series(0);
-    let (angle, squared) = (f64::from(angle), f64::from(angle) * f64::from(angle));
-    let sum = |series: &[f64; 12]| series.iter().rev().fold(0.0, |sum, factor| sum * squared + factor);
-    ((angle * sum(&SINE)) as f32, sum(&COSINE) as f32)
-}
-
-const fn series(first: u32) -> [f64; 12] {
-    let (mut factors, mut i, mut factor) = ([0.0; 12], 0, 1.0);
-    while i < 12 {
-        factors[i] = factor;
-        let next = first + 2 * i as u32;
-        factor /= -(((next + 1) * (next + 2)) as f64);
-        i += 1;
-    }
-    factors
-}
-
 fn curl_hash(settings: &GrowthSettings) -> ItemHash {
     settings.seed.item_hash(Purpose::Curl)
 }
@@ -120,15 +99,6 @@ mod tests {
     #[test]
     fn plain_growth_follows_the_pull() {
         assert!((turn(&settings("curl=0"), 0.5, 3) - 0.5).abs() < 1e-5);
-    }
-
-    #[test]
-    fn sine_and_cosine_are_right_for_every_curl() {
-        for i in 0..=3141 {
-            let angle = i as f32 / 1000.0;
-            let (sine, cosine) = sine_and_cosine(angle);
-            assert!((sine - libm::sinf(angle)).abs() < 2e-7 && (cosine - libm::cosf(angle)).abs() < 2e-7, "{angle}");
-        }
     }
 
     #[test]

@@ -10,6 +10,7 @@ use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
 use crate::base::geometry::{distance, fast_max};
+use crate::base::sort::argsort;
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +52,10 @@ pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSe
     };
     let cut = |pair: &NearbyPair| nearest_ends(network, river_of[pair.first as usize], pair.first, pair.second);
     let mut necks: Vec<Cut> = near.iter().filter(is_cut).filter_map(cut).collect();
-    necks.sort_by_key(|cut| (cut.river, u32::MAX - (cut.below - cut.above), cut.above));
+    // By their rivers, those of one river by their lengths, the longest first, and those of one length from the source on.
+    for key in [|cut: &Cut| cut.above, |cut: &Cut| u32::MAX - (cut.below - cut.above), |cut: &Cut| cut.river] {
+        necks = argsort(necks.iter().map(key)).into_iter().map(|i| necks[i]).collect();
+    }
     let mut longest: Vec<Cut> = Vec::new();
     for cut in necks {
         let meets = |other: &&Cut| cut.above <= other.below && other.above <= cut.below;

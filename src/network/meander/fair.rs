@@ -61,8 +61,11 @@ impl Fairing<'_> {
 
     /// Leads tributaries straight to their junctions that run past them and come back.
     fn straighten_ends(&mut self, plan: &Plan) {
-        for (&junction, &last) in plan.junctions.iter().zip(&plan.arms) {
-            let own = self.network.rivers[plan.river_of[last as usize] as usize];
+        for own in self.network.rivers.clone() {
+            if own.junction == NONE || own.end <= own.start {
+                continue;
+            }
+            let (junction, last) = (own.junction, own.end - 1);
             let at = self.network.vertices[junction as usize].at;
             let parent = self.network.rivers[plan.river_of[junction as usize] as usize];
             let is_end = junction == parent.start || self.downstream[junction as usize] == NONE;
@@ -122,7 +125,7 @@ impl Fairing<'_> {
         if !keeps_off_frame(&self.settings.domain, &vertex, to) {
             return false;
         }
-        let arms: Vec<Arm> = plan.arms(i).iter().map(|&last| self.arm(last, to, &vertex, plan)).collect();
+        let arms: Vec<Arm> = plan.arms(i).map(|last| self.arm(last, to, &vertex, plan)).collect();
         let ends = [(i - 1, i - 1), (i, self.downstream[i as usize])];
         let mut moved = Moved { i, to, arms: &arms, gaps: Vec::with_capacity(32) };
         let are_free = ends.into_iter().chain(arms.iter().map(|arm| (arm.last, arm.first))).all(|(segment, end)| {
@@ -285,25 +288,28 @@ impl Side {
 struct Plan {
     river_of: Vec<u32>,
     is_junction: Vec<bool>,
-    /// Junctions, each with the last vertex of a tributary.
+    /// For each vertex, the last vertex of a tributary that ends there; and for each last vertex, that of the next such tributary.
     arms: Vec<u32>,
-    junctions: Vec<u32>,
+    next: Vec<u32>,
 }
 
 impl Plan {
     fn of(network: &Network) -> Self {
-        let joins = network.rivers.iter().filter(|river| river.junction != NONE && river.end > river.start);
-        let mut arms: Vec<(u32, u32)> = joins.map(|river| (river.junction, river.end - 1)).collect();
-        arms.sort_unstable();
-        let (junctions, arms) = arms.into_iter().unzip();
-        Self { river_of: river_of(network), is_junction: network.junctions(), arms, junctions }
+        let none = vec![NONE; network.vertices.len()];
+        let mut plan =
+            Self { river_of: river_of(network), is_junction: network.junctions(), arms: none.clone(), next: none };
+        // The first of them comes first.
+        for river in network.rivers.iter().rev().filter(|river| river.junction != NONE && river.end > river.start) {
+            let last = river.end - 1;
+            plan.next[last as usize] = std::mem::replace(&mut plan.arms[river.junction as usize], last);
+        }
+        plan
     }
 
     /// The last vertices of the rivers that end in a vertex.
-    fn arms(&self, junction: u32) -> &[u32] {
-        let from = self.junctions.partition_point(|&at| at < junction);
-        let count = self.junctions[from..].partition_point(|&at| at == junction);
-        &self.arms[from..from + count]
+    fn arms(&self, junction: u32) -> impl Iterator<Item = u32> {
+        let some = |i: u32| (i != NONE).then_some(i);
+        std::iter::successors(some(self.arms[junction as usize]), move |&last| some(self.next[last as usize]))
     }
 }
 

@@ -31,6 +31,8 @@ export interface Preset {
   readonly label: string;
   readonly help: string;
   readonly values: readonly (readonly [key: string, value: string])[];
+  /** The style that is best on such a map, if it needs one. */
+  readonly style?: string;
 }
 
 export interface Table {

@@ -1,6 +1,11 @@
-import { expect, test } from "@playwright/test";
+import { expect, type Locator, type Page, test } from "@playwright/test";
+import { engine } from "../core.ts";
 import { table } from "../table.ts";
-import { complaints, openFinished, openPanel } from "./riverpage.ts";
+import { violations } from "./axe.ts";
+import { address, complaints, expectAddress, finished, openFinished, openPanel, openWithPanel } from "./riverpage.ts";
+
+/** A map that somebody has made, unlike any country of the page. */
+const MADE = "seed=rimu&land=island&attractors=300&meander-rounds=4";
 
 test("every kind of country has a picture on its button, which is not fetched before the panel opens", async ({
   page,
@@ -37,4 +42,61 @@ test("on phones the kinds of country stand in one row, and what follows is in si
     .evaluateAll((all) => all.map((one) => (one as HTMLElement).offsetTop));
   expect(new Set(tops).size).toBe(1);
   await expect(page.locator("[data-key=sea]").first()).toBeInViewport();
+});
+
+/** The button of a style on the strip, and the country that goes with it. */
+function onStrip(page: Page, name: string): Locator {
+  return page.getByRole("region", { name: "Style" }).getByRole("button", { name, exact: true });
+}
+
+/** Waits until the address is the one of a link. */
+function expectLink(page: Page, link: string): Promise<void> {
+  const wanted = new URLSearchParams(engine.readLink(link).sharedLink).toString();
+  return expect.poll(() => address(page).toString()).toBe(wanted);
+}
+
+test("a style leaves the map as it is, and offers the country it is best on: one step, which can be undone @core", async ({
+  page,
+}) => {
+  const country = table.countries.find(({ name }) => name === "old-river");
+  await openFinished(page, MADE);
+  const [style, best] = [onStrip(page, "Past courses"), onStrip(page, "Best on: Old river")];
+  await expect(best).toBeHidden();
+  await style.click();
+  await expectLink(page, `${MADE}&style=past-courses`);
+  await expect(best).toBeVisible();
+  await finished(page);
+  expect(await violations(page)).toEqual([]);
+  await best.click();
+  const values = new URLSearchParams(country?.values.map(([key, value]) => [key, value]));
+  await expectLink(page, `seed=rimu&style=past-courses&${values}`);
+  await expect(best).toBeHidden();
+  await expect(style).toBeFocused();
+  await finished(page);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await expectLink(page, `${MADE}&style=past-courses`);
+  await expect(best).toBeVisible();
+  await onStrip(page, "Atlas").click();
+  await expect(best).toBeHidden();
+});
+
+test("the country that a style offers leaves alone what is kept, and is not offered twice", async ({ page }) => {
+  await openWithPanel(page, `${MADE}&style=past-courses`);
+  await page.getByRole("button", { name: "Keep all of Land", exact: true }).click();
+  const best = onStrip(page, "Best on: Old river");
+  await best.click();
+  await expectAddress(page, "attractors", "5000");
+  await expectAddress(page, "land", "island");
+  await expect(best).toBeHidden();
+});
+
+test("on a phone the country that a style offers comes into sight beside it", async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await openFinished(page, MADE);
+  const [style, best] = [onStrip(page, "Past courses"), onStrip(page, "Best on: Old river")];
+  // At the end of the row, so that what comes after it is out of sight.
+  await style.evaluate((button) => button.scrollIntoView({ inline: "end" }));
+  await style.click();
+  await expect(best).toBeInViewport({ ratio: 1 });
+  await expect(style).toBeInViewport({ ratio: 1 });
 });

@@ -5,7 +5,7 @@ import { type Controls, controls } from "../../../controls/controls.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
 import { LandChoice } from "../../../controls/land-choice.ts";
 import { Padlocks } from "../../../controls/padlocks.ts";
-import { PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
+import { isShown, PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
 import { SeedBox } from "../../../controls/seed.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import type { SteerCore } from "../../../engine/steer.ts";
@@ -59,7 +59,7 @@ export class Choices {
     this.#countries = new PresetButtons(
       "Countries",
       table.countries,
-      (country) => events.set(this.unkept(country), "watch"),
+      (country) => this.#goToCountry(country),
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
     );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
@@ -67,7 +67,10 @@ export class Choices {
     );
     describeSeed(parameter("seed"));
     this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
-    this.strip = new StyleStrip(elements.styles, parameter("style"), (style) => choose([["style", style]]));
+    this.strip = new StyleStrip(elements.styles, parameter("style"), table.countries, {
+      style: (style) => choose([["style", style]]),
+      country: (country) => this.#goToCountry(country),
+    });
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.controls.replaceChildren(this.#controls.element);
     elements.countries.replaceChildren(this.#countries.element);
@@ -90,7 +93,7 @@ export class Choices {
 
   show({ values, idle, defaults, seed }: Recipe): void {
     this.#trail.show(seed);
-    this.strip.show(values.get("style") ?? "");
+    this.strip.show(values.get("style") ?? "", (country) => this.#changesNothing(country, values));
     this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
     this.#countries.show(values);
@@ -112,6 +115,16 @@ export class Choices {
   #choose(values: Values): void {
     this.events.set(values, "settle");
     if (values.some(([key, text]) => key === "land" && text === "drawn")) this.events.draw();
+  }
+
+  /** Takes the map of a country, all but its seed, its style and what is kept. */
+  #goToCountry(country: Preset): void {
+    this.events.set(this.unkept(country), "watch");
+  }
+
+  /** Returns whether a country is on show already, as far as its values are not kept. */
+  #changesNothing(country: Preset, shown: ReadonlyMap<string, string>): boolean {
+    return isShown({ ...country, values: this.unkept(country) }, shown);
   }
 
   #throwDice(): void {

@@ -1,7 +1,10 @@
-/** The strip of styles: a thumbnail of the map on show in each style. */
+/**
+ * The strip of styles: a thumbnail of the map on show in each style. Choosing a style never changes the map: a style
+ * that needs a country of its own has a button after it, which goes there.
+ */
 
 import { el } from "../../../browser/dom.ts";
-import type { Parameter } from "../../../engine/table.ts";
+import type { Parameter, Preset } from "../../../engine/table.ts";
 import type { Thumbnail } from "../../../player/thumbnails.ts";
 
 /** The size of a thumbnail in CSS pixels. */
@@ -16,8 +19,15 @@ export type MakeThumbnails = (
   size: { width: number; height: number },
 ) => Promise<readonly Thumbnail[]>;
 
+interface Choose {
+  style(style: string): void;
+  country(country: Preset): void;
+}
+
 export class StyleStrip {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; canvas: HTMLCanvasElement }>();
+  /** The buttons of countries, each after the button of the style that is best there. */
+  readonly #best: { country: Preset; button: HTMLButtonElement }[];
   /** The link, without a style, of the map in the thumbnails. */
   #map: string | undefined;
   readonly #ratio = Math.min(2, Math.max(1, Math.ceil(window.devicePixelRatio)));
@@ -25,7 +35,8 @@ export class StyleStrip {
   constructor(
     private readonly place: HTMLElement,
     style: Parameter | undefined,
-    choose: (style: string) => void,
+    countries: readonly Preset[],
+    private readonly choose: Choose,
   ) {
     const choices = style?.choices ?? [];
     const rank = (value: string): number => (FIRST.indexOf(value) + FIRST.length + 1) % (FIRST.length + 1);
@@ -38,12 +49,13 @@ export class StyleStrip {
         canvas,
         el("span", {}, nameOf(value)),
       );
-      button.addEventListener("click", () => choose(value));
+      button.addEventListener("click", () => this.#choose(value));
       // Browsers do not scroll to an element that is partly visible.
       button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
       this.#buttons.set(value, { button, canvas });
       place.append(button);
     }
+    this.#best = countries.filter(({ style }) => style !== undefined).map((country) => this.#makeBest(country));
   }
 
   /** Makes thumbnails of a finished map, unless only its style has changed since the last ones. */
@@ -65,8 +77,29 @@ export class StyleStrip {
     return { width: SIZE.width * this.#ratio, height: SIZE.height * this.#ratio };
   }
 
-  show(style: string): void {
+  /** Shows which style is chosen, and offers the country that it is best on unless that would change nothing. */
+  show(style: string, changesNothing: (country: Preset) => boolean): void {
     for (const [value, { button }] of this.#buttons) button.setAttribute("aria-pressed", String(value === style));
+    for (const { country, button } of this.#best) button.hidden = country.style !== style || changesNothing(country);
+  }
+
+  #choose(style: string): void {
+    this.choose.style(style);
+    // Where the strip is short, the country that has come up after its style may be out of sight.
+    for (const { button } of this.#best) button.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }
+
+  #makeBest(country: Preset): { country: Preset; button: HTMLButtonElement } {
+    const attributes = { type: "button", class: "quiet", title: country.help, hidden: true };
+    const button = el("button", attributes, `Best on: ${country.label}`);
+    const style = this.#buttons.get(country.style ?? "")?.button;
+    style?.after(button);
+    button.addEventListener("click", () => {
+      this.choose.country(country);
+      // The button is gone now: the focus goes back to the style.
+      style?.focus();
+    });
+    return { country, button };
   }
 
   #draw({ style, width, height, pixels }: Thumbnail): void {
