@@ -15,14 +15,18 @@ const STATES = {
 const READABLE = 4.5;
 const VISIBLE = 2;
 
+/** Until the session is detached. If a button leaves the page meanwhile, all are sought again. */
 async function force(page: Page, states: string[]): Promise<CDPSession> {
   const session = await page.context().newCDPSession(page);
   await session.send("DOM.enable");
   await session.send("CSS.enable");
   const { root } = await session.send("DOM.getDocument", { depth: 0 });
-  const { nodeIds } = await session.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector: "button" });
-  const forced = nodeIds.map((nodeId) => session.send("CSS.forcePseudoState", { nodeId, forcedPseudoClasses: states }));
-  await Promise.all(forced);
+  await expect(async () => {
+    const { nodeIds } = await session.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector: "button" });
+    await Promise.all(
+      nodeIds.map((nodeId) => session.send("CSS.forcePseudoState", { nodeId, forcedPseudoClasses: states })),
+    );
+  }).toPass();
   return session;
 }
 
