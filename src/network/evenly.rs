@@ -15,13 +15,15 @@ pub(super) fn divide(network: &Network, settings: &NetworkSettings) -> (Network,
     for river in &mut divided.rivers {
         let own = river.vertex_range();
         river.start = divided.vertices.len() as u32;
-        for i in own {
+        for i in own.clone() {
             place[i] = divided.vertices.len() as u32;
             divided.vertices.push(network.vertices[i]);
             origin.push((i as u32, 0.0));
             let Some(next) = network.vertices.get(downstream[i] as usize) else { continue };
             let step = settings.step(2.0 * settings.half_width(network.vertices[i].discharge));
-            let pieces = pieces(distance(network.vertices[i].at, next.at), step);
+            // A river that is its source alone would have no width anywhere.
+            let least = if own.len() == 1 { 2 } else { 1 };
+            let pieces = pieces(distance(network.vertices[i].at, next.at), step).max(least);
             for piece in 1..pieces {
                 let share = piece as f32 / pieces as f32;
                 divided.vertices.push(between(&network.vertices[i], next, share));

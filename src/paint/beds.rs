@@ -64,10 +64,8 @@ impl Beds {
     /// Half the width of a bed at a place of its river, including a line beside it, in units. Beside a brook the line
     /// is thinner.
     pub fn half(place: &Place, line: f32) -> f32 {
-        // Beds are drawn wider than their rivers, so that the picture shows fewer bands, but whole ones.
-        const WIDER: f32 = 1.25;
         const WIDE: f32 = 5.0;
-        place.half * WIDER + line * (place.half / WIDE).min(1.0)
+        place.half + line * (place.half / WIDE).min(1.0)
     }
 
     /// The colour of a band.
