@@ -379,7 +379,7 @@ fn pack_holds_every_file() {
 fn rivers_that_a_cutoff_gave_to_another_fall_into_it() {
     let session = finished(
         "seed=f&growth=colonize&valleys=0&land=rectangle&aspect=0.25&mouths=3&sides=n&attractors=1233&kill=0.5&step=0.2\
-         &momentum=0&trim=0&width=3&simplify=0&bank-variation=0&meander-rounds=90&meander-strength=1\
+         &momentum=0&trim=0&width=3&simplify=0&bank-variation=0&meander-rounds=150&meander-strength=1\
          &meander-mix=1&meander-elsewhere=0&great-rivers=9&flat-share=0.9&neck=4&clearance=0&taper=1",
     );
     let rivers = &session.network().unwrap().rivers;

@@ -34,7 +34,7 @@ const recipes = [
 ].map((link) => merged(COARSE, link));
 
 /** What these do depends on whether anywhere two lines come near each other. */
-const BY_CHANCE = ["neck", "clearance"];
+const BY_CHANCE = ["neck", "oxbows", "clearance"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
   if (link.includes("meander-rounds=0")) return [...BY_CHANCE, "meander"];
