@@ -1,6 +1,6 @@
 //! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
 //!
-//! A survey measures how near lines come to each other, and necks are cut. Then bends move for [`ROUNDS_A_SURVEY`] rounds by one of two
+//! A survey measures how near lines come to each other, and necks are cut. Then bends move for `ROUNDS_A_SURVEY` rounds by one of two
 //! models (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far as the survey allows; sharp
 //! bends are eased (`fair.rs`), and vertices spaced evenly again. Those that come too near another river stay where they are from then
 //! on.

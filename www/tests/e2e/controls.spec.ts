@@ -54,10 +54,10 @@ const CONTEXTS = [
 ];
 
 /** Many rivers that meander for long: here they come near each other. */
-const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=88&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1`;
+const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=60&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1`;
 
 function contextOf(key: string): string {
-  if (key === "neck" || key === "clearance") return CLOSE;
+  if (["neck", "oxbows", "clearance"].includes(key)) return CLOSE;
   if (key === "mouth-spacing") return MANY;
   if (key === "growth" || key === "great-rivers") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
