@@ -14,6 +14,7 @@ use super::super::smooth::LEAST_CLEARANCE;
 use super::super::{NONE, Network, River, Vertex};
 use super::{keeps_off_frame, river_of};
 use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
+use crate::base::work;
 
 /// The least radius of a wide river's bends, in widths: that of the circle through points one width apart.
 const LEAST_RADIUS: f32 = 1.5;
@@ -23,6 +24,10 @@ const EASED_RADIUS: f32 = 2.0;
 
 /// What moves more freely than this is eased as if it were at least as wide as vertices are apart.
 const FULLY: f32 = 0.5;
+
+/// The most work of all passes in elementary steps, and what is added for each unit of the total discharge. Few maps need as much.
+const LEAST_WORK: u64 = 2_000_000;
+const WORK: u64 = 60;
 
 /// A shorter move than this share of a width is no reason for another pass.
 const STILL: f32 = 0.01;
@@ -40,8 +45,9 @@ pub(super) struct Fairing<'a> {
 }
 
 impl Fairing<'_> {
-    /// Eases bends in at most so many passes.
+    /// Eases bends in at most so many passes, and fewer where each takes long.
     pub fn ease(mut self, passes: u32) {
+        let end = work::steps() + LEAST_WORK + WORK * u64::from(self.settings.total_discharge);
         let plan = Plan::of(self.network);
         self.straighten_ends(&plan);
         let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
@@ -53,7 +59,7 @@ impl Fairing<'_> {
                 farthest > 0.0
             });
             self.drift += drift;
-            if restless.is_empty() {
+            if restless.is_empty() || work::steps() > end {
                 break;
             }
         }
