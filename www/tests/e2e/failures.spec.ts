@@ -53,6 +53,7 @@ for (const [what, files] of [
     // It never loads itself again: a site that stays so would be asked for ever.
     expect(loads).toBe(1);
     await page.getByRole("button", { name: "Load again" }).click();
+    await expect.poll(() => loads).toBe(2);
     await expect(page.getByRole("alert")).toContainText("This site has just changed");
     expect(loads).toBe(2);
     await page.unroute(files);
