@@ -86,13 +86,15 @@ fn the_line_of_the_coast_is_open_across_a_river_in_all_styles() {
 }
 
 #[test]
-fn a_river_keeps_its_colour_up_to_its_mouth_and_nothing_of_it_runs_into_the_sea() {
+fn a_river_turns_into_the_sea_within_its_mouth() {
     for style in ["ink", "atlas", "night", "blueprint", "parchment"] {
         let session = finished(&format!("{LINK}&style={style}"));
         let (at, seaward, width) = widest_mouth(&session);
         let close = Close::of(&session, at);
-        let [river, mouth, sea] = [-3.0 * width, -0.2 * width, OFFSHORE].map(|way| close.pixel(at + seaward * way));
+        let [river, above, mouth, sea] =
+            [-3.0 * width, -2.4 * width, -0.2 * width, OFFSHORE].map(|way| close.pixel(at + seaward * way));
         assert!(apart(mouth, sea) * 8 < apart(river, sea), "{style}: {river:?}, {mouth:?}, {sea:?}");
+        assert!(apart(above, river) * 8 < apart(river, sea), "{style}: {river:?}, {above:?}, {sea:?}");
     }
 }
 

@@ -32,7 +32,7 @@ impl Banks {
             Width::Own { share, more } => widened(network.middle(river), share, more),
             Width::Even { half } => network.course(river).map(|vertex| Place { at: vertex.at, half }).collect(),
         };
-        Self::of_line(line, courses)
+        Self::of_line(&line, courses)
     }
 
     /// Makes the banks along a line that is as wide at its beginning as its places say.

@@ -24,27 +24,30 @@ impl Banks {
     pub(crate) fn along(line: &[Place], courses: CourseShape) -> Self {
         let mut banks = Self::default();
         for (i, &Place { at, half }) in line.iter().enumerate() {
-            banks.places.resize(banks.left.len(), (i as u32).wrapping_sub(1));
+            let place = i as u32;
             let [before, after] = ways(line, i);
             let middle = (before + after) * 0.5;
             if courses == CourseShape::Grown && middle.length_squared() < SHARP {
-                banks.turn(at, before * half, after * half);
+                banks.turn(place, at, before * half, after * half);
             } else {
                 let aside = aside(middle) * half;
-                banks.push(at - aside, at + aside);
+                banks.push(place, at - aside, at + aside);
             }
         }
-        banks.places.resize(banks.left.len(), (line.len() as u32).wrapping_sub(1));
         banks
     }
 
     /// Makes the banks along a line. At the first place, they meet.
-    pub(crate) fn of_line(mut line: Vec<Place>, courses: CourseShape) -> Self {
-        line.dedup_by_key(|place| place.at);
-        if let Some(source) = line.first_mut() {
+    pub(crate) fn of_line(line: &[Place], courses: CourseShape) -> Self {
+        let mut kept: Vec<u32> = (0..line.len() as u32).collect();
+        kept.dedup_by_key(|i| line[*i as usize].at);
+        let mut apart: Vec<Place> = kept.iter().map(|&i| line[i as usize]).collect();
+        if let Some(source) = apart.first_mut() {
             source.half = 0.0;
         }
-        Self::along(&line, courses)
+        let mut banks = Self::along(&apart, courses);
+        banks.places.iter_mut().for_each(|place| *place = kept[*place as usize]);
+        banks
     }
 
     /// The corners of the shape that both banks enclose: down the left one and up the right one, none twice in a row.
@@ -60,18 +63,19 @@ impl Banks {
     /// Adds a sharp corner between two ways, each as long as half the width. Both sides keep their width up to it, and
     /// the outer bank keeps its distance around it. The inner bank passes through the corner itself, so that there is
     /// no gap.
-    fn turn(&mut self, at: Vec2, before: Vec2, after: Vec2) {
+    fn turn(&mut self, place: u32, at: Vec2, before: Vec2, after: Vec2) {
         let tip = at + direction(before - after) * length(before);
-        self.push(at - before.perp(), at + before.perp());
+        self.push(place, at - before.perp(), at + before.perp());
         if before.perp_dot(after) > 0.0 {
-            self.push(tip, at);
+            self.push(place, tip, at);
         } else {
-            self.push(at, tip);
+            self.push(place, at, tip);
         }
-        self.push(at - after.perp(), at + after.perp());
+        self.push(place, at - after.perp(), at + after.perp());
     }
 
-    fn push(&mut self, left: Vec2, right: Vec2) {
+    fn push(&mut self, place: u32, left: Vec2, right: Vec2) {
+        self.places.push(place);
         self.left.push(left);
         self.right.push(right);
     }

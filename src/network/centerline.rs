@@ -25,9 +25,10 @@ impl Network {
         middle(&self.course(river).collect::<Vec<_>>(), river.junction != NONE)
     }
 
-    /// The banks of a river, from its source to its end: together they are a valid polygon, however the river bends.
+    /// The banks of a river, from its source to its end. Where courses are smooth and the network is as it is drawn, both together are a
+    /// valid polygon.
     pub fn banks(&self, river: &River, courses: CourseShape) -> Banks {
-        Banks::of_line(self.middle(river), courses)
+        Banks::of_line(&self.middle(river), courses)
     }
 }
 

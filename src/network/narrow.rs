@@ -9,7 +9,8 @@ use glam::Vec2;
 
 use super::centerline::middle;
 use super::{Banks, NONE, Network, Place, Vertex};
-use crate::base::geometry::{distance, fast_max, fast_min, length, meet};
+use crate::base::geometry::{distance, doubled_area, fast_max, fast_min, length, meet};
+use crate::base::work;
 use crate::recipe::CourseShape;
 
 /// How fast half of the width changes along a river that has given way, at most.
@@ -25,37 +26,41 @@ const STRAIGHT: f32 = 0.98;
 const LESS: f32 = 0.85;
 const TRIES: u32 = 96;
 
-/// Returns the network with all rivers as narrow as they need be for banks that do not meet; `None` if they all are.
-pub(super) fn narrowed(network: &Network, courses: CourseShape) -> Option<Network> {
-    let mut narrowed: Option<Network> = None;
+/// Returns the network with all rivers as narrow as they need be for banks that do not meet, in smooth courses; `None` if they all are.
+pub(super) fn narrowed(network: &Network) -> Option<Network> {
+    let mut drawn: Option<Network> = None;
     for river in &network.rivers {
         let course: Vec<&Vertex> = network.course(river).collect();
         let own = river.vertex_range().len();
-        let Some(shares) = shares(&course, own, river.junction != NONE, courses) else { continue };
-        let narrowed = narrowed.get_or_insert_with(|| network.clone());
-        for (vertex, share) in narrowed.vertices[river.vertex_range()].iter_mut().zip(shares) {
+        let Some(shares) = shares(&course, own, river.junction != NONE) else { continue };
+        let drawn = drawn.get_or_insert_with(|| network.clone());
+        for (vertex, share) in drawn.vertices[river.vertex_range()].iter_mut().zip(shares) {
             (vertex.left, vertex.right) = (vertex.left * share, vertex.right * share);
         }
     }
-    narrowed
+    drawn
 }
 
 /// The share of its width that each own vertex of a course keeps; `None` if that is all of it.
-fn shares(course: &[&Vertex], own: usize, is_tributary: bool, courses: CourseShape) -> Option<Vec<f32>> {
+fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>> {
     let line = middle(course, is_tributary);
     if own < 2 || !is_in_doubt(&line) {
         return None;
     }
     let mut shares: Vec<f32> = vec![1.0; own];
     for _ in 0..TRIES {
-        let places = Banks::along(&scaled(course, &shares, is_tributary), courses).meetings();
+        let places = Banks::of_line(&scaled(course, &shares, is_tributary), CourseShape::Smooth).meetings();
         if places.is_empty() {
             break;
         }
-        let mut meets = vec![false; own];
-        places.iter().for_each(|&place| meets[(place as usize).min(own - 1)] = true);
-        for place in (0..own).filter(|&place| meets[place]) {
-            shares[place.saturating_sub(1)..(place + 2).min(own)].iter_mut().for_each(|share| *share *= LESS);
+        let mut gives_way = vec![false; own];
+        for place in places {
+            // Its neighbours, too; the junction belongs to the other river.
+            let place = (place as usize).min(own - 1);
+            gives_way[place.saturating_sub(1)..(place + 2).min(own)].fill(true);
+        }
+        for (share, _) in shares.iter_mut().zip(gives_way).filter(|(_, gives_way)| *gives_way) {
+            *share *= LESS;
         }
         flare(&mut shares, &line);
     }
@@ -83,10 +88,12 @@ fn is_in_doubt(line: &[Place]) -> bool {
         turn < 0.0 || three[1].half * MITRE > shorter && turn < STRAIGHT * length(before) * length(after)
     };
     let pieces: Vec<Piece> = line.windows(2).map(Piece::of).collect();
-    let runs = Runs::of(line.iter().map(|place| place.at));
+    let runs = Runs::of_sides(&line.windows(2).map(|ends| (ends[0].at, ends[1].at)).collect::<Vec<_>>());
+    let largest = |pieces: &[Piece]| pieces.iter().map(|piece| piece.radius).fold(0.0, fast_max);
+    let widest = largest(&pieces);
     let comes_near = |a: usize| {
         let own = Runs::range(a, pieces.len());
-        let reach = pieces[own.clone()].iter().map(|piece| 2.0 * piece.radius).fold(0.0, fast_max);
+        let reach = largest(&pieces[own.clone()]) + widest;
         let others = runs.near(a, reach).filter(|&b| b >= a).flat_map(|b| Runs::range(b, pieces.len()));
         others.into_iter().any(|j| own.clone().any(|i| j > i + 1 && pieces[i].may_meet(&pieces[j])))
     };
@@ -156,6 +163,7 @@ impl Runs {
     /// The runs that come as near to one as that, itself included.
     fn near(&self, run: usize, reach: f32) -> impl Iterator<Item = usize> + '_ {
         let [least, most] = self.0[run];
+        work::count(self.0.len());
         let is_near =
             move |other: &[Vec2; 2]| other[0].cmple(most + reach).all() && other[1].cmpge(least - reach).all();
         self.0.iter().enumerate().filter(move |(_, other)| is_near(other)).map(|(i, _)| i)
@@ -177,6 +185,7 @@ impl Banks {
         let mut meetings = Vec::new();
         for a in 0..runs.0.len() {
             for b in runs.near(a, 0.0).filter(|&b| b >= a) {
+                work::count(Runs::LENGTH * Runs::LENGTH);
                 for i in Runs::range(a, sides.len()) {
                     for j in Runs::range(b, sides.len()).filter(|&j| j > i && sides_meet(&sides, i, j)) {
                         meetings.extend([i, i + 1, j, j + 1].map(|corner| corners[corner].1));
@@ -191,9 +200,8 @@ impl Banks {
 /// Whether two sides of a closed ring meet elsewhere than in the corner of neighbours.
 fn sides_meet(sides: &[(Vec2, Vec2)], i: usize, j: usize) -> bool {
     let (a, b) = (sides[i], sides[j]);
-    let turns_back = |a: (Vec2, Vec2), b: (Vec2, Vec2)| {
-        (a.1 - a.0).dot(b.1 - b.0) < 0.0 && crate::base::geometry::doubled_area(a.0, a.1, b.1) == 0.0
-    };
+    let turns_back =
+        |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.1 - a.0).dot(b.1 - b.0) < 0.0 && doubled_area(a.0, a.1, b.1) == 0.0;
     if j == i + 1 {
         turns_back(a, b)
     } else if i == 0 && j + 1 == sides.len() {
@@ -210,7 +218,7 @@ mod tests {
 
     /// A river of a width along a line, as it is drawn; `None` if that is with all its width.
     fn drawn(line: &[Vec2], width: f32) -> Option<Network> {
-        narrowed(&river(line, width), CourseShape::Smooth)
+        narrowed(&river(line, width))
     }
 
     /// Two limbs so far apart, and a half circle between.

@@ -50,7 +50,7 @@ pub struct NetworkSettings {
     pub flat_share: f32,
     /// How near two limbs of a river come before it cuts through, in widths.
     pub neck: f32,
-    /// How many times as long as by default it takes silt to fill an oxbow lake: 0, and there are none; infinity, and it never does.
+    /// The time in which silt fills an oxbow lake, in times of the default: 0 leaves no lakes, infinity all of them.
     pub oxbow_life: f32,
     /// The least distance between the banks of two rivers, in units.
     pub min_clearance: f32,

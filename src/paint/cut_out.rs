@@ -43,8 +43,12 @@ pub(super) fn cut_out(
     for (i, pixel) in pixels.iter_mut().enumerate() {
         *pixel = cut(opaque_part(*pixel), land(i));
     }
-    for (&(i, _), pixel) in tongues.iter().zip(at_mouths) {
-        pixels[i as usize] = pixel;
+    for (&(i, _), cut) in tongues.iter().zip(at_mouths) {
+        let pixel = &mut pixels[i as usize];
+        // Where tongues lie over each other, there is as little land as in either.
+        if cut[3] <= pixel[3] {
+            *pixel = cut;
+        }
     }
     if is_of_lines {
         return;

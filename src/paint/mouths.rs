@@ -72,7 +72,7 @@ impl Tongue {
     }
 }
 
-/// How rivers are drawn on whose mouths tongues are wanted.
+/// The look of the rivers that get tongues.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drawn<'a> {
     pub palette: &'a Palette,

@@ -4,8 +4,7 @@
 use super::outline;
 use super::path::Path;
 use super::text::Text;
-use crate::network::Banks;
-use crate::network::{Network, PastCourse, PastCourses, Place};
+use crate::network::{Banks, Network, PastCourse, PastCourses, Place};
 use crate::paint::beds::great_rivers;
 use crate::paint::belts::Belts;
 use crate::paint::palette::{Beds, Colour};
@@ -48,7 +47,7 @@ fn lay(out: &mut Text, beds: [&[PastCourse]; 2], half: &dyn Fn(&Place) -> f32, c
     let wide = |place: &Place| Place { half: half(place), ..*place };
     let mut path = Path::default();
     for bed in beds.into_iter().flatten() {
-        outline(&mut path, &Banks::of_line(bed.line.iter().map(wide).collect(), courses), courses);
+        outline(&mut path, &Banks::of_line(&bed.line.iter().map(wide).collect::<Vec<_>>(), courses), courses);
     }
     out.text("<path fill=\"").colour(colour).text("\" d=\"").path(&path).text("\"/>\n");
 }

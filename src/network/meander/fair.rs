@@ -12,7 +12,7 @@ use super::super::curvature::curvature;
 use super::super::settings::NetworkSettings;
 use super::super::smooth::LEAST_CLEARANCE;
 use super::super::{NONE, Network, River, Vertex};
-use super::{keeps_off_frame, river_of};
+use super::{CAP, Survey, keeps_off_frame, river_of};
 use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
 use crate::base::work;
 
@@ -32,19 +32,34 @@ const WORK: u64 = 60;
 /// A shorter move than this share of a width is no reason for another pass.
 const STILL: f32 = 0.01;
 
-/// A network whose bends are eased, with the grid of its last survey.
+/// A network whose bends are eased, after a survey.
 pub(super) struct Fairing<'a> {
-    pub network: &'a mut Network,
-    pub downstream: &'a [u32],
-    pub guard: &'a ClearanceGrid,
-    pub settings: &'a NetworkSettings,
-    /// The clearance of each segment as it was surveyed; kept up to date.
-    pub clearance: &'a mut [f32],
-    /// How far any vertex has moved since the survey, at most.
-    pub drift: f32,
+    network: &'a mut Network,
+    /// The grid of the survey.
+    guard: &'a ClearanceGrid,
+    settings: &'a NetworkSettings,
+    /// What was surveyed; kept up to date.
+    survey: &'a mut Survey,
+    /// Where the vertices were before they are eased, and how far any had moved by then.
+    places: Vec<Vec2>,
+    drift: f32,
+    /// The width of the widest river.
+    widest: f32,
 }
 
-impl Fairing<'_> {
+impl<'a> Fairing<'a> {
+    pub fn new(
+        network: &'a mut Network,
+        guard: &'a ClearanceGrid,
+        settings: &'a NetworkSettings,
+        survey: &'a mut Survey,
+    ) -> Self {
+        let places = network.vertices.iter().map(|vertex| vertex.at).collect();
+        let widest = network.vertices.iter().map(Vertex::width).fold(0.0, fast_max);
+        let drift = survey.drift;
+        Self { network, guard, settings, survey, places, drift, widest }
+    }
+
     /// Eases bends in at most so many passes, and fewer where each takes long.
     pub fn ease(mut self, passes: u32) {
         let end = work::steps() + LEAST_WORK + WORK * u64::from(self.settings.total_discharge);
@@ -52,13 +67,7 @@ impl Fairing<'_> {
         self.straighten_ends(&plan);
         let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
         for _ in 0..passes {
-            let mut drift = 0.0;
-            restless.retain(|&river| {
-                let farthest = self.ease_river(river, &plan);
-                drift = fast_max(drift, farthest);
-                farthest > 0.0
-            });
-            self.drift += drift;
+            restless.retain(|&river| self.ease_river(river, &plan));
             if restless.is_empty() || work::steps() > end {
                 break;
             }
@@ -74,7 +83,7 @@ impl Fairing<'_> {
             let (junction, last) = (own.junction, own.end - 1);
             let at = self.network.vertices[junction as usize].at;
             let parent = self.network.rivers[plan.river_of[junction as usize] as usize];
-            let is_end = junction == parent.start || self.downstream[junction as usize] == NONE;
+            let is_end = junction == parent.start || self.survey.downstream[junction as usize] == NONE;
             if last > own.start && !is_end && self.turns_back(last, at) {
                 self.try_to_move(junction, at, plan);
             }
@@ -87,13 +96,13 @@ impl Fairing<'_> {
         (junction - at).dot(at - above) < 0.0
     }
 
-    /// Makes a pass over a river. Returns how far any vertex has moved.
-    fn ease_river(&mut self, river: u32, plan: &Plan) -> f32 {
+    /// Makes a pass over a river. Returns `true` if vertices have moved.
+    fn ease_river(&mut self, river: u32, plan: &Plan) -> bool {
         let own = self.network.rivers[river as usize];
-        let mut farthest = 0.0;
+        let mut any = false;
         for i in own.start + 1..own.end {
             let vertex = self.network.vertices[i as usize];
-            let below = self.downstream[i as usize];
+            let below = self.survey.downstream[i as usize];
             if below == NONE {
                 continue;
             }
@@ -107,12 +116,9 @@ impl Fairing<'_> {
             }
             let Some(bend) = Bend::at(self.network, &own, i, width) else { continue };
             let to = vertex.at.lerp(bend.mean, bend.ease);
-            let far = distance(vertex.at, to);
-            if far > STILL * width && self.try_to_move(i, to, plan) {
-                farthest = fast_max(farthest, far);
-            }
+            any |= distance(vertex.at, to) > STILL * width && self.try_to_move(i, to, plan);
         }
-        farthest
+        any
     }
 
     /// The place of a vertex at which its river turns all but straight back, if it is to turn no more.
@@ -132,7 +138,7 @@ impl Fairing<'_> {
             return false;
         }
         let arms: Vec<Arm> = plan.arms(i).map(|last| self.arm(last, to, &vertex, plan)).collect();
-        let ends = [(i - 1, i - 1), (i, self.downstream[i as usize])];
+        let ends = [(i - 1, i - 1), (i, self.survey.downstream[i as usize])];
         let mut moved = Moved { i, to, arms: &arms, gaps: Vec::with_capacity(32) };
         let are_free = ends.into_iter().chain(arms.iter().map(|arm| (arm.last, arm.first))).all(|(segment, end)| {
             let is_on_land = |land: &crate::land::Land| land.allows(self.network.vertices[end as usize].at, to);
@@ -143,12 +149,15 @@ impl Fairing<'_> {
         }
         for (segment, other, gap) in moved.gaps {
             for segment in [segment, other] {
-                let clearance = &mut self.clearance[segment as usize];
+                let clearance = &mut self.survey.clearance[segment as usize];
                 *clearance = fast_min(*clearance, gap);
             }
         }
         self.network.vertices[i as usize].at = to;
-        arms.iter().for_each(|arm| arm.straighten(self.network, self.clearance, to));
+        arms.iter().for_each(|arm| arm.straighten(self.network, &mut self.survey.clearance, to));
+        let moved = std::iter::once(i).chain(arms.iter().flat_map(|arm| arm.first..=arm.last)).map(|i| i as usize);
+        let farthest = moved.map(|i| distance(self.places[i], self.network.vertices[i].at)).fold(0.0, fast_max);
+        self.survey.drift = fast_max(self.survey.drift, self.drift + farthest);
         true
     }
 
@@ -170,10 +179,10 @@ impl Fairing<'_> {
         let vertices = &self.network.vertices;
         let (i, to) = (moved.i, moved.to);
         let (from, old) = (vertices[end as usize].at, vertices[i as usize].at);
-        let reach = self.apart(segment, segment);
-        let radius = distance(from, to) * 0.5 + reach + self.drift;
+        let reach = self.sight(segment);
+        let radius = distance(from, to) * 0.5 + reach + self.survey.drift;
         self.guard.segments((from + to) * 0.5, radius).all(|other| {
-            let below = self.downstream[other as usize];
+            let below = self.survey.downstream[other as usize];
             if [i, end].contains(&other) || [i, end].contains(&below) || moved.arms.iter().any(|arm| arm.holds(other)) {
                 return true;
             }
@@ -194,6 +203,12 @@ impl Fairing<'_> {
         let parent = |river: u32| self.network.rivers[river as usize].parent;
         let are_joined = own == other || parent(own) == other || parent(other) == own;
         are_joined || far >= self.apart(a, b) || far >= gap(before.0, before.1)
+    }
+
+    /// How far from a segment others matter: where its banks could come too near them, and within the cap of its clearance.
+    fn sight(&self, segment: u32) -> f32 {
+        let width = self.network.vertices[segment as usize].width();
+        fast_max((width + self.widest) * 0.5 + self.settings.min_clearance, CAP * self.settings.step(width))
     }
 
     /// How far apart the lines of two rivers are whose banks keep their distance.
@@ -332,9 +347,9 @@ mod tests {
         let downstream = network.downstream();
         let mut guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         let reach = vec![WIDTH; downstream.len()];
-        let mut clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
-        let (guard, settings, clearance) = (&guard, &settings, &mut clearance[..]);
-        Fairing { network: &mut network, downstream: &downstream, guard, settings, clearance, drift: 0.0 }.ease(passes);
+        let clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
+        let mut survey = Survey { downstream, step_scale: Vec::new(), clearance, drift: 0.0 };
+        Fairing::new(&mut network, &guard, &settings, &mut survey).ease(passes);
         network
     }
 

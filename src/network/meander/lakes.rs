@@ -14,9 +14,11 @@ const OLD: f32 = 160.0;
 
 /// Lets silt fill lakes as their age asks, in rounds over how long they last, and forgets those that are full.
 pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32, life: f32) {
+    if life == 0.0 {
+        oxbows.clear();
+    }
     for oxbow in &mut *oxbows {
-        // 0 / 0 where there are to be no lakes.
-        let age = ((round - oxbow.born) as f32 / life).max(0.0);
+        let age = (round - oxbow.born) as f32 / life;
         oxbow.silt = ((age - YOUNG) / (OLD - YOUNG)).clamp(0.0, 1.0);
     }
     oxbows.retain(|oxbow| !oxbow.lake().is_empty());
@@ -73,6 +75,18 @@ mod tests {
         assert!(last.0 < 25 && last.1 < 1.1, "{last:?}");
         age(&mut oxbows, 10 + OLD as u32, 1.0);
         assert!(oxbows.is_empty());
+    }
+
+    #[test]
+    fn lakes_last_as_long_as_is_asked() {
+        let left = |life: f32, round: u32| {
+            let mut oxbows = vec![lake()];
+            age(&mut oxbows, round, life);
+            oxbows.first().map(|oxbow| oxbow.silt)
+        };
+        assert_eq!([10, 11, 400].map(|round| left(0.0, round)), [None; 3], "none at all");
+        assert_eq!([10, 200, 400].map(|round| left(f32::INFINITY, round)), [Some(0.0); 3], "no silt");
+        assert!(left(2.0, 10 + OLD as u32).is_some_and(|silt| silt > 0.0) && left(0.5, 10 + OLD as u32 / 2).is_none());
     }
 
     #[test]

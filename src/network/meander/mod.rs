@@ -30,7 +30,7 @@ use super::width::widen;
 use super::{NONE, Network, Vertex};
 use crate::base::geometry::{fast_max, fast_min, length};
 use crate::domain::Domain;
-use crate::recipe::MeanderModel;
+use crate::recipe::{CourseShape, MeanderModel};
 
 pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
@@ -67,7 +67,7 @@ pub struct Meander {
     has_stopped: bool,
 }
 
-/// What rounds go by: how far each segment and vertex may move.
+/// The limits on moves until the next survey.
 #[derive(Clone, Debug)]
 struct Survey {
     downstream: Vec<u32>,
@@ -104,10 +104,12 @@ impl Meander {
     }
 
     /// The network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself, that banks would meet.
+    /// Rivers as grown keep their width, which is that of their tree.
     pub fn drawn(&self) -> &Arc<Network> {
-        self.drawn.get_or_init(|| match narrowed(&self.network, self.settings.courses) {
-            Some(narrowed) => narrowed.into(),
-            None => self.network.clone(),
+        self.drawn.get_or_init(|| {
+            let is_smooth = self.settings.courses == CourseShape::Smooth;
+            let narrowed = if is_smooth { narrowed(&self.network) } else { None };
+            narrowed.map_or_else(|| self.network.clone(), Arc::new)
         })
     }
 
@@ -192,8 +194,8 @@ impl Meander {
         self.settings.model == MeanderModel::None || self.round >= self.settings.rounds
     }
 
-    /// How freely each vertex moves in the rounds of a survey. Rivers that meander but gently do so after every third survey, three times
-    /// as far: nobody sees it, and a round takes half the time.
+    /// Returns the share of a step that each vertex moves in the rounds of a survey. Rivers that meander but gently do so after every
+    /// third survey, three times as far: nobody sees it, and a round takes half the time.
     pub fn step_scale(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
         let mut step_scale = vec![0.0; self.network.vertices.len()];
@@ -325,14 +327,9 @@ impl Meander {
         const PASSES: u32 = ROUNDS_A_SURVEY;
         const MOST_PASSES: u32 = 32;
         let is_end = self.round <= ROUNDS_A_SURVEY || self.round == self.settings.rounds;
-        let (settings, guard) = (&self.settings, &self.guard);
-        let Survey { downstream, clearance, drift, .. } = survey;
         let network = Arc::make_mut(&mut self.network);
-        fair::Fairing { network, downstream, guard, settings, clearance, drift: *drift }.ease(if is_end {
-            MOST_PASSES
-        } else {
-            PASSES
-        });
+        let passes = if is_end { MOST_PASSES } else { PASSES };
+        fair::Fairing::new(network, &self.guard, &self.settings, survey).ease(passes);
     }
 
     /// Lets bends move. Returns how far each vertex has.

@@ -68,7 +68,7 @@ impl PastCourses {
         &self.rounds
     }
 
-    /// Whether the courses before another round, of so many in all, are to be kept: it is one of the even ones.
+    /// Returns `true` if the courses before another round, of so many in all, are to be kept: it is one of the even ones.
     pub(super) fn wants(&self, round: u32, of: u32) -> bool {
         !self.great.is_empty() && round * ROUNDS >= self.rounds.len() as u32 * of
     }
