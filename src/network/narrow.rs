@@ -48,10 +48,16 @@ fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>
         return None;
     }
     let mut shares: Vec<f32> = vec![1.0; own];
+    // Places that met before; all of them at first, and when these no longer do.
+    let mut suspects: Option<Vec<bool>> = None;
     for _ in 0..TRIES {
-        let places = Banks::of_line(&scaled(course, &shares, is_tributary), CourseShape::Smooth).meetings();
+        let places =
+            Banks::of_line(&scaled(course, &shares, is_tributary), CourseShape::Smooth).meetings(suspects.as_deref());
         if places.is_empty() {
-            break;
+            if suspects.take().is_none() {
+                break;
+            }
+            continue;
         }
         let mut gives_way = vec![false; own];
         for place in places {
@@ -59,9 +65,10 @@ fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>
             let place = (place as usize).min(own - 1);
             gives_way[place.saturating_sub(1)..(place + 2).min(own)].fill(true);
         }
-        for (share, _) in shares.iter_mut().zip(gives_way).filter(|(_, gives_way)| *gives_way) {
+        for (share, _) in shares.iter_mut().zip(&gives_way).filter(|(_, gives_way)| **gives_way) {
             *share *= LESS;
         }
+        suspects = Some(gives_way);
         flare(&mut shares, &line);
     }
     shares.iter().any(|&share| share < 1.0).then_some(shares)
@@ -171,8 +178,8 @@ impl Runs {
 }
 
 impl Banks {
-    /// The numbers of the places where the ring of both banks crosses or touches itself.
-    fn meetings(&self) -> Vec<u32> {
+    /// The numbers of the places where the ring of both banks crosses or touches itself: all of them, or those around suspects.
+    fn meetings(&self, suspects: Option<&[bool]>) -> Vec<u32> {
         let corners = self.left.iter().zip(&self.places).chain(self.right.iter().zip(&self.places).rev());
         let mut corners: Vec<(Vec2, u32)> = corners.map(|(&at, &place)| (at, place)).collect();
         corners.dedup_by_key(|corner| corner.0);
@@ -182,10 +189,15 @@ impl Banks {
         }
         let sides: Vec<(Vec2, Vec2)> = corners.windows(2).map(|pair| (pair[0].0, pair[1].0)).collect();
         let runs = Runs::of_sides(&sides);
+        let is_suspect =
+            |side: usize| suspects.is_none_or(|suspects| suspects.get(corners[side].1 as usize) == Some(&true));
+        let holds_suspects: Vec<bool> =
+            (0..runs.0.len()).map(|run| Runs::range(run, sides.len()).any(is_suspect)).collect();
         let mut meetings = Vec::new();
-        for a in 0..runs.0.len() {
-            for b in runs.near(a, 0.0).filter(|&b| b >= a) {
+        for a in (0..runs.0.len()).filter(|&a| holds_suspects[a]) {
+            for b in runs.near(a, 0.0).filter(|&b| b >= a || !holds_suspects[b]) {
                 work::count(Runs::LENGTH * Runs::LENGTH);
+                let (a, b) = (a.min(b), a.max(b));
                 for i in Runs::range(a, sides.len()) {
                     for j in Runs::range(b, sides.len()).filter(|&j| j > i && sides_meet(&sides, i, j)) {
                         meetings.extend([i, i + 1, j, j + 1].map(|corner| corners[corner].1));
@@ -232,7 +244,7 @@ mod tests {
     }
 
     fn meets(network: &Network) -> bool {
-        !network.banks(&network.rivers[0], CourseShape::Smooth).meetings().is_empty()
+        !network.banks(&network.rivers[0], CourseShape::Smooth).meetings(None).is_empty()
     }
 
     #[test]
@@ -256,7 +268,7 @@ mod tests {
     fn places_are_where_the_ring_crosses_itself() {
         let line = [(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (5.0, 4.0), (5.0, -6.0)];
         let bow = Banks::along(&line.map(|(x, y)| Place { at: Vec2::new(x, y), half: 0.5 }), CourseShape::Smooth);
-        let mut places = bow.meetings();
+        let mut places = bow.meetings(None);
         places.sort_unstable();
         places.dedup();
         assert_eq!(places, [0, 1, 3, 4]);

@@ -67,8 +67,8 @@ impl<'a> Fairing<'a> {
         self.straighten_ends(&plan);
         let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
         for _ in 0..passes {
-            restless.retain(|&river| self.ease_river(river, &plan));
-            if restless.is_empty() || work::steps() > end {
+            restless.retain(|&river| work::steps() <= end && self.ease_river(river, &plan));
+            if restless.is_empty() {
                 break;
             }
         }
