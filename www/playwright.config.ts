@@ -11,8 +11,6 @@ export default defineConfig({
   // No test depends on speed; these only end a run that hangs.
   timeout: 120_000,
   expect: { timeout: 60_000 },
-  // At hand a test passes at once or it fails. CI, on machines that others use too, gives one more try and names those that needed it.
-  retries: Number(process.env["RIVERSEED_RETRIES"] ?? 0),
   reporter: [["list"]],
   use: {
     baseURL: `http://127.0.0.1:${PORT}/`,

@@ -15,7 +15,7 @@ const STATES = {
 const READABLE = 4.5;
 const VISIBLE = 2;
 
-/** Until the session is detached. If a button leaves the page meanwhile, all are sought again. */
+/** Puts all buttons into states until the session is detached. If one leaves the page meanwhile, all are sought again. */
 async function force(page: Page, states: string[]): Promise<CDPSession> {
   const session = await page.context().newCDPSession(page);
   await session.send("DOM.enable");

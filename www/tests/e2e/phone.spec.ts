@@ -7,7 +7,7 @@ const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rou
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-/** Taps of one finger on one spot. Their times are told, not measured: so they are as fast as fingers are, whatever the machine is. */
+/** Taps one spot with one finger. The events carry their own times, so that taps are as fast as a finger's on any machine. */
 async function taps(page: Page, tapCount: number, x = 195, y = 320): Promise<void> {
   const line = await page.context().newCDPSession(page);
   const first = Date.now() / 1000 - 0.3;
