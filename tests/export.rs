@@ -196,7 +196,7 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
     let recipes = [
         "seed=s6&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1&neck=3&oxbows=1",
         "seed=s7&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1&neck=3&oxbows=1",
-        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=3&clearance=0&taper=3&oxbows=1",
+        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3&oxbows=1",
         "seed=p3&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=3&clearance=0&taper=3&oxbows=1",
     ];
     let (mut sessions, mut lakes, mut maps) = (BTreeMap::new(), 0, 0);

@@ -14,6 +14,9 @@ use crate::base::geometry::{distance, fast_max, fast_min, gap, meet};
 use crate::base::work;
 use crate::domain::Domain;
 
+/// What rounding may add to or take off a distance between two segments, in units.
+const ROUNDING: f32 = 1e-3;
+
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearbyPair {
@@ -44,7 +47,7 @@ pub struct ClearanceGrid {
 #[derive(Clone, Copy, Debug, Default)]
 struct Entry {
     middle: Vec2,
-    /// Half its length.
+    /// Half its length and a little more, so that rounding leaves out no segment.
     half: f32,
     reach: f32,
     segment: u32,
@@ -170,7 +173,7 @@ impl ClearanceGrid {
         let mut placed: Vec<(u32, Entry)> = Vec::with_capacity(downstream.len());
         for (segment, ((vertex, &below), &reach)) in (0..).zip(network.vertices.iter().zip(downstream).zip(reach)) {
             let Some(next) = network.vertices.get(below as usize) else { continue };
-            let half = distance(vertex.at, next.at) * 0.5;
+            let half = distance(vertex.at, next.at) * 0.5 + ROUNDING;
             self.longest_half = fast_max(self.longest_half, half);
             self.stretch = fast_max(self.stretch, half / self.expected(reach));
             let middle = (vertex.at + next.at) * 0.5;

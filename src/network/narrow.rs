@@ -175,6 +175,16 @@ impl Runs {
             move |other: &[Vec2; 2]| other[0].cmple(most + reach).all() && other[1].cmpge(least - reach).all();
         self.0.iter().enumerate().filter(move |(_, other)| is_near(other)).map(|(i, _)| i)
     }
+
+    /// The box that two runs share: their members can only meet there.
+    fn shared(&self, a: usize, b: usize) -> [Vec2; 2] {
+        [self.0[a][0].max(self.0[b][0]), self.0[a][1].min(self.0[b][1])]
+    }
+}
+
+/// Whether the box around a side comes into another box, or to its edge.
+fn touches((from, to): (Vec2, Vec2), [least, most]: [Vec2; 2]) -> bool {
+    from.min(to).cmple(most).all() && from.max(to).cmpge(least).all()
 }
 
 impl Banks {
@@ -196,10 +206,14 @@ impl Banks {
         let mut meetings = Vec::new();
         for a in (0..runs.0.len()).filter(|&a| holds_suspects[a]) {
             for b in runs.near(a, 0.0).filter(|&b| b >= a || !holds_suspects[b]) {
-                work::count(Runs::LENGTH * Runs::LENGTH);
                 let (a, b) = (a.min(b), a.max(b));
-                for i in Runs::range(a, sides.len()) {
-                    for j in Runs::range(b, sides.len()).filter(|&j| j > i && sides_meet(&sides, i, j)) {
+                let shared = runs.shared(a, b);
+                work::count(Runs::LENGTH);
+                for i in Runs::range(a, sides.len()).filter(|&i| touches(sides[i], shared)) {
+                    let others = Runs::range(b, sides.len());
+                    let others = others.start.max(i + 1)..others.end;
+                    work::count(others.len());
+                    for j in others.filter(|&j| sides_meet(&sides, i, j)) {
                         meetings.extend([i, i + 1, j, j + 1].map(|corner| corners[corner].1));
                     }
                 }

@@ -84,7 +84,7 @@ impl Shaping {
                 }
             }
             State::Rivers(courses, mut meander) => {
-                meander.round();
+                meander.step();
                 State::Rivers(courses, meander)
             }
         };

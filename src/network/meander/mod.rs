@@ -50,7 +50,7 @@ const NARROWEST: f32 = 0.5;
 /// How far banks that move stay away from the frame of the map, in units.
 const OFF_FRAME: f32 = 8.0;
 
-/// A network on its way from courses to meandering rivers: a stepper of rounds.
+/// A network on its way from courses to meandering rivers, step by step.
 #[derive(Clone, Debug)]
 pub struct Meander {
     settings: NetworkSettings,
@@ -60,6 +60,8 @@ pub struct Meander {
     guard: ClearanceGrid,
     /// What the last survey found, while there are rounds to make by it.
     survey: Option<Survey>,
+    /// The necks that the last step found, and the next one cuts.
+    necks: Vec<cutoff::Cut>,
     round: u32,
     past: Arc<PastCourses>,
     reaches: Arc<[Reach]>,
@@ -96,6 +98,7 @@ impl Meander {
             drawn: OnceLock::new(),
             guard,
             survey: None,
+            necks: Vec::new(),
             round: 0,
             past: Arc::default(),
             reaches: Arc::default(),
@@ -146,16 +149,36 @@ impl Meander {
 
     /// Makes a round. Returns whether there is another one to make.
     pub fn round(&mut self) -> bool {
+        let before = self.round;
+        while self.step() && self.round == before {}
+        !self.is_finished()
+    }
+
+    /// Makes a step: finds necks that are to be cut, or makes a round. Only rounds change the network. Returns whether there is another
+    /// step to make.
+    pub fn step(&mut self) -> bool {
         if self.is_finished() {
             return false;
         }
+        if let Some(survey) = self.survey.take().or_else(|| self.survey()) {
+            self.make_round(survey);
+        }
+        !self.is_finished()
+    }
+
+    /// Keeps the courses before another round if they are to be kept.
+    fn keep_courses(&mut self) {
         if self.past.wants(self.round, self.settings.rounds) {
             let drawn = self.drawn().clone();
             Arc::make_mut(&mut self.past).keep(&drawn, self.round);
         }
+    }
+
+    /// Makes a round within the limits of a survey.
+    fn make_round(&mut self, mut survey: Survey) {
+        self.keep_courses();
         self.drawn = OnceLock::new();
         self.round += 1;
-        let mut survey = self.survey.take().unwrap_or_else(|| self.survey());
         let moved = self.move_bends(&survey);
         survey.drift += moved.iter().copied().fold(0.0, fast_max);
         if self.round.is_multiple_of(ROUNDS_A_SURVEY) || self.is_finished() {
@@ -165,21 +188,25 @@ impl Meander {
             self.survey = Some(survey);
         }
         lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
-        !self.is_finished()
     }
 
-    /// Measures how near lines are to each other. Cuts necks, and stops what is too near.
-    fn survey(&mut self) -> Survey {
-        let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
-        let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
-        if self.cut_necks(&downstream, &near) {
-            (downstream, step_scale) = (self.network.downstream(), self.step_scale());
-            (clearance, near) = self.measure(&downstream, &step_scale);
+    /// Measures how near lines are to each other, and stops what is too near. `None` if there are necks: the next step cuts them, and
+    /// measures again.
+    fn survey(&mut self) -> Option<Survey> {
+        let has_cut = self.cut_necks();
+        let (downstream, step_scale) = (self.network.downstream(), self.step_scale());
+        let (clearance, near) = self.measure(&downstream, &step_scale);
+        if !has_cut {
+            self.necks = self.find_necks(&downstream, &near);
+            if !self.necks.is_empty() {
+                return None;
+            }
         }
+        self.erode_lakes(&downstream);
         if self.freeze(&near) || std::mem::take(&mut self.has_stopped) {
             mobility::ease_off(Arc::make_mut(&mut self.network), self.settings.spacing);
         }
-        Survey { downstream, step_scale, clearance, drift: 0.0 }
+        Some(Survey { downstream, step_scale, clearance, drift: 0.0 })
     }
 
     /// Eases bends that are too sharp, and spaces vertices evenly: the end of the rounds of a survey.
@@ -249,27 +276,39 @@ impl Meander {
         self.network.vertices.iter().map(|vertex| CAP * self.settings.step(vertex.width())).collect()
     }
 
-    /// The clearance of each segment, and the pairs that are near each other. What rivers run over of lakes is gone.
+    /// The clearance of each segment, and the pairs that are near each other.
     fn measure(&mut self, downstream: &[u32], step_scale: &[f32]) -> (Vec<f32>, Vec<NearbyPair>) {
         let reach = self.reach(downstream, step_scale);
         let mut near = Vec::new();
         let clearance = self.guard.measure(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
-        lakes::erode(Arc::make_mut(&mut self.network), downstream, &self.guard, &self.settings);
         (clearance, near)
     }
 
-    /// Cuts through the necks among some pairs. Returns whether there were any.
-    fn cut_necks(&mut self, downstream: &[u32], near: &[NearbyPair]) -> bool {
-        let necks = cutoff::necks(&self.network, near, &self.settings);
-        let cuts: Vec<_> = necks
-            .into_iter()
-            .filter(|cut| self.is_on_land(cut) && self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
-            .collect();
+    /// Takes away of lakes what rivers of the last survey run over.
+    fn erode_lakes(&mut self, downstream: &[u32]) {
+        lakes::erode(Arc::make_mut(&mut self.network), downstream, &self.guard, &self.settings);
+    }
+
+    /// The necks among some pairs through which rivers can break.
+    fn find_necks(&self, downstream: &[u32], near: &[NearbyPair]) -> Vec<cutoff::Cut> {
+        let mut necks = cutoff::necks(&self.network, near, &self.settings);
+        necks.retain(|cut| {
+            self.is_on_land(cut) && self.guard.is_free(&self.network, downstream, (cut.above, cut.below))
+        });
+        necks
+    }
+
+    /// Cuts the necks that the last step found. Returns whether there were any.
+    fn cut_necks(&mut self) -> bool {
+        let cuts = std::mem::take(&mut self.necks);
         if cuts.is_empty() {
             return false;
         }
-        cutoff::cut(Arc::make_mut(&mut self.network), &cuts, self.round);
-        Arc::make_mut(&mut self.past).keep_loops(&self.network, self.round);
+        self.keep_courses();
+        self.erode_lakes(&self.network.downstream());
+        let round = self.round + 1;
+        cutoff::cut(Arc::make_mut(&mut self.network), &cuts, round);
+        Arc::make_mut(&mut self.past).keep_loops(&self.network, round);
         if self.settings.oxbow_life == 0.0 {
             Arc::make_mut(&mut self.network).oxbows.clear();
         }

@@ -68,9 +68,11 @@ impl PastCourses {
         &self.rounds
     }
 
-    /// Returns `true` if the courses before another round, of so many in all, are to be kept: it is one of the even ones.
+    /// Returns `true` if the courses before another round, of so many in all, are to be kept: it is one of the even ones, and they are
+    /// not kept yet.
     pub(super) fn wants(&self, round: u32, of: u32) -> bool {
-        !self.great.is_empty() && round * ROUNDS >= self.rounds.len() as u32 * of
+        let is_kept = self.rounds.last().is_some_and(|past| past.round == round);
+        !self.great.is_empty() && !is_kept && round * ROUNDS >= self.rounds.len() as u32 * of
     }
 
     /// Keeps the courses before another round.
