@@ -5,6 +5,7 @@
 mod common;
 
 mod architecture;
+mod bends;
 mod brownian;
 mod cut_out;
 mod documents;
