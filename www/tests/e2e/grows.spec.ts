@@ -91,6 +91,8 @@ test("replay grows the same river again", async ({ page }) => {
 test("speed goes up to instant, by keys", async ({ page }) => {
   await page.goto("./?seed=hinau&attractors=300");
   const speed = page.getByRole("slider", { name: "Speed" });
+  // Until the page is ready, it takes no focus.
+  await expect(speed).toBeEnabled();
   await speed.focus();
   await page.keyboard.press("End");
   await expect(speed).toHaveAttribute("aria-valuetext", "instant");
