@@ -13,13 +13,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use self::relief::ReliefStage;
 use crate::base::memory;
+use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
-use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
+use crate::prune::{self, Heads, Pruned, Trim};
+use crate::recipe::{IntegerKey, NumberKey, Pattern, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
@@ -436,17 +437,33 @@ impl Session {
 
     /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
-        let length = self.recipe.number(NumberKey::Trim);
-        let channel_area = if self.growth.covers_hillsides() { self.channel_area() } else { 0 };
+        /// The tributaries of a trellis are about half a bed long.
+        const IN_A_TRELLIS: f32 = 0.55;
+        let is_trellis = self.growth.settings().drainage.pattern == Pattern::Trellis;
+        let length = self.recipe.number(NumberKey::Trim) * if is_trellis { IN_A_TRELLIS } else { 1.0 };
         let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
-        Trim { channel_area, ..trim }
+        Trim {
+            variation: self.recipe.number(NumberKey::TrimVariation),
+            heads: self.heads(),
+            tributary_spacing: self.recipe.number(NumberKey::TributarySpacing) * self.growth.stream_spacing(),
+            seed: Seed::from_text(self.recipe.seed()),
+            ..trim
+        }
     }
 
-    /// The drained area at which rivers begin. If no basin is that large, it is the area of the largest, so that no map
-    /// stays empty.
-    fn channel_area(&self) -> u32 {
-        let asked = self.recipe.integer(IntegerKey::ChannelArea);
-        self.growth.largest_basin().map_or(asked, |largest| asked.min(largest))
+    /// The rule by which channels begin. Only drainage has hillsides without any.
+    fn heads(&self) -> Heads {
+        /// The wavelength of uneven heads, in spacings.
+        const WAVELENGTH: f32 = 30.0;
+        if !self.growth.covers_hillsides() {
+            return Heads::default();
+        }
+        Heads {
+            channel_area: self.recipe.integer(IntegerKey::ChannelArea),
+            variation: self.recipe.number(NumberKey::HeadVariation),
+            largest_basin: self.growth.largest_basin().unwrap_or(u32::MAX),
+            wavelength: WAVELENGTH * self.growth.stream_spacing(),
+        }
     }
 
     /// The picture in numbers. During growth this costs nothing, and order and sources are still 0.

@@ -28,6 +28,7 @@ mod mouths;
 mod names;
 mod network;
 mod painting;
+mod patterns;
 mod presets;
 mod rasters;
 mod recipes;

@@ -87,11 +87,12 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
 
 tiers!(no_drawn_coast_of_random_points_holds_a_tick);
 
-/// Drainage at both ends of its ranges: an invasion alone decides, or nothing but distance.
-const EXTREMES_OF_DRAINAGE: [&str; 3] = [
+/// Drainage at both ends of its ranges: an invasion alone decides, or nothing but distance, or the country.
+const EXTREMES_OF_DRAINAGE: [&str; 4] = [
     "growth=drainage&valleys=1&valley-spacing=60&concavity=0.8&hardness=1.5&hardness-scale=60&captures=24&bending=4&channel-area=1",
     "growth=drainage&valleys=1&valley-spacing=4&concavity=0.2&hardness=1.5&hardness-scale=8&captures=24&bending=4&channel-area=1",
     "growth=drainage&valleys=0&concavity=0.2&hardness=0&captures=0&bending=0&channel-area=60",
+    "growth=drainage&pattern=rectangular&strike=45&fall=2&bending=4&bending-variation=1&channel-area=1&head-variation=1&tributary-spacing=0.1",
 ];
 
 /// Lands that water can hardly leave: without a coast, with one outlet, and with a part that ridges shut off.

@@ -12,7 +12,7 @@ use rand::Rng;
 use rand_pcg::Pcg32;
 
 /// The 64 bits that represent a seed text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Seed(u64);
 
 /// The purpose of a random stream. The numbers decide every picture: never change one.
@@ -39,6 +39,10 @@ pub enum Purpose {
     Names = 9,
     /// Positions of trees and hills.
     Scenery = 10,
+    /// Channel heads, and the side branches that trimming removes.
+    Trimming = 11,
+    /// The strike and slope of the country.
+    Country = 12,
 }
 
 impl Seed {
@@ -62,7 +66,8 @@ impl Seed {
     }
 
     /// Returns fractal noise over the plane, from −1 to 1. `index` separates uses with the same purpose; `frequency` is
-    /// that of the broadest octave and doubles with each further one.
+    /// that of the broadest octave and doubles with each further one. Multiplied by [`DEVIATION`], it has a deviation
+    /// of about 1.
     pub(crate) fn noise(self, purpose: Purpose, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
         let mut noise = FastNoiseLite::with_seed(self.item_hash(purpose).bits([index, 0, 0]) as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
@@ -72,6 +77,9 @@ impl Seed {
         noise
     }
 }
+
+/// The factor that brings fractal noise from −1 to 1 to a deviation of about 1.
+pub(crate) const DEVIATION: f32 = 3.0;
 
 /// A sequence of random numbers.
 #[derive(Clone, Debug)]
@@ -105,6 +113,14 @@ impl ItemHash {
     /// Returns the number of an item, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(self, item: [u32; 3]) -> f32 {
         unit_from_bits(self.bits(item))
+    }
+
+    /// Returns the approximately normal deviate of an item, with mean 0 and deviation 1, from −3.5 to 3.5: the sum of
+    /// four random numbers (Irwin and Hall).
+    pub fn normal(self, item: [u32; 3]) -> f32 {
+        const OF_BYTES: f32 = 147.8;
+        let sum: u32 = self.bits(item).to_be_bytes().into_iter().map(u32::from).sum();
+        (sum as f32 - 510.0) / OF_BYTES
     }
 
     /// Returns the 32 random bits of an item.

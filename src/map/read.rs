@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use super::write::ENDINGS;
 use super::{Map, MapId};
+use crate::base::random::Seed;
 use crate::base::wire::{Reader, point};
 use crate::domain::Domain;
 use crate::grow::Grown;
 use crate::land::{CoastDistance, Land};
 use crate::network::{NONE, Network, Oxbow, PastCourse, PastCourses, PastRound, Place, Reach, River, Vertex};
-use crate::prune::Trim;
+use crate::prune::{Heads, Trim};
 use crate::recipe::link;
 use crate::relief::Relief;
 use crate::tree::{NO_PARENT, Tree};
@@ -23,7 +24,7 @@ impl Map {
         let domain = Domain::of(&recipe);
         let grown = data.grown()?;
         let tree = data.tree()?;
-        let trim = data.trim()?;
+        let trim = Trim { seed: Seed::from_text(recipe.seed()), ..data.trim()? };
         let network = data.network()?;
         let rivers = network.rivers.len();
         let reaches = data.reaches(rivers)?;
@@ -69,8 +70,11 @@ impl Reader<'_> {
     }
 
     fn trim(&mut self) -> Option<Trim> {
-        let [nodes, is_fork, channel_area] = self.take()?;
-        Some(Trim { nodes, treats_sea_as_fork: is_fork != 0, channel_area })
+        let [nodes, is_fork, channel_area, largest_basin] = self.take()?;
+        let [variation, tributary_spacing, head_variation, wavelength] = self.take()?.map(f32::from_bits);
+        let heads = Heads { channel_area, variation: head_variation, largest_basin, wavelength };
+        let treats_sea_as_fork = is_fork != 0;
+        Some(Trim { nodes, treats_sea_as_fork, variation, heads, tributary_spacing, ..Trim::default() })
     }
 
     fn network(&mut self) -> Option<Network> {

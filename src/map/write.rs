@@ -68,8 +68,10 @@ impl Writer {
         self.numbers(elevation);
     }
 
-    fn trim(&mut self, Trim { nodes, treats_sea_as_fork, channel_area }: Trim) {
-        self.push(&[nodes, treats_sea_as_fork.into(), channel_area]);
+    /// Leaves out the seed, which is the recipe's.
+    fn trim(&mut self, Trim { nodes, treats_sea_as_fork, variation, heads, tributary_spacing, seed: _ }: Trim) {
+        self.push(&[nodes, treats_sea_as_fork.into(), heads.channel_area, heads.largest_basin]);
+        self.push(&[variation, tributary_spacing, heads.variation, heads.wavelength].map(f32::to_bits));
     }
 
     fn network(&mut self, network: &Network) {

@@ -55,7 +55,8 @@ impl Flow {
         tree.len() > self.measured + self.measured / NEWS
     }
 
-    /// Measures every node in one pass from the sources down. Nodes that drain less than a channel have no depth.
+    /// Measures every node in one pass from the sources down. Nodes that drain less than a channel have no depth; while a
+    /// tree grows, channels are taken to begin at the same discharge everywhere.
     pub fn measure(&mut self, tree: &Tree, pen: &Pen, channel_area: u32) {
         self.depth.clear();
         self.depth.resize(tree.len(), 0);

@@ -202,9 +202,9 @@ impl Painter {
         self.tongues.clear();
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
-            self.flow.measure(tree, &pen, progress.trim.channel_area);
+            self.flow.measure(tree, &pen, progress.trim.heads.channel_area);
             self.draw_changes(progress, &pen);
-        } else if progress.trim.channel_area == 0 {
+        } else if progress.trim.heads.channel_area == 0 {
             let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
             let radii = &self.flow.radii;
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
@@ -308,9 +308,9 @@ impl Painter {
         let Progress { tree, finished, trim, .. } = *progress;
         let Flow { depth, discharge, .. } = &self.flow;
         let stays = if finished {
-            prune::stays(tree, depth, discharge, trim)
+            prune::stays(tree, discharge, trim)
         } else {
-            let is_certain = |(&depth, &discharge)| depth >= trim.nodes && discharge >= trim.channel_area;
+            let is_certain = |(&depth, &discharge)| depth >= trim.nodes && discharge >= trim.heads.channel_area;
             depth.iter().zip(discharge).map(is_certain).collect()
         };
         self.drawn.resize(tree.len(), 0);

@@ -90,6 +90,26 @@ choices! {
         Brownian = "brownian", "Brownian tree";
     }
 
+    /// A pattern of drainage, as geologists name them (Twidale 2004).
+    Pattern of Pattern {
+        /// Like a tree, in country without a grain.
+        Dendritic = "dendritic", "dendritic";
+        /// Side by side down an even slope.
+        Parallel = "parallel", "parallel";
+        /// Along soft beds between ridges, with short tributaries at right angles.
+        Trellis = "trellis", "trellis";
+        /// Along joints that cross at right angles.
+        Rectangular = "rectangular", "rectangular";
+        /// Away from a high place.
+        Radial = "radial", "radial";
+        /// In arcs around a dome.
+        Annular = "annular", "annular";
+        /// Toward a low place.
+        Centripetal = "centripetal", "centripetal";
+        /// Without order, as on young ground.
+        Deranged = "deranged", "deranged";
+    }
+
     /// A way of placing attractors.
     Scatter of Scatter {
         /// At random.
@@ -260,6 +280,7 @@ mod tests {
         let checked = [
             check::<LandKind>(),
             check::<GrowthMethod>(),
+            check::<Pattern>(),
             check::<Scatter>(),
             check::<CourseShape>(),
             check::<MeanderModel>(),

@@ -1,6 +1,6 @@
 //! Parameters that have no effect in a recipe, and the reasons: the only place that decides this.
 
-use super::choice::{Cartouche, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Style};
+use super::choice::{Cartouche, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
@@ -47,12 +47,16 @@ impl Given<'_> {
             Key::Momentum | Key::Curl => self.not_colonizing(),
             Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
             Key::Sensitivity => self.not_brownian(),
-            Key::Valleys => self.brownian(),
+            Key::Valleys => self.brownian().or_else(|| self.valleys_are_given()),
             Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
-            Key::Bending | Key::ChannelArea => self.not_draining(),
+            Key::Bending | Key::ChannelArea | Key::HeadVariation => self.not_draining(),
+            Key::Pattern | Key::Fall => self.not_draining(),
+            Key::Strike => self.not_draining().or_else(|| self.no_strike()),
+            Key::BendingVariation => self.not_draining().or_else(|| self.no_bending()),
             Key::ValleySpacing => self.brownian().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
-            Key::Trim | Key::Courses => None,
+            Key::TrimVariation => self.no_trim(),
+            Key::Trim | Key::TributarySpacing | Key::Courses => None,
             Key::Simplify | Key::Meander => self.as_grown(),
             Key::Width | Key::BankVariation => self.no_widths(),
             Key::MeanderRounds => self.no_meandering(),
@@ -121,7 +125,12 @@ impl Given<'_> {
     }
 
     fn no_valleys(&self) -> Reason {
-        self.is_zero(Key::Valleys).then_some("there are no valleys")
+        let has_none = match self.pattern() {
+            Pattern::Parallel => true,
+            Pattern::Deranged => false,
+            _ => self.is_zero(Key::Valleys),
+        };
+        has_none.then_some("there are no valleys")
     }
 
     fn has_cells(&self) -> Reason {
@@ -130,6 +139,32 @@ impl Given<'_> {
 
     fn no_hardness(&self) -> Reason {
         self.is_zero(Key::Hardness).then_some("all ground is equally hard")
+    }
+
+    fn no_bending(&self) -> Reason {
+        self.is_zero(Key::Bending).then_some("courses are not bent")
+    }
+
+    fn no_strike(&self) -> Reason {
+        let has_strike = matches!(self.pattern(), Pattern::Trellis | Pattern::Rectangular | Pattern::Parallel);
+        (!has_strike).then_some("this pattern has no strike")
+    }
+
+    /// Parallel drainage has no valleys, and deranged drainage the deepest.
+    fn valleys_are_given(&self) -> Reason {
+        matches!(self.pattern(), Pattern::Parallel | Pattern::Deranged).then_some("the pattern determines the valleys")
+    }
+
+    /// The pattern, which only drainage has.
+    fn pattern(&self) -> Pattern {
+        match self.recipe.get() {
+            GrowthMethod::Drainage => self.recipe.get(),
+            GrowthMethod::Colonize | GrowthMethod::Brownian => Pattern::Dendritic,
+        }
+    }
+
+    fn no_trim(&self) -> Reason {
+        self.is_zero(Key::Trim).then_some("nothing is trimmed")
     }
 
     fn no_curl(&self) -> Reason {
@@ -231,6 +266,10 @@ mod tests {
             ("growth=colonize&valleys=0", Key::Scatter),
             ("growth=colonize&valleys=0.3", Key::ValleySpacing),
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
+            ("growth=drainage&bending=0.1", Key::BendingVariation),
+            ("growth=drainage&pattern=trellis", Key::Strike),
+            ("growth=drainage&pattern=deranged&valleys=0", Key::ValleySpacing),
+            ("growth=colonize&pattern=parallel", Key::Valleys),
             ("growth=drainage&land=island", Key::MouthSpacing),
             ("labels=none", Key::Labels),
             ("cartouche=plain", Key::LabelSize),
@@ -243,15 +282,18 @@ mod tests {
     }
 
     /// A recipe in which nearly every parameter has an effect, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins";
+    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
     const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
-    const NOT_DRAINING: (&str, &str) =
-        ("concavity captures hardness hardness-scale bending channel-area", "only drainage uses it");
+    const NOT_DRAINING: (&str, &str) = (
+        "concavity captures hardness hardness-scale bending bending-variation pattern strike fall channel-area head-variation",
+        "only drainage uses it",
+    );
+    const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");
     const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
     const NOT_COLONIZING: (&str, &str) =
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
@@ -445,10 +487,37 @@ mod tests {
                 NO_HILLS,
             ],
         ),
-        ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING]),
+        ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE]),
+        (
+            "growth=drainage&pattern=parallel&bending=0",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_COLONIZING,
+                ("valleys", "the pattern determines the valleys"),
+                ("valley-spacing", "there are no valleys"),
+                ("bending-variation", "courses are not bent"),
+            ],
+        ),
+        (
+            "growth=drainage&pattern=deranged",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_COLONIZING,
+                NO_STRIKE,
+                ("valleys", "the pattern determines the valleys"),
+            ],
+        ),
+        (
+            "trim=0",
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("trim-variation", "nothing is trimmed")],
+        ),
         (
             "growth=drainage&land=island",
-            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING],
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE],
         ),
         ("valleys=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")]),
         (
@@ -458,6 +527,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_COLONIZING,
+                NO_STRIKE,
                 ("valley-spacing", "there are no valleys"),
                 ("hardness-scale", "all ground is equally hard"),
             ],

@@ -24,7 +24,9 @@ pub mod reading;
 pub mod table;
 mod value;
 
-pub use choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
+pub use choice::{
+    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Style, Word,
+};
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
 pub use key::{IntegerKey, Key, NumberKey};

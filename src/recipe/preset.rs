@@ -22,7 +22,7 @@ pub struct Preset {
 /// The values of a pattern from the paper, from its momentum, curl, stretch and trim. They cover everything that shapes
 /// a tree, so that no default of the table shows through, and nothing that the tree grows on: land, mouths, number of
 /// attractors, looks.
-const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 13] {
+const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 15] {
     [
         (Key::Growth, "colonize"),
         (Key::Scatter, "random"),
@@ -34,6 +34,8 @@ const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key
         (Key::Stretch, stretch),
         (Key::Valleys, "0"),
         (Key::Trim, trim),
+        (Key::TrimVariation, "0"),
+        (Key::TributarySpacing, "0"),
         // The paper's trees are shown as they grew.
         (Key::Courses, "grown"),
         (Key::Simplify, "0"),

@@ -5,7 +5,9 @@
 //!
 //! The file is long because it is one table: split by groups, its rows could not be read in their order.
 
-use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
+use super::choice::{
+    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Style,
+};
 use super::key::{COUNT, KINDS, Key, KeyKind};
 use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
@@ -327,6 +329,50 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(0.0, 4.0, 0.05, 2.0),
         },
         Parameter {
+            key: Key::BendingVariation,
+            name: "bending-variation",
+            label: "Uneven bending",
+            help: "Variation of the bending from place to place: 0 for the same everywhere, higher for straight reaches beside wild bends.",
+            unit: "",
+            group: "Drainage",
+            stage: Grow,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.05, 0.0),
+        },
+        Parameter {
+            key: Key::Pattern,
+            name: "pattern",
+            label: "Pattern",
+            help: "Pattern of drainage: the lie of beds, joints and slopes that rivers follow.",
+            unit: "",
+            group: "Drainage",
+            stage: Grow,
+            logarithmic: false,
+            kind: Kind::Choice { choices: Pattern::WORDS },
+        },
+        Parameter {
+            key: Key::Strike,
+            name: "strike",
+            label: "Strike",
+            help: "Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: automatic (from the seed).",
+            unit: "degrees",
+            group: "Drainage",
+            stage: Grow,
+            logarithmic: false,
+            kind: Kind::Integer { min: 0, max: 180, default: 0 },
+        },
+        Parameter {
+            key: Key::Fall,
+            name: "fall",
+            label: "Fall",
+            help: "Pull of the land's general slope, most of it toward the sea. High values draw rivers side by side and narrow the angles at which they join.",
+            unit: "",
+            group: "Drainage",
+            stage: Grow,
+            logarithmic: false,
+            kind: number(0.0, 2.0, 0.05, 0.0),
+        },
+        Parameter {
             key: Key::ChannelArea,
             name: "channel-area",
             label: "Channel area",
@@ -338,6 +384,17 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: Kind::Integer { min: 1, max: 60, default: 6 },
         },
         Parameter {
+            key: Key::HeadVariation,
+            name: "head-variation",
+            label: "Uneven channel heads",
+            help: "Variation of the channel area from place to place: dense streams here, few there.",
+            unit: "",
+            group: "Drainage",
+            stage: Prune,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.05, 0.0),
+        },
+        Parameter {
             key: Key::Trim,
             name: "trim",
             label: "Trim",
@@ -347,6 +404,28 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Prune,
             logarithmic: false,
             kind: number(0.0, 400.0, 1.0, 22.0),
+        },
+        Parameter {
+            key: Key::TrimVariation,
+            name: "trim-variation",
+            label: "Uneven trim",
+            help: "Variation of the length below which side branches are removed, from branch to branch.",
+            unit: "",
+            group: "Finish",
+            stage: Prune,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.05, 0.0),
+        },
+        Parameter {
+            key: Key::TributarySpacing,
+            name: "tributary-spacing",
+            label: "Distance between tributaries",
+            help: "Tributaries that join closer to a greater one are removed, and those that run close beside another river. 0: none.",
+            unit: "spacings",
+            group: "Finish",
+            stage: Prune,
+            logarithmic: false,
+            kind: number(0.0, 6.0, 0.1, 0.0),
         },
         Parameter {
             key: Key::Courses,

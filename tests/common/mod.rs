@@ -15,7 +15,7 @@ pub mod twin;
 
 use proptest::prelude::*;
 use riverseed::Session;
-use riverseed::recipe::{Choice, EDITION, Recipe, Style, link};
+use riverseed::recipe::{Choice, EDITION, Pattern, Recipe, Style, link};
 
 /// Finishes the rivers of a link, with some parameters set differently.
 pub fn finished(link: &str, over: &str) -> Session {
@@ -54,12 +54,26 @@ fn colonize() -> impl Strategy<Value = String> {
 fn drainage() -> impl Strategy<Value = String> {
     let valleys = (prop_oneof![Just(0.0), 0.0f64..=1.0], 4.0f64..=60.0, 0u32..=24, 0.2f64..=0.8);
     let ground = (0.0f64..=1.5, 8.0f64..=60.0, 0.0f64..=4.0, 1u32..=60);
-    (valleys, ground).prop_map(|((valleys, spacing, captures, concavity), (hardness, scale, bending, area))| {
-        format!(
-            "drainage&valleys={valleys:.2}&valley-spacing={spacing:.1}&captures={captures}&concavity={concavity:.2}\
-             &hardness={hardness:.2}&hardness-scale={scale:.1}&bending={bending:.2}&channel-area={area}"
-        )
-    })
+    let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
+    let pattern = prop_oneof![
+        Just("dendritic"),
+        proptest::sample::select(Pattern::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
+    ];
+    let country = (pattern, 0u32..=180, zero_or(2.0), zero_or(1.0), zero_or(1.0)).prop_map(
+        |(pattern, strike, fall, bends, heads)| {
+            format!(
+                "&pattern={pattern}&strike={strike}&fall={fall:.2}&bending-variation={bends:.2}&head-variation={heads:.2}"
+            )
+        },
+    );
+    (valleys, ground, country).prop_map(
+        |((valleys, spacing, captures, concavity), (hardness, scale, bending, area), country)| {
+            format!(
+                "drainage&valleys={valleys:.2}&valley-spacing={spacing:.1}&captures={captures}&concavity={concavity:.2}\
+                 &hardness={hardness:.2}&hardness-scale={scale:.1}&bending={bending:.2}&channel-area={area}{country}"
+            )
+        },
+    )
 }
 
 fn style() -> impl Strategy<Value = &'static str> {
@@ -79,7 +93,10 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let finish = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], 1.0f64..=40.0, style());
+    let trim = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], zero_or(1.0), zero_or(6.0)).prop_map(
+        |(trim, variation, spacing)| format!("{trim}&trim-variation={variation:.2}&tributary-spacing={spacing:.2}"),
+    );
+    let finish = (trim, 1.0f64..=40.0, style());
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],

@@ -16,9 +16,10 @@ const MOST: usize = 40;
 pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     let (growth, tree) = (session.growth(), session.tree());
     let (places, nodes) = (growth.scattered(), growth.nodes_of_parcels());
-    let (discharge, least) = (Hydrology::of(tree).discharge, session.trim().channel_area);
+    let (discharge, trim) = (Hydrology::of(tree).discharge, session.trim());
+    let channels = trim.heads.channels(tree, &discharge, trim.seed);
     let node = |parcel: u32| nodes[parcel as usize] as usize;
-    let is_stream = |node: usize| discharge[node] >= least;
+    let is_stream = |node: usize| channels[node];
     let mut captures = last_of_each_parcel(growth.captures(), places.len());
     captures.retain(|capture| capture.from != NO_PARENT && is_stream(node(capture.parcel)));
     let by_discharge = argsort(captures.iter().map(|capture| u32::MAX - discharge[node(capture.parcel)]));
@@ -85,12 +86,12 @@ mod tests {
         let mut last = u32::MAX;
         for way in &ways {
             let (source, before, end) = (node(way[0]), node(way[1]), node(way[way.len() - 1]));
-            assert!(discharge[source] >= session.trim().channel_area && discharge[source] <= last);
+            assert!(discharge[source] >= session.trim().heads.channel_area && discharge[source] <= last);
             last = discharge[source];
             assert_ne!(tree.parent_of(source), Some(before), "it drains another way now");
             let capture = growth.captures().iter().rfind(|capture| capture.parcel == parcel(way[0])).unwrap();
             assert_eq!(capture.from, parcel(way[1]));
-            assert!(discharge[end] >= session.trim().channel_area || tree.parent_of(end).is_none());
+            assert!(discharge[end] >= session.trim().heads.channel_area || tree.parent_of(end).is_none());
             for pair in way[1..].windows(2) {
                 assert_eq!(tree.parent_of(node(pair[0])), Some(node(pair[1])));
             }

@@ -6,8 +6,8 @@ use crate::prune::channel_depth;
 use crate::session::Session;
 use crate::tree::Hydrology;
 
-/// The sources of a session's rivers. While the tree grows, these are the ends of the part that is certain to stay,
-/// which is also the part that pictures show.
+/// The sources of a session's rivers. While the tree grows, these are the ends of the part that is longer than even
+/// trimming removes, which is also the part that pictures show.
 pub fn tips(session: &Session) -> Vec<Vec2> {
     let mut tips = Vec::new();
     if let Some(network) = session.network() {
@@ -18,10 +18,11 @@ pub fn tips(session: &Session) -> Vec<Vec2> {
     }
     let (tree, trim) = (session.tree(), session.trim());
     let discharge = Hydrology::of(tree).discharge;
-    let depth = channel_depth(tree, &discharge, trim.channel_area);
+    let channels = trim.heads.channels(tree, &discharge, trim.seed);
+    let depth = channel_depth(tree, &channels);
     for (node, &at) in tree.at.iter().enumerate() {
         // Every deeper node has an arm that is certain, too.
-        if depth[node] == trim.nodes && discharge[node] >= trim.channel_area {
+        if depth[node] == trim.nodes && channels[node] {
             tips.push(at);
         }
     }
@@ -54,7 +55,7 @@ mod tests {
         for node in 0..tree.len() {
             below(node).for_each(|lower| discharge[lower] += tree.drained[node]);
         }
-        let is_channel = |node: usize| discharge[node] >= trim.channel_area;
+        let is_channel = |node: usize| discharge[node] >= trim.heads.channel_area;
         let mut depth = vec![0; tree.len()];
         for node in (0..tree.len()).filter(|&node| is_channel(node)) {
             for (steps, lower) in below(node).enumerate() {

@@ -4,8 +4,8 @@
 use glam::Vec2;
 
 use super::directions::NONE;
-use super::parcels::{DEVIATION, Parcels};
-use crate::base::random::Purpose;
+use super::parcels::Parcels;
+use crate::base::random::{DEVIATION, Purpose};
 use crate::base::sort;
 use crate::base::work;
 use crate::grow::GrowthSettings;

@@ -1,5 +1,7 @@
 //! Fixed cells of the plane with one place in each: a triangular lattice, jittered and then bent.
 //!
+//! Where the land has a grain, the lattice is turned to lie along it: then the grain is as strong at any strike.
+//!
 //! A place belongs to its cell, and cells are counted from the middle of the domain: places that are not on land are
 //! left out, and no place moves. Each has six neighbours. Jitter stays within a disc whose radius is less than 0.433 of
 //! a triangle's side, half its height, so that no triangle is turned over. The bends are a flow along contours, which
@@ -10,13 +12,15 @@
 //! a turned triangle.
 
 use fastnoise_lite::FastNoiseLite;
-use glam::Vec2;
+use glam::{Vec2, Vec2Swizzles};
 
 use super::folds::{Folds, Triangle, is_turned_over};
 use super::settings::DrainageSettings;
-use crate::base::random::{ItemHash, Purpose};
+use crate::base::random::{DEVIATION, ItemHash, Purpose};
 use crate::base::work;
 use crate::domain::Domain;
+use crate::grow::GrowthSettings;
+use crate::recipe::Pattern;
 
 /// The greatest distance of a place from the middle of its cell, as a share of a triangle's side.
 const JITTER: f32 = 0.4;
@@ -26,6 +30,9 @@ const SIDE: f32 = 1.074_57;
 
 /// A triangle's height, for a side of 1: √3/2.
 const HEIGHT: f32 = 0.866_025_4;
+
+/// The least distance from the coast, in spacings, of places that are not bent, beside what bends may move them.
+const OFFSHORE: f32 = 4.0;
 
 /// The number of forward directions from a cell, which together make up all edges: east, south-east, south-west. The
 /// other three lead back.
@@ -51,14 +58,17 @@ impl Lattice {
         (2 * columns + 1) * (2 * rows + 1)
     }
 
-    /// Lays out the places.
-    pub fn new(domain: &Domain, settings: &DrainageSettings) -> Self {
+    /// Lays out the places. Those far out at sea are not bent, because no edge reaches them.
+    pub fn new(growth: &GrowthSettings) -> Self {
+        let GrowthSettings { domain, drainage: settings, .. } = growth;
         let (across, down) = half_extent(domain, settings);
         let (columns, rows) = (2 * across + 1, 2 * down + 1);
         let bends = Bends::new(settings);
+        let offshore = -(settings.farthest_bend() + OFFSHORE * settings.spacing);
+        let is_at_sea = |at| growth.land.as_ref().is_some_and(|land| land.coast_distance().height(at) < offshore);
         let chance = settings.seed.item_hash(Purpose::Attractors);
         let side = settings.spacing * SIDE;
-        let half = domain.size / 2.0;
+        let (half, turn) = (domain.size / 2.0, turn(settings));
         let middle = (across as i32, down as i32);
         work::count(columns * rows);
         let mut at = Vec::with_capacity(columns * rows);
@@ -66,7 +76,8 @@ impl Lattice {
             let aside = if (j & 1) == 0 { 0.0 } else { 0.5 };
             for i in -middle.0..=middle.0 {
                 let corner = Vec2::new(i as f32 + aside, j as f32 * HEIGHT) * side;
-                at.push(half + bends.bend(corner + jitter(chance, i, j) * side));
+                let place = turn.rotate(corner + jitter(chance, i, j) * side);
+                at.push(half + if is_at_sea(half + place) { place } else { bends.bend(place) });
             }
         }
         Self { at, columns, rows, middle, broken: vec![0; columns * rows] }
@@ -157,9 +168,19 @@ fn half_extent(domain: &Domain, settings: &DrainageSettings) -> (usize, usize) {
     /// The number of cells beyond the border, so that all edges across it exist.
     const CELLS_BEYOND: f32 = 3.0;
     let side = settings.spacing * SIDE;
-    let reach = domain.size / 2.0 + settings.bending;
+    let half = domain.size / 2.0;
+    let turn = turn(settings).abs();
+    let reach = Vec2::new(half.dot(turn), half.dot(turn.yx())) + settings.farthest_bend();
     let cells = |length: f32, cell: f32| (length / cell + CELLS_BEYOND) as usize;
     (cells(reach.x, side), cells(reach.y, side * HEIGHT))
+}
+
+/// The direction of the rows, a unit vector: along the strike if the land has a grain, and otherwise from west to east.
+fn turn(settings: &DrainageSettings) -> Vec2 {
+    match settings.pattern {
+        Pattern::Trellis | Pattern::Rectangular => settings.strike,
+        _ => Vec2::X,
+    }
 }
 
 /// A random point in a disc: one in the square around it, drawn in if it is outside the disc. (Sine and cosine would
@@ -172,9 +193,13 @@ fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
 }
 
 /// A flow that bends the plane. It follows the contours of fractal noise, so that it neither gathers nor scatters
-/// places.
+/// places. The noise is stronger in one place than in another; as its height varies and not the flow itself, areas are
+/// still kept.
 struct Bends {
     noise: FastNoiseLite,
+    strength: FastNoiseLite,
+    /// The deviation of the logarithm of the strength.
+    variation: f32,
     /// The length of one step where the noise falls by its height in a wavelength.
     step: f32,
     /// The distance between the places whose heights give a slope.
@@ -186,6 +211,9 @@ impl Bends {
     /// The wavelength, in spacings.
     const WAVELENGTH: f32 = 10.5;
     const BESIDE: f32 = 0.25;
+    const STRENGTH_WAVELENGTH: f32 = 12.0;
+    /// The greatest strength, beyond which the plane would fold.
+    const STRONGEST: f32 = 1.7;
 
     fn new(settings: &DrainageSettings) -> Self {
         let wavelength = Self::WAVELENGTH * settings.spacing;
@@ -193,6 +221,8 @@ impl Bends {
         let slope = SLOPE * wavelength / beside;
         Self {
             noise: settings.noise(0, wavelength, 2, 0.5),
+            strength: settings.noise(1, Self::STRENGTH_WAVELENGTH * settings.spacing, 1, 0.5),
+            variation: settings.bending_variation,
             step: settings.bending / Self::STEPS as f32 * slope,
             beside,
         }
@@ -203,11 +233,23 @@ impl Bends {
             return at;
         }
         (0..Self::STEPS).fold(at, |at, _| {
-            let here = self.noise.get_noise_2d(at.x, at.y);
-            let across = self.noise.get_noise_2d(at.x + self.beside, at.y) - here;
-            let down = self.noise.get_noise_2d(at.x, at.y + self.beside) - here;
+            let here = self.height(at);
+            let across = self.height(at + Vec2::X * self.beside) - here;
+            let down = self.height(at + Vec2::Y * self.beside) - here;
             at + Vec2::new(-down, across) * self.step
         })
+    }
+
+    /// The height whose contours the flow follows.
+    fn height(&self, at: Vec2) -> f32 {
+        let height = self.noise.get_noise_2d(at.x, at.y);
+        if self.variation == 0.0 {
+            return height;
+        }
+        // A log-normal deviate with mean 1.
+        let deviate = DEVIATION * self.strength.get_noise_2d(at.x, at.y);
+        let strength = libm::expf(self.variation * deviate - 0.5 * self.variation * self.variation);
+        height * strength.min(Self::STRONGEST)
     }
 }
 

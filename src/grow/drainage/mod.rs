@@ -8,8 +8,11 @@
 //! The starting areas decide the large shape: equal areas give a calm network, those of an invasion a wild one.
 
 mod captures;
+mod country;
 mod directions;
+mod fall;
 mod folds;
+mod grain;
 mod heights;
 mod identities;
 mod invasion;
@@ -35,8 +38,8 @@ use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
 
-/// The memory of drainage for each cell of its lattice: 104 bytes by count, and room for lists that grow.
-const BYTES_A_CELL: usize = 140;
+/// The memory of drainage for each cell of its lattice: 116 bytes by count, and room for lists that grow.
+const BYTES_A_CELL: usize = 160;
 
 /// The greatest number of parcels in a tick that shows nothing: some milliseconds of work.
 const PARCELS_A_TICK: usize = 20_000;

@@ -3,12 +3,12 @@
 
 use glam::Vec2;
 
+use super::country::Country;
 use super::directions::NONE;
 use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
-use super::settings::DrainageSettings;
 use crate::base::geometry::distance;
-use crate::base::random::Purpose;
+use crate::base::random::{DEVIATION, Purpose};
 use crate::base::work;
 use crate::grow::GrowthSettings;
 use crate::grow::watered::Watered;
@@ -22,9 +22,9 @@ pub(super) struct Parcels {
     /// The neighbours in the six directions of the lattice that water may come from or go to; [`NONE`] where it may
     /// not.
     pub neighbours: Vec<[u32; 6]>,
-    /// The costs of crossing to the neighbours in the first three directions: length times hardness of the ground.
-    /// Empty if no water has to find its way.
-    costs: Vec<[f32; WAYS]>,
+    /// The cost at which water arrives from the neighbour in each of the six directions: length times hardness of the
+    /// ground, less where the land falls that way. Empty if no water has to find its way.
+    costs: Vec<[f32; 6]>,
     /// The identity of each parcel's cell, which belongs to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,
     /// The nearness of each parcel to a border of the domain beyond which land continues, from 0, far away, to 1, at
@@ -46,13 +46,13 @@ impl Parcels {
         let mut this = Self::without_costs(settings);
         this.border = this.at.iter().map(|&at| nearness_to_border(settings, at)).collect();
         this.toll = tolls(settings, &this.at);
-        this.weigh(&settings.drainage);
+        this.weigh(settings);
         this
     }
 
     /// Lays out the parcels without costs and their ingredients, for use without drainage.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
-        let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
+        let mut lattice = Lattice::new(settings);
         let cells = land_cells(settings, &mut lattice);
         let mut number = vec![NONE; lattice.at.len()];
         for (i, &cell) in (0..).zip(&cells) {
@@ -78,13 +78,10 @@ impl Parcels {
         self.at.len()
     }
 
-    /// The cost of crossing from a parcel to its neighbour in a direction, which is the same in both ways.
+    /// The cost of crossing to a parcel from its neighbour in a direction.
     #[inline]
-    pub fn cost(&self, parcel: usize, way: usize) -> f32 {
-        match way {
-            0..WAYS => self.costs[parcel][way],
-            _ => self.costs[self.neighbours[parcel][way] as usize][way - WAYS],
-        }
+    pub fn cost_from(&self, parcel: usize, way: usize) -> f32 {
+        self.costs[parcel][way]
     }
 
     /// The cost of leaving the land from the parcel of an outlet.
@@ -96,7 +93,7 @@ impl Parcels {
     /// The cost of crossing from a parcel to a neighbour.
     pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
         let way = self.neighbours[parcel].iter().position(|&there| there == neighbour);
-        way.map_or(f32::INFINITY, |way| self.cost(parcel, way))
+        way.map_or(f32::INFINITY, |way| self.cost_from(neighbour as usize, (way + WAYS) % 6))
     }
 
     fn join_neighbours(&mut self, settings: &GrowthSettings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
@@ -116,33 +113,36 @@ impl Parcels {
         }
     }
 
-    /// Adds hard and soft ground: each edge has its own random part, and one that it shares with many around it.
-    fn weigh(&mut self, settings: &DrainageSettings) {
+    /// Adds hard and soft ground, its grain and its fall. Each edge has its own random part, and one that it shares with
+    /// many around it.
+    fn weigh(&mut self, growth: &GrowthSettings) {
         const CHANCE: f32 = 0.47;
+        let settings = &growth.drainage;
         let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
-        let ground = |(at, border): (&Vec2, &f32)| {
-            settings.hardness * DEVIATION * noise.get_noise_2d(at.x, at.y) + BORDER * border
+        let country = Country::new(growth);
+        let ground = |(&at, border): (&Vec2, &f32)| {
+            settings.hardness * DEVIATION * noise.get_noise_2d(at.x, at.y) + BORDER * border + country.hardness(at)
         };
         let hardness: Vec<f32> = self.at.iter().zip(&self.border).map(ground).collect();
         let chance = settings.seed.item_hash(Purpose::Ground);
-        self.costs = vec![[0.0; WAYS]; self.len()];
+        self.costs = vec![[0.0; 6]; self.len()];
         for parcel in 0..self.len() {
             for way in 0..WAYS {
                 let there = self.neighbours[parcel][way] as usize;
-                if let Some(to) = self.at.get(there) {
-                    let [i, j] = self.identity[parcel];
-                    let own = CHANCE * normal(chance.bits([i, j, 2 + way as u32]));
+                if let Some(&to) = self.at.get(there) {
+                    let (from, [i, j]) = (self.at[parcel], self.identity[parcel]);
+                    let own = CHANCE * chance.normal([i, j, 2 + way as u32]);
                     let ground = 0.5 * (hardness[parcel] + hardness[there]);
                     let toll = self.toll[parcel].max(self.toll[there]);
-                    self.costs[parcel][way] = distance(self.at[parcel], *to) * libm::expf(own + ground) * toll;
+                    let cost = distance(from, to) * libm::expf(own + ground) * toll;
+                    let [forward, back] = country.costs(from, to, cost);
+                    self.costs[there][way + WAYS] = forward;
+                    self.costs[parcel][way] = back;
                 }
             }
         }
     }
 }
-
-/// The factor that brings fractal noise from −1 to 1 to a deviation of about 1.
-pub(super) const DEVIATION: f32 = 3.0;
 
 /// The logarithm of the additional hardness of ground at a border beyond which land continues.
 const BORDER: f32 = 1.5;
@@ -174,13 +174,6 @@ fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
         (LEAST + BESIDE * squared * squared).min(1.0)
     };
     places.iter().map(toll).collect()
-}
-
-/// An approximately normal deviate: the sum of four random numbers (Irwin and Hall).
-fn normal(bits: u32) -> f32 {
-    const OF_BYTES: f32 = 147.8;
-    let sum: u32 = bits.to_be_bytes().into_iter().map(u32::from).sum();
-    (sum as f32 - 510.0) / OF_BYTES
 }
 
 /// The cells of the lattice that are parcels: those on land and, if mouths are drawn, on land that has one.

@@ -75,7 +75,7 @@ impl Round {
         let cost = way.cost;
         for (way, there) in parcels.neighbours[here as usize].into_iter().enumerate() {
             let Some(next) = self.ways.get_mut(there as usize).filter(|next| !next.is_settled()) else { continue };
-            let through = cost + parcels.cost(here as usize, way) * next.slope;
+            let through = cost + parcels.cost_from(here as usize, way) * next.slope;
             if through < next.cost {
                 next.cost = through;
                 self.directions.to[there as usize] = here;

@@ -1,10 +1,12 @@
 //! The settings of drainage, in domain units.
 
 use fastnoise_lite::FastNoiseLite;
+use glam::Vec2;
 
 use crate::base::random::{Purpose, Seed};
+use crate::base::trigonometry::sine_and_cosine;
 use crate::domain::AREA;
-use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Recipe};
+use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Pattern, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +32,14 @@ pub struct DrainageSettings {
     pub hardness_scale: f32,
     /// The distance by which the plane is bent, in units.
     pub bending: f32,
+    /// The variation of bending from place to place: the deviation of its logarithm.
+    pub bending_variation: f32,
+    /// φ: the logarithm of the price of running against the fall of the land, or of the gain of running with it.
+    pub fall: f32,
+    /// The pattern of drainage; dendritic where growth is not by drainage.
+    pub pattern: Pattern,
+    /// The direction of folded beds and of joints: a unit vector.
+    pub strike: Vec2,
 }
 
 impl DrainageSettings {
@@ -38,8 +48,10 @@ impl DrainageSettings {
         let spacing = (AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
         let is_drainage = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
-        Self {
-            seed: Seed::from_text(recipe.seed()),
+        let seed = Seed::from_text(recipe.seed());
+        let pattern = if is_drainage { recipe.get() } else { Pattern::Dendritic };
+        let plain = Self {
+            seed,
             spacing,
             valleys: recipe.number(NumberKey::Valleys),
             valley_spacing: spacings(NumberKey::ValleySpacing),
@@ -49,7 +61,39 @@ impl DrainageSettings {
             hardness_scale: spacings(NumberKey::HardnessScale),
             // Attractors stay in their cells.
             bending: if is_drainage { spacings(NumberKey::Bending) } else { 0.0 },
+            bending_variation: recipe.number(NumberKey::BendingVariation),
+            fall: recipe.number(NumberKey::Fall),
+            pattern,
+            strike: strike(seed, recipe.integer(IntegerKey::Strike)),
+        };
+        plain.with_pattern()
+    }
+
+    /// Adapts the other settings to the pattern, so that each of them still does something in every pattern where it
+    /// can.
+    fn with_pattern(self) -> Self {
+        let Self { fall, hardness, captures, bending, spacing, hardness_scale, .. } = self;
+        match self.pattern {
+            Pattern::Dendritic | Pattern::Rectangular => self,
+            Pattern::Parallel => {
+                Self { fall: fall + 1.8, hardness: 0.4 * hardness, valleys: 0.0, bending: 0.6 * bending, ..self }
+            }
+            Pattern::Trellis => Self { bending: 0.4 * bending, ..self },
+            Pattern::Annular => Self { fall: fall + 0.25, bending: 0.5 * bending, ..self },
+            Pattern::Radial | Pattern::Centripetal => Self { fall: fall + 1.2, bending: 0.6 * bending, ..self },
+            Pattern::Deranged => Self {
+                hardness: 2.2 * hardness,
+                hardness_scale: hardness_scale.min(9.0 * spacing),
+                valleys: 1.0,
+                captures: captures.min(1),
+                ..self
+            },
         }
+    }
+
+    /// A bound for the distance by which bends move a place, in units; measured, not proved.
+    pub(super) fn farthest_bend(&self) -> f32 {
+        self.bending * (1.1 + 1.5 * self.bending_variation)
     }
 
     /// Fractal noise over the plane, from −1 to 1. `index` separates different uses.
@@ -58,4 +102,13 @@ impl DrainageSettings {
         noise.set_fractal_gain(Some(gain));
         noise
     }
+}
+
+/// The direction of beds and joints, a unit vector, from degrees east of north as geologists give it; 0 stands for any
+/// that the seed chooses.
+fn strike(seed: Seed, degrees: u32) -> Vec2 {
+    let chosen = 180.0 * seed.item_hash(Purpose::Country).unit([2, 0, 0]);
+    let degrees = if degrees == 0 { chosen } else { degrees as f32 };
+    let (sine, cosine) = sine_and_cosine(degrees.to_radians());
+    Vec2::new(sine, -cosine)
 }

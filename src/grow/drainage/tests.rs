@@ -1,11 +1,12 @@
 use super::*;
 use crate::base::geometry::meet;
-use crate::land::{CoastDistance, Land};
+use crate::land::{Cell, CoastDistance, Land};
 use crate::property::cases;
 use crate::recipe::link;
 use crate::tree::Hydrology;
 use glam::Vec2;
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 fn settings(text: &str) -> GrowthSettings {
     GrowthSettings::of(&link::read(&format!("growth=drainage&{text}")).unwrap())
@@ -19,7 +20,7 @@ fn grown(text: &str) -> Drainage {
 
 /// A lattice whose edges are all known.
 fn whole_lattice(settings: &GrowthSettings) -> Lattice {
-    let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
+    let mut lattice = Lattice::new(settings);
     let inner: Vec<usize> = (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)).collect();
     lattice.break_edges(&inner);
     lattice
@@ -78,7 +79,7 @@ fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
         for here in 0..parcels.len() {
             for way in 0..6 {
                 if let Some(&there) = cost.get(parcels.neighbours[here][way] as usize) {
-                    let through = there + parcels.cost(here, way) * slope[here];
+                    let through = there + parcels.cost_to(here, parcels.neighbours[here][way]) * slope[here];
                     cost[here] = cost[here].min(through);
                 }
             }
@@ -292,6 +293,46 @@ fn land_hides_parcels_and_moves_none() {
     let (whole, island) = (places("land=rectangle"), places("land=island&sea=0.4"));
     assert!(island.len() < whole.len() && island.len() > 100);
     assert!(island.iter().all(|place| whole.contains(place)));
+}
+
+#[test]
+fn bends_move_no_place_farther_than_they_are_said_to() {
+    for variation in [0.0, 0.4, 0.8, 1.0] {
+        for seed in 0..6 {
+            let link = format!("land=rectangle&attractors=5000&bending=2&bending-variation={variation}&seed={seed}");
+            let bent = settings(&link);
+            let mut straight = bent.clone();
+            straight.drainage.bending = 0.0;
+            let places = |settings: &GrowthSettings| {
+                let lattice = Lattice::new(settings);
+                (0..lattice.at.len()).map(|cell| (lattice.identity(cell), lattice.at[cell])).collect::<BTreeMap<_, _>>()
+            };
+            let (straight, farthest) = (places(&straight), bent.drainage.farthest_bend());
+            let moved = |(cell, at): (&[u32; 2], &Vec2)| Some(straight.get(cell)?.distance(*at));
+            let most = places(&bent).iter().filter_map(moved).fold(0.0, f32::max);
+            assert!((0.5 * farthest..farthest).contains(&most), "{link}: {most} of {farthest}");
+        }
+    }
+}
+
+#[test]
+fn places_at_sea_are_not_bent_and_those_near_land_lie_as_without_a_sea() {
+    for over in ["bending=2&bending-variation=1&attractors=6000", "bending=1&attractors=3000&pattern=trellis"] {
+        let island = settings(&format!("land=archipelago&sea=0.7&aspect=1.4&seed=kauri&{over}"));
+        let whole = GrowthSettings { land: None, ..island.clone() };
+        let (mut bent, mut all) = (Lattice::new(&island), Lattice::new(&whole));
+        let is_land = |cell: &usize| island.land.as_ref().unwrap().at(all.at[*cell]) == Cell::Land;
+        let cells: Vec<usize> = (0..all.at.len()).filter(|cell| all.is_inner(*cell) && is_land(cell)).collect();
+        bent.break_edges(&cells);
+        all.break_edges(&cells);
+        for &cell in &cells {
+            let around = all.neighbours(cell);
+            assert!(around.into_iter().chain([cell]).all(|cell| bent.at[cell] == all.at[cell]), "{over}: {cell}");
+            assert!((0..6).all(|way| bent.is_edge(cell, way) == all.is_edge(cell, way)), "{over}: {cell}");
+        }
+        let straight = bent.at.iter().zip(&all.at).filter(|(at, bent)| at != bent).count();
+        assert!(cells.len() > 100 && straight > 100, "{over}: {} and {straight}", cells.len());
+    }
 }
 
 #[test]

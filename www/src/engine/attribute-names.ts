@@ -7,8 +7,8 @@
 // biome-ignore format: a list of words
 export const NUMBERS = [
   "edition", "aspect", "sea", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
-  "curl", "stretch", "valleys", "valley-spacing", "concavity", "captures", "hardness", "hardness-scale", "bending", "channel-area", "trim",
-  "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
+  "curl", "stretch", "valleys", "valley-spacing", "concavity", "captures", "hardness", "hardness-scale", "bending",
+  "bending-variation", "strike", "fall", "channel-area", "head-variation", "trim", "trim-variation", "tributary-spacing", "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
   "great-rivers", "flat-share", "neck", "oxbows", "clearance", "taper", "mountains", "plains", "shade", "label-size", "language", "woods", "hills",
 ] as const;
 export const TEXTS = [
@@ -19,6 +19,7 @@ export const TEXTS = [
   "shores",
   "growth",
   "scatter",
+  "pattern",
   "courses",
   "meander",
   "labels",

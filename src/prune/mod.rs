@@ -8,25 +8,43 @@
 //! A Brownian tree has a mouth wherever its particles met the coast, mostly of brooks. The sea then counts as one more
 //! fork: basins whose longest river is short are removed, except the deepest basin. If the recipe asks for mouths, all
 //! of them stay.
+//!
+//! Two further rules keep a trimmed tree from looking clipped: the threshold varies from branch to branch, and of
+//! tributaries that crowd along a river only the greatest stay ([`selection`]). Drainage is first cut back to its
+//! channels ([`heads`]).
 
+mod heads;
+mod selection;
+#[cfg(test)]
+mod tests;
+
+pub use heads::Heads;
+
+use crate::base::random::{Purpose, Seed};
 use crate::tree::{Hydrology, Tree};
 
 /// The branches to remove.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Trim {
     /// The paper's t, in nodes: side branches with a lower depth are removed.
     pub nodes: u32,
     /// `true` if basins count as side branches of the sea.
     pub treats_sea_as_fork: bool,
-    /// The discharge at which a river begins. Nodes with less are hillside and are removed.
-    pub channel_area: u32,
+    /// The deviation of the logarithm of that depth from branch to branch.
+    pub variation: f32,
+    /// The heads of channels. What lies above them is hillside and is removed.
+    pub heads: Heads,
+    /// The distance that tributaries keep from greater ones, in units; 0 if they need not.
+    pub tributary_spacing: f32,
+    /// The seed of all variation.
+    pub seed: Seed,
 }
 
 impl Trim {
     /// Trims side branches shorter than `length`, in a tree whose nodes are `node_length` apart. Both are in units; the
     /// length is rounded to whole nodes.
     pub fn new(length: f32, node_length: f32, treats_sea_as_fork: bool) -> Self {
-        Self { nodes: (length / node_length).round() as u32, treats_sea_as_fork, channel_area: 0 }
+        Self { nodes: (length / node_length).round() as u32, treats_sea_as_fork, ..Self::default() }
     }
 }
 
@@ -45,8 +63,7 @@ pub struct Pruned {
 
 /// Trims a tree. A threshold of 0 leaves it unchanged.
 pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
-    let depth = channel_depth(tree, &hydrology.discharge, trim.channel_area);
-    let stays = stays(tree, &depth, &hydrology.discharge, trim);
+    let stays = stays(tree, &hydrology.discharge, trim);
     let origin: Vec<u32> = (0u32..).zip(&stays).filter(|(_, stays)| **stays).map(|(node, _)| node).collect();
     let discharge: Vec<u32> = select(&hydrology.discharge, &origin);
     let tree = compact(tree, &stays, &origin, &discharge);
@@ -55,9 +72,9 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
 }
 
 /// The depth of each node in the tree of channels; 0 at channel heads and on hillside.
-pub fn channel_depth(tree: &Tree, discharge: &[u32], channel_area: u32) -> Vec<u32> {
+pub fn channel_depth(tree: &Tree, channels: &[bool]) -> Vec<u32> {
     let mut depth = vec![0u32; tree.len()];
-    for node in (0..tree.len()).rev().filter(|&node| discharge[node] >= channel_area) {
+    for node in (0..tree.len()).rev().filter(|&node| channels[node]) {
         if let Some(parent) = tree.parent_of(node) {
             depth[parent] = depth[parent].max(depth[node] + 1);
         }
@@ -65,16 +82,30 @@ pub fn channel_depth(tree: &Tree, discharge: &[u32], channel_area: u32) -> Vec<u
     depth
 }
 
-/// Returns for each node whether it stays. Parents precede their children, so in one pass a removal reaches everything
+/// Returns for each node of a finished tree whether it stays.
+pub fn stays(tree: &Tree, discharge: &[u32], trim: Trim) -> Vec<bool> {
+    let channels = trim.heads.channels(tree, discharge, trim.seed);
+    let stays = without_short_branches(tree, &channels, trim);
+    selection::select(tree, discharge, stays, trim)
+}
+
+/// Removes hillside and short side branches. Parents precede their children, so in one pass a removal reaches everything
 /// upstream.
-pub fn stays(tree: &Tree, depth: &[u32], discharge: &[u32], trim: Trim) -> Vec<bool> {
+fn without_short_branches(tree: &Tree, channels: &[bool], trim: Trim) -> Vec<bool> {
+    let depth = channel_depth(tree, channels);
+    let chance = trim.seed.item_hash(Purpose::Trimming);
+    let least = |node: usize| {
+        if trim.variation == 0.0 {
+            return trim.nodes as f32;
+        }
+        trim.nodes as f32 * libm::expf(trim.variation * chance.normal([tree.identity_of(node), 0, 0]))
+    };
     let sea = if trim.treats_sea_as_fork { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
     let mut stays = vec![true; tree.len()];
     for node in 0..tree.len() {
         let (parent_stays, below) = tree.parent_of(node).map_or((true, sea), |parent| (stays[parent], depth[parent]));
-        let is_short = depth[node] < trim.nodes;
         let is_side_branch = depth[node] + 1 < below;
-        stays[node] = parent_stays && discharge[node] >= trim.channel_area && !(is_short && is_side_branch);
+        stays[node] = parent_stays && channels[node] && !(is_side_branch && (depth[node] as f32) < least(node));
     }
     stays
 }
