@@ -77,7 +77,7 @@ test("a day's game goes on after a reload, and after another game", async ({ pag
   await expect(page.locator("#count")).toHaveText("3 of 5");
   await page.reload();
   await expect(page.locator("#count")).toHaveText("3 of 5");
-  await page.getByRole("button", { name: "Ten by chance" }).click();
+  await page.getByRole("button", { name: "Ten at random" }).click();
   await answer(page, "real", 1, 10);
   await page.getByRole("button", { name: "Today’s five" }).click();
   await answer(page, "real", 3, 5);
@@ -93,7 +93,7 @@ for (const colorScheme of ["light", "dark"] as const)
     const complained = complaints(page);
     await fixChance(page);
     await open(page);
-    await page.getByRole("button", { name: "Ten by chance" }).click();
+    await page.getByRole("button", { name: "Ten at random" }).click();
     await expect(page.getByRole("button", { name: "Grown", exact: true })).toBeEnabled();
     expect(await violations(page)).toEqual([]);
     const asked: string[] = [];
@@ -109,7 +109,7 @@ for (const colorScheme of ["light", "dark"] as const)
     expect(await violations(page)).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 
-    await page.getByRole("button", { name: "Forget all answers" }).click();
+    await page.getByRole("button", { name: "Reset these counts" }).click();
     await expect(page.locator("#passed")).toBeHidden();
     await page.getByRole("button", { name: "Ten more" }).click();
     await expect(page.locator("#count")).toHaveText("1 of 10");
@@ -147,4 +147,11 @@ test("junk in the storage, or none at all, leaves the game as it is", async ({ p
   await expect(page.locator("#line")).toBeVisible();
   await expect(page.locator("#passed")).toBeHidden();
   expect(complained).toEqual([]);
+});
+
+test("without the engine the page says that nothing can be grown", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.abort());
+  await open(page);
+  await expect(page.locator("#count")).toHaveText("No rivers could be grown here. Please load the page again.");
+  await expect(page.getByRole("button", { name: "Real", exact: true })).toBeDisabled();
 });

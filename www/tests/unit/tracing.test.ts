@@ -103,6 +103,12 @@ test.each([
   const [x, y] = [10.5, 85.5 - Math.max(0, dy)];
   const off = line.map(([px, py]) => Math.abs((px - x) * dy - (py - y) * dx) / Math.hypot(dx, dy));
   expect(Math.max(...off)).toBeLessThan(0.5);
+  const turns = line.slice(2).map(([px, py], i) => {
+    const [[ax = 0, ay = 0] = [], [bx = 0, by = 0] = []] = [line[i], line[i + 1]];
+    return Math.abs((bx - ax) * (py - by) - (by - ay) * (px - bx)) / Math.hypot(bx - ax, by - ay);
+  });
+  // In the stairs, a step goes up to 0.7 off the direction of the one before.
+  expect(Math.max(...turns)).toBeLessThan(0.02);
 });
 
 test("every pixel is in a line, and every step between two pixels in exactly one", () => {

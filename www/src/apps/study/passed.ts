@@ -21,7 +21,7 @@ export class Passed {
     const tally = tallyIn(this.storage);
     const { asked, right } = totalOf(tally);
     this.section.hidden = asked === 0;
-    const forgetting = el("button", { type: "button", class: "quiet" }, "Forget all answers");
+    const forgetting = el("button", { type: "button", class: "quiet" }, "Reset these counts");
     forgetting.addEventListener("click", () => {
       forget(this.storage);
       this.show();

@@ -46,9 +46,12 @@ function pasteable(date: string, isRight: readonly boolean[]): HTMLElement[] {
   button.addEventListener("click", async () => {
     const isCopied = await copy(line);
     if (!isCopied) getSelection()?.selectAllChildren(text);
-    setText(status, isCopied ? "Copied." : "Your browser does not allow it. The line is selected: copy it from there.");
+    setText(
+      status,
+      isCopied ? "Copied." : "Your browser does not allow that. The line is selected, so you can copy it yourself.",
+    );
   });
-  const next = el("p", { class: "help" }, "The line gives nothing away. The next five come at midnight UTC.");
+  const next = el("p", { class: "help" }, "The line gives no answers away. The next five come at midnight UTC.");
   return [text, el("div", { class: "copying" }, button, status), next];
 }
 

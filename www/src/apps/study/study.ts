@@ -104,7 +104,7 @@ class Study {
   }
 
   #finish(): void {
-    const more = el("button", { type: "button" }, this.#game.date === undefined ? "Ten more" : "Ten by chance");
+    const more = el("button", { type: "button" }, this.#game.date === undefined ? "Ten more" : "Ten at random");
     more.addEventListener("click", () => void this.#begin(this.games.byChance()).then(() => elements.real.focus()));
     elements.end.replaceChildren(...reviewOf(this.#game, this.nature, fail), more);
     this.#passed.show();
