@@ -1,12 +1,14 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { grownPiece } from "../../src/apps/study/grown.ts";
-import { isWellCovered, measure, SIDE } from "../../src/apps/study/piece.ts";
-import rivers from "../../src/apps/study/real.json";
-import { keepTally, tallyIn } from "../../src/apps/study/tally.ts";
+import { chanceOf } from "../../src/apps/study/chance.ts";
+import { type Grown, grownPiece } from "../../src/apps/study/grown.ts";
+import { isWellCovered, lengthOf, measure, SIDE } from "../../src/apps/study/piece.ts";
+import { piecesIn } from "../../src/apps/study/real.ts";
+import { linkBy, type Range, RECIPE_NAMES, RECIPES } from "../../src/apps/study/recipes.ts";
 import { tellTale } from "../../src/apps/study/tell-tale.ts";
 import { thin } from "../../src/apps/study/thin.ts";
 import { engine, memory } from "../core.ts";
+import { parameter, table } from "../table.ts";
 
 /** A piece with straight rivers from some pixels to others. */
 function piece(...lines: [x: number, y: number, dx: number, dy: number, length: number][]): Uint8Array {
@@ -87,45 +89,74 @@ test("what is told of a piece is the measure that is farthest off", () => {
   expect(tellTale({ length: 502, confluences: 2, ends: 2, straightness: Number.NaN }, real)).toBeUndefined();
 });
 
-test("answers are counted on the device, and junk there counts as none", () => {
-  let kept: string | null = null;
-  const storage = {
-    getItem: () => kept,
-    setItem: (_: string, text: string) => {
-      kept = text;
-    },
-  } as unknown as Storage;
-  expect(tallyIn(() => storage)).toEqual({ asked: 0, right: 0 });
-  keepTally({ asked: 20, right: 13 }, () => storage);
-  expect(tallyIn(() => storage)).toEqual({ asked: 20, right: 13 });
-  for (const junk of ["", "null", "[]", '{"asked":1,"right":2}', '{"asked":1e999,"right":1}']) {
-    kept = junk;
-    expect(
-      tallyIn(() => storage),
-      junk,
-    ).toEqual({ asked: 0, right: 0 });
+test("every piece of the world's rivers says where it is, and is well covered", async () => {
+  const png = readFileSync("src/apps/study/real.png");
+  expect(png.readUInt32BE(16)).toBe(11 * SIDE);
+  const pieces = await piecesIn(new Uint8Array(png));
+  expect(pieces).toHaveLength(44);
+  for (const { kilometresPerPixel, piece } of pieces) {
+    expect(kilometresPerPixel).toBeGreaterThanOrEqual(2.5);
+    expect(isWellCovered(piece)).toBe(true);
   }
-  const denied = (): Storage => {
-    throw new Error("denied");
-  };
-  keepTally({ asked: 1, right: 1 }, denied);
-  expect(tallyIn(denied)).toEqual({ asked: 0, right: 0 });
 });
 
-test("a grown piece is as well covered as those of the world", async () => {
-  let state = 7;
-  const chance = (below: number): number => {
-    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
-    return Math.floor((state / 2 ** 32) * below);
-  };
-  const seeded = { engine: { ...engine, freshSeed: () => "kauri" }, memory };
-  const { seed, piece } = await grownPiece(seeded, chance);
-  expect(seed).toBe("kauri");
-  expect(isWellCovered(piece)).toBe(true);
+test.each(RECIPE_NAMES)("recipes of %s are read as they are written, with values from all of their range", (name) => {
+  const { ranges, attractors } = RECIPES[name] as { ranges: Record<string, Range>; attractors: Range };
+  const chance = chanceOf(`recipes ${name}`);
+  const seen: Record<string, number[]> = {};
+  for (let i = 0; i < 300; i++) {
+    const link = linkBy(name, "kauri", chance);
+    const read = engine.readLink(link);
+    expect(read.notices, link).toEqual([]);
+    const [given, kept] = [new URLSearchParams(link), new URLSearchParams(read.link)];
+    for (const [key, value] of given) {
+      if (key === "preset") continue;
+      const row = parameter(key);
+      // Links leave defaults out.
+      if (kept.has(key)) expect(kept.get(key), key).toBe(value);
+      else if ("default" in row) expect(String(row.default), key).toBe(value);
+      if ("min" in row) expect(Number(value)).toBeGreaterThanOrEqual(row.min);
+      if ("max" in row) expect(Number(value)).toBeLessThanOrEqual(row.max);
+    }
+    const nodes = (380 / Math.sqrt(Number(given.get("attractors")))) as number;
+    for (const key of [...Object.keys(ranges), "attractors"]) {
+      const value = Number(given.get(key));
+      seen[key] ??= [];
+      seen[key].push(key === "trim" ? value / nodes : value);
+    }
+  }
+  for (const [key, { least, most, step }] of Object.entries({ ...ranges, attractors })) {
+    const [lowest, highest] = [Math.min(...(seen[key] ?? [])), Math.max(...(seen[key] ?? []))];
+    // Trim is rounded to whole units.
+    expect(lowest, key).toBeGreaterThanOrEqual(least - step / 2);
+    expect(highest, key).toBeLessThanOrEqual(most + step / 2);
+    expect(highest - lowest, key).toBeGreaterThan(0.9 * (most - least));
+  }
 });
 
-test("every piece of the world's rivers says where it is", () => {
-  expect(rivers).toHaveLength(44);
-  for (const { kilometresPerPixel } of rivers) expect(kilometresPerPixel).toBeGreaterThanOrEqual(2.5);
-  expect(readFileSync("src/apps/study/real.png").readUInt32BE(16)).toBe(11 * SIDE);
+test("there are seven recipes: the six variants of the paper, and drainage", () => {
+  const presets = RECIPE_NAMES.map((name) => new URLSearchParams(RECIPES[name].link).get("preset"));
+  expect(presets).toEqual([...table.presets.map(({ name }) => name), null]);
+});
+
+test.each(RECIPE_NAMES)(
+  "a piece grown by %s is as well covered as those of the world, and as long as it should be",
+  async (by) => {
+    for (const length of [420, 700]) {
+      const order = { by, length, seedOf: () => "kauri", chance: chanceOf(`${by} ${length}`) };
+      const { seed, piece } = await grownPiece({ engine, memory }, order);
+      expect(seed).toBe("kauri");
+      expect(isWellCovered(piece)).toBe(true);
+      expect(Math.abs(lengthOf(piece) / length - 1)).toBeLessThan(0.12);
+    }
+  },
+);
+
+test("the same chance grows the same piece", async () => {
+  const grow = (): Promise<Grown> =>
+    grownPiece(
+      { engine, memory },
+      { by: "trimmedCurl", length: 500, seedOf: () => "kauri", chance: chanceOf("twice") },
+    );
+  expect(await grow()).toEqual(await grow());
 });

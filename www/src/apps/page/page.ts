@@ -2,6 +2,7 @@
 
 import "../../style/page.css";
 import { AddressBar, addressOf, linkOf } from "../../browser/address.ts";
+import { copy } from "../../browser/clipboard.ts";
 import { el } from "../../browser/dom.ts";
 import { answerEscape } from "../../browser/keys.ts";
 import { turn } from "../../browser/turn.ts";
@@ -35,7 +36,6 @@ import { PresetNote } from "./panel/preset-note.ts";
 import { firstLink, howFor, prefersDark } from "./preferences.ts";
 import { Downloads } from "./save/downloads.ts";
 import { SaveDialog } from "./save/save-dialog.ts";
-import { copy } from "./share/share.ts";
 import { ShareDialog } from "./share/share-dialog.ts";
 import { SixWays } from "./six/six-ways.ts";
 import { showFailure, showNotices } from "./status.ts";

@@ -22,6 +22,11 @@ const WAY = 24;
 /** The steps to the pixels around one, clockwise. */
 const AROUND = [-SIDE, 1 - SIDE, 1, SIDE + 1, SIDE, SIDE - 1, -1, -SIDE - 1];
 
+/** Returns the number of river pixels of a piece. */
+export function lengthOf(piece: Piece): number {
+  return piece.reduce((sum, is) => sum + is, 0);
+}
+
 export function measure(piece: Piece): Measured {
   let length = 0;
   let confluences = 0;

@@ -4,159 +4,135 @@
  */
 
 import "./study.css";
-import { count } from "../../browser/count.ts";
 import { el, find, setText } from "../../browser/dom.ts";
 import { named } from "../../engine/errors.ts";
-import { loadSteer, type SteerCore } from "../../engine/steer.ts";
-import { type Grown, grownPiece } from "./grown.ts";
-import { type Measured, measure, type Piece, SIDE } from "./piece.ts";
-import { type Real, realPieces } from "./real.ts";
-import { keepTally, tallyIn } from "./tally.ts";
-import { tellTale } from "./tell-tale.ts";
-
-const ROUNDS = 10;
+import { loadSteer } from "../../engine/steer.ts";
+import { today } from "./daily.ts";
+import { show } from "./drawing.ts";
+import { type Game, Games, originOf, type Shown } from "./game.ts";
+import { Passed } from "./passed.ts";
+import { type Measured, measure } from "./piece.ts";
+import { realPieces } from "./real.ts";
+import { reviewOf } from "./review.ts";
+import { count } from "./tally.ts";
+import { toldOf } from "./told.ts";
 
 const elements = {
-  piece: find("#piece", HTMLCanvasElement),
+  daily: find("#daily", HTMLButtonElement),
+  ten: find("#ten", HTMLButtonElement),
+  game: find("#game", HTMLElement),
+  piece: find("#piece", SVGSVGElement),
   count: find("#count", HTMLElement),
+  answers: find("#answers", HTMLElement),
   real: find("#real", HTMLButtonElement),
   grown: find("#grown", HTMLButtonElement),
+  next: find("#next", HTMLButtonElement),
   verdict: find("#verdict", HTMLElement),
   end: find("#end", HTMLElement),
+  passed: find("#passed", HTMLElement),
 };
 
-type Shown = ({ is: "real" } & Real) | ({ is: "grown" } & Grown);
-
-/** An answer for a piece. */
-interface Answered {
-  shown: Shown;
-  isRight: boolean;
-}
+const storage = (): Storage => localStorage;
 
 class Study {
-  #answered: Answered[] = [];
+  #game: Game;
   #shown: Shown | undefined;
-  /** Real pieces that have not been shown yet. */
-  readonly #left: Real[];
-  readonly #nature: readonly Measured[];
+  readonly #passed = new Passed(elements.passed, storage);
 
   constructor(
-    private readonly core: SteerCore,
-    real: readonly Real[],
+    private readonly games: Games,
+    /** The measures of all real pieces. */
+    private readonly nature: readonly Measured[],
   ) {
-    this.#left = [...real];
-    this.#nature = real.map(({ piece }) => measure(piece));
+    this.#game = games.ofDay(today());
     elements.real.addEventListener("click", () => this.#answer("real"));
     elements.grown.addEventListener("click", () => this.#answer("grown"));
+    elements.next.addEventListener("click", () => this.#goOn());
+    elements.daily.addEventListener("click", () => void this.#begin(games.ofDay(today())));
+    elements.ten.addEventListener("click", () => void this.#begin(games.byChance()));
+    for (const button of [elements.daily, elements.ten]) button.disabled = false;
+    void this.#begin(this.#game);
   }
 
-  async next(): Promise<void> {
-    this.#enable(false);
-    this.#shown = await this.#draw();
-    show(this.#shown.piece);
-    setText(elements.count, `${this.#answered.length + 1} of ${ROUNDS}`);
-    this.#enable(true);
+  async #begin(game: Game): Promise<void> {
+    this.#game = game;
+    elements.daily.setAttribute("aria-pressed", String(game.date !== undefined));
+    elements.ten.setAttribute("aria-pressed", String(game.date === undefined));
+    setText(elements.verdict, "");
+    if (this.#game.isOver) this.#finish();
+    else await this.#ask();
   }
 
-  /** Draws a real or a grown piece with equal chances, whatever came before, so that counting does not help. */
-  async #draw(): Promise<Shown> {
-    if (chance(2) === 1) return { is: "grown", ...(await grownPiece(this.core, chance)) };
-    const [one] = this.#left.splice(chance(this.#left.length), 1);
-    return one ? { is: "real", ...one } : { is: "grown", ...(await grownPiece(this.core, chance)) };
+  /** Shows the piece of the next round, once it is made. */
+  async #ask(): Promise<void> {
+    const game = this.#game;
+    const round = game.said.length;
+    this.#shown = undefined;
+    this.#show("waiting");
+    setText(elements.count, `${round + 1} of ${game.rounds}`);
+    try {
+      const shown = await game.piece(round);
+      // Another game may have begun meanwhile.
+      if (this.#game !== game || game.said.length !== round) return;
+      this.#shown = shown;
+      show(shown.piece, elements.piece);
+      this.#show("asking");
+    } catch (thrown) {
+      fail(thrown);
+    }
   }
 
   #answer(said: Shown["is"]): void {
-    const shown = this.#shown;
+    const [game, shown] = [this.#game, this.#shown];
     if (!shown) return;
-    this.#shown = undefined;
-    this.#answered.push({ shown, isRight: said === shown.is });
-    elements.verdict.replaceChildren(said === shown.is ? "Right: " : "No: ", ...toldOf(shown));
-    if (this.#answered.length === ROUNDS) this.#finish();
-    else this.next().catch(fail);
+    game.say(said);
+    count(originOf(shown), said === "real", storage);
+    elements.verdict.replaceChildren(said === shown.is ? "Right: " : "No: ", ...toldOf(shown), ".");
+    setText(elements.next, game.isOver ? "How it went" : "Next");
+    this.#show("told");
+    elements.next.focus();
+    // While the reader looks, the next piece grows. If it cannot, that is said when it should be shown.
+    if (!game.isOver) game.piece(game.said.length).catch(() => {});
   }
 
-  #enable(is: boolean): void {
-    for (const button of [elements.real, elements.grown]) button.disabled = !is;
+  #goOn(): void {
+    setText(elements.verdict, "");
+    if (this.#game.isOver) {
+      this.#finish();
+      elements.end.querySelector("h2")?.focus();
+    } else void this.#ask().then(() => elements.real.focus());
   }
 
   #finish(): void {
-    this.#enable(false);
-    const right = this.#answered.filter(({ isRight }) => isRight).length;
-    const before = tallyIn(() => localStorage);
-    const tally = { asked: before.asked + ROUNDS, right: before.right + right };
-    keepTally(tally, () => localStorage);
-    const again = el("button", { type: "button" }, "Ten more");
-    again.addEventListener("click", () => this.#again());
-    elements.end.replaceChildren(
-      el("h2", {}, `${right} of ${ROUNDS} right`),
-      el("p", {}, scoreOf(right)),
-      ...this.#givenAway(),
-      el("p", {}, `On this device, in all: ${count(tally.right)} of ${count(tally.asked)}. Guessing gives half.`),
-      again,
-    );
-    elements.end.hidden = false;
-    again.focus();
+    const more = el("button", { type: "button" }, this.#game.date === undefined ? "Ten more" : "Ten at random");
+    more.addEventListener("click", () => void this.#begin(this.games.byChance()).then(() => elements.real.focus()));
+    elements.end.replaceChildren(...reviewOf(this.#game, this.nature, fail), more);
+    this.#passed.show();
+    this.#show("over");
   }
 
-  /** Lists the reasons by which grown pieces could be recognized. */
-  #givenAway(): HTMLElement[] {
-    const known = this.#answered.flatMap(({ shown, isRight }) => (shown.is === "grown" && isRight ? [shown] : []));
-    if (known.length === 0) return [el("p", {}, "None of ours gave itself away.")];
-    const line = ({ seed, piece }: Grown): HTMLElement => {
-      const why = tellTale(measure(piece), this.#nature) ?? "nothing that we measure; your eye knows more";
-      return el("li", {}, linkTo(seed), `: ${why}.`);
-    };
-    return [el("p", {}, "What gave ours away:"), el("ul", {}, ...known.map(line))];
+  #show(state: "waiting" | "asking" | "told" | "over"): void {
+    if (state !== "over") this.#passed.hide();
+    elements.game.hidden = state === "over";
+    elements.end.hidden = state !== "over";
+    elements.answers.hidden = state === "told";
+    elements.next.hidden = state !== "told";
+    elements.piece.classList.toggle("waiting", state === "waiting");
+    for (const button of [elements.real, elements.grown]) button.disabled = state !== "asking";
   }
-
-  #again(): void {
-    this.#answered = [];
-    elements.end.hidden = true;
-    setText(elements.verdict, "");
-    this.next().then(() => elements.real.focus(), fail);
-  }
-}
-
-/** Returns a random whole number below `below`. All are equally likely, apart from a negligible bias. */
-function chance(below: number): number {
-  return Math.floor(((crypto.getRandomValues(new Uint32Array(1))[0] ?? 0) / 2 ** 32) * below);
-}
-
-function scoreOf(right: number): string {
-  if (right >= 8) return "You know rivers: hardly anybody tells them apart so well.";
-  return right >= 6 ? "Better than a coin." : "A coin would have done as well: take it as praise for the rivers.";
-}
-
-function toldOf(shown: Shown): (Node | string)[] {
-  if (shown.is === "grown") return ["grown from ", linkTo(shown.seed), "."];
-  const place = shown.river === "" ? "" : `, near the ${shown.river}`;
-  return [`real${place}, ${count(shown.kilometresPerPixel * SIDE)} km across.`];
-}
-
-function linkTo(seed: string): HTMLElement {
-  return el("a", { href: `./?seed=${encodeURIComponent(seed)}&style=atlas&labels=some` }, seed);
-}
-
-const RIVER = [238, 244, 240, 255];
-const GROUND = [16, 28, 34, 255];
-
-function show(piece: Piece): void {
-  const context = elements.piece.getContext("2d");
-  if (!context) return;
-  const image = context.createImageData(SIDE, SIDE);
-  for (const [at, is] of piece.entries()) image.data.set(is ? RIVER : GROUND, 4 * at);
-  context.putImageData(image, 0, 0);
 }
 
 function fail(thrown: unknown): void {
   const { code, message } = named(thrown);
   console.warn(`riverseed: ${code}: ${message}`);
+  elements.game.hidden = false;
   setText(elements.count, "No rivers could be grown here. Please load the page again.");
 }
 
 async function begin(): Promise<void> {
   const [core, real] = await Promise.all([loadSteer(), realPieces()]);
-  await new Study(core, real).next();
+  const nature = real.map(({ piece }) => measure(piece));
+  new Study(new Games(core, real, storage), nature);
 }
 
 begin().catch(fail);

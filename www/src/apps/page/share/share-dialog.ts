@@ -3,11 +3,11 @@
  */
 
 import { addressOf } from "../../../browser/address.ts";
+import { copy } from "../../../browser/clipboard.ts";
 import { el } from "../../../browser/dom.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import type { Downloads } from "../save/downloads.ts";
 import { type Choices, FIRST } from "../save/save-choices.ts";
-import { copy } from "./share.ts";
 import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
 
 export interface ShareElements {
