@@ -91,38 +91,74 @@ pub static PRESETS: &[Preset] = &explained([
     },
 ]);
 
-/// The values of a kind of country: its land and its rivers. All countries set the same keys, so that choosing one
-/// leaves no trace of another.
-const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 16] {
-    old_country(land, growth, rivers, DEFAULT_BENDS)
+/// A kind of country: its land and its rivers. All countries set the same keys, so that choosing one leaves no trace of
+/// another.
+#[derive(Clone, Copy)]
+struct Country {
+    aspect: Text,
+    land: Text,
+    sea: Text,
+    roughness: Text,
+    sides: Text,
+    growth: Text,
+    attractors: Text,
+    sensitivity: Text,
+    pattern: Text,
+    fall: Text,
+    channel_area: Text,
+    width: Text,
+    rounds: Text,
+    great_rivers: Text,
+    flat_share: Text,
+    neck: Text,
+    oxbows: Text,
 }
 
-/// The values of great rivers, flat share, neck and oxbow lakes in most countries: the defaults.
-const DEFAULT_BENDS: [Text; 4] = ["3", "0.2", "1.5", "0.5"];
+/// The values that most countries share.
+const USUAL: Country = Country {
+    aspect: "1.6",
+    land: "island",
+    sea: "0.55",
+    roughness: "1",
+    sides: "s",
+    growth: "drainage",
+    attractors: "20000",
+    sensitivity: "16",
+    pattern: "dendritic",
+    fall: "0",
+    channel_area: "6",
+    width: "16",
+    rounds: "18",
+    great_rivers: "3",
+    flat_share: "0.2",
+    neck: "1.5",
+    oxbows: "0.5",
+};
 
-/// The same with the ways in which rivers bend.
-const fn old_country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3], bends: [Text; 4]) -> [(Key, Text); 16] {
-    let ([aspect, land, sea, roughness, sides], [growth, attractors, sensitivity, channel_area]) = (land, growth);
-    let [mouths, width, rounds] = rivers;
-    let [great_rivers, flat_share, neck, oxbows] = bends;
-    [
-        (Key::Aspect, aspect),
-        (Key::Land, land),
-        (Key::Sea, sea),
-        (Key::Roughness, roughness),
-        (Key::Sides, sides),
-        (Key::Growth, growth),
-        (Key::Attractors, attractors),
-        (Key::Sensitivity, sensitivity),
-        (Key::ChannelArea, channel_area),
-        (Key::Mouths, mouths),
-        (Key::Width, width),
-        (Key::MeanderRounds, rounds),
-        (Key::GreatRivers, great_rivers),
-        (Key::FlatShare, flat_share),
-        (Key::Neck, neck),
-        (Key::Oxbows, oxbows),
-    ]
+impl Country {
+    const fn values(self) -> [(Key, Text); 19] {
+        [
+            (Key::Aspect, self.aspect),
+            (Key::Land, self.land),
+            (Key::Sea, self.sea),
+            (Key::Roughness, self.roughness),
+            (Key::Sides, self.sides),
+            (Key::Growth, self.growth),
+            (Key::Attractors, self.attractors),
+            (Key::Sensitivity, self.sensitivity),
+            (Key::Pattern, self.pattern),
+            (Key::Strike, "0"),
+            (Key::Fall, self.fall),
+            (Key::ChannelArea, self.channel_area),
+            (Key::Mouths, "0"),
+            (Key::Width, self.width),
+            (Key::MeanderRounds, self.rounds),
+            (Key::GreatRivers, self.great_rivers),
+            (Key::FlatShare, self.flat_share),
+            (Key::Neck, self.neck),
+            (Key::Oxbows, self.oxbows),
+        ]
+    }
 }
 
 /// Countries that the page offers to begin with.
@@ -131,93 +167,283 @@ pub static COUNTRIES: &[Preset] = &[
         name: "island",
         label: "Island",
         help: "One island with bays and islets, all its rivers on their way to the sea.",
-        values: &country(["1.6", "island", "0.55", "1", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "18"]),
+        values: &USUAL.values(),
         style: None,
     },
     Preset {
         name: "archipelago",
         label: "Archipelago",
         help: "Many islands, each with rivers of its own.",
-        values: &country(["1.6", "archipelago", "0.65", "1", "s"], ["drainage", "26000", "16", "5"], ["0", "14", "18"]),
+        values: &Country {
+            land: "archipelago",
+            sea: "0.65",
+            attractors: "26000",
+            channel_area: "5",
+            width: "14",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
     Preset {
         name: "coast",
         label: "Coast",
         help: "Land with the sea to the south and west.",
-        values: &country(["1.6", "continent", "0.4", "0.9", "sw"], ["drainage", "20000", "16", "6"], ["0", "18", "30"]),
+        values: &Country {
+            land: "continent",
+            sea: "0.4",
+            roughness: "0.9",
+            sides: "sw",
+            width: "18",
+            rounds: "30",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
     Preset {
         name: "great-valley",
         label: "Great valley",
         help: "A broad valley between two ridges, and one great river.",
-        values: &country(["1.3", "valley", "0.15", "0.7", "s"], ["drainage", "18000", "16", "8"], ["0", "20", "40"]),
+        values: &Country {
+            aspect: "1.3",
+            land: "valley",
+            sea: "0.15",
+            roughness: "0.7",
+            attractors: "18000",
+            channel_area: "8",
+            width: "20",
+            rounds: "40",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
     Preset {
         name: "lakeland",
         label: "Lakeland",
         help: "A lake in the middle, and rivers that run inward.",
-        values: &country(["1.3", "basin", "0.25", "1", "s"], ["drainage", "18000", "16", "6"], ["0", "16", "24"]),
+        values: &Country { aspect: "1.3", land: "basin", sea: "0.25", attractors: "18000", rounds: "24", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {
         name: "banner",
         label: "Banner",
         help: "A coast three times as wide as it is high, for the head of a page.",
-        values: &country(["3", "continent", "0.35", "0.8", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "24"]),
+        values: &Country { aspect: "3", land: "continent", sea: "0.35", roughness: "0.8", rounds: "24", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {
         name: "poster",
         label: "Poster",
         help: "An island on end, for a wall or a phone.",
-        values: &country(["0.7", "island", "0.5", "1", "s"], ["drainage", "30000", "16", "5"], ["0", "16", "24"]),
+        values: &Country { aspect: "0.7", sea: "0.5", attractors: "30000", channel_area: "5", rounds: "24", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {
         name: "old-river",
         label: "Old river",
         help: "Few rivers, wide and old: loops, cut necks and oxbow lakes.",
-        values: &old_country(
-            ["2", "valley", "0.15", "0.5", "s"],
-            ["drainage", "5000", "16", "20"],
-            ["0", "26", "120"],
-            ["5", "0.6", "2.5", "1"],
-        ),
+        values: &Country {
+            aspect: "2",
+            land: "valley",
+            sea: "0.15",
+            roughness: "0.5",
+            attractors: "5000",
+            channel_area: "20",
+            width: "26",
+            rounds: "120",
+            great_rivers: "5",
+            flat_share: "0.6",
+            neck: "2.5",
+            oxbows: "1",
+            ..USUAL
+        }
+        .values(),
         style: Some(Style::PastCourses),
     },
     Preset {
         name: "marsh",
         label: "Marsh",
         help: "A Brownian tree: streams that wander everywhere.",
-        values: &country(["1.6", "island", "0.45", "0.6", "s"], ["brownian", "20000", "11", "6"], ["0", "18", "18"]),
+        values: &Country { sea: "0.45", roughness: "0.6", growth: "brownian", sensitivity: "11", width: "18", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {
         name: "desert",
         label: "Desert",
-        help: "Few rivers, far apart.",
-        values: &country(
-            ["1.6", "continent", "0.35", "0.8", "s"],
-            ["drainage", "12000", "16", "40"],
-            ["0", "12", "40"],
-        ),
+        help: "Few rivers, far apart, that join at narrow angles.",
+        values: &Country {
+            land: "continent",
+            sea: "0.35",
+            roughness: "0.8",
+            attractors: "12000",
+            fall: "0.8",
+            channel_area: "40",
+            width: "12",
+            rounds: "40",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
     Preset {
         name: "rainforest",
         label: "Rainforest",
         help: "Water everywhere: the finest network.",
-        values: &country(["1.6", "continent", "0.3", "0.8", "e"], ["drainage", "60000", "16", "3"], ["0", "24", "40"]),
+        values: &Country {
+            land: "continent",
+            sea: "0.3",
+            roughness: "0.8",
+            sides: "e",
+            attractors: "60000",
+            channel_area: "3",
+            width: "24",
+            rounds: "40",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
     Preset {
         name: "skerries",
         label: "Skerries",
         help: "More sea than land: islets and rocks with short streams.",
-        values: &country(["1.6", "archipelago", "0.8", "1", "s"], ["drainage", "30000", "16", "4"], ["0", "10", "12"]),
+        values: &Country {
+            land: "archipelago",
+            sea: "0.8",
+            attractors: "30000",
+            channel_area: "4",
+            width: "10",
+            rounds: "12",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "volcano",
+        label: "Volcano",
+        help: "Rivers run down a cone on all sides: a radial pattern.",
+        values: &Country {
+            aspect: "1.2",
+            sea: "0.5",
+            roughness: "0.6",
+            pattern: "radial",
+            channel_area: "5",
+            width: "12",
+            rounds: "10",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "even-slope",
+        label: "Even slope",
+        help: "Rivers side by side down an even plain: a parallel pattern.",
+        values: &Country {
+            land: "continent",
+            sea: "0.2",
+            roughness: "0.7",
+            attractors: "14000",
+            pattern: "parallel",
+            width: "12",
+            rounds: "12",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "folded-hills",
+        label: "Folded hills",
+        help: "Long rivers between ridges, with short ones down their flanks: a trellis.",
+        values: &Country {
+            land: "continent",
+            sea: "0.2",
+            roughness: "0.8",
+            sides: "e",
+            attractors: "12000",
+            pattern: "trellis",
+            channel_area: "5",
+            rounds: "12",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "jointed-rock",
+        label: "Jointed rock",
+        help: "Rivers that turn at right angles, along cracks: a rectangular pattern.",
+        values: &Country {
+            land: "continent",
+            sea: "0.2",
+            roughness: "0.8",
+            attractors: "12000",
+            pattern: "rectangular",
+            channel_area: "5",
+            rounds: "8",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "worn-dome",
+        label: "Worn dome",
+        help: "Arcs around a dome of hard and soft beds: an annular pattern.",
+        values: &Country {
+            aspect: "1.2",
+            sea: "0.4",
+            roughness: "0.7",
+            pattern: "annular",
+            channel_area: "5",
+            width: "12",
+            rounds: "10",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "closed-basin",
+        label: "Closed basin",
+        help: "Rivers run to a lake from all around: a centripetal pattern.",
+        values: &Country {
+            aspect: "1.2",
+            land: "basin",
+            sea: "0.1",
+            roughness: "0.8",
+            pattern: "centripetal",
+            channel_area: "5",
+            width: "14",
+            rounds: "12",
+            ..USUAL
+        }
+        .values(),
+        style: None,
+    },
+    Preset {
+        name: "young-land",
+        label: "Young land",
+        help: "Rivers without order, as ice leaves them: a deranged pattern.",
+        values: &Country {
+            land: "continent",
+            sea: "0.3",
+            attractors: "12000",
+            pattern: "deranged",
+            channel_area: "5",
+            width: "14",
+            rounds: "12",
+            ..USUAL
+        }
+        .values(),
         style: None,
     },
 ];
