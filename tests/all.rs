@@ -28,6 +28,7 @@ mod mouths;
 mod names;
 mod network;
 mod painting;
+mod pieces;
 mod presets;
 mod rasters;
 mod recipes;

@@ -106,7 +106,7 @@ fn places(network: &Network, river: &River, course: u32, spacing: f32) -> Vec<Pl
 }
 
 /// Points along a line, starting at its first point, `step` apart.
-fn evenly(mut line: impl Iterator<Item = Vec2>, step: f32) -> Vec<Vec2> {
+pub(super) fn evenly(mut line: impl Iterator<Item = Vec2>, step: f32) -> Vec<Vec2> {
     let Some(mut from) = line.next() else { return Vec::new() };
     let mut points = vec![from];
     // Distance of the next point beyond `from`.

@@ -1,0 +1,105 @@
+//! The pattern of drainage (Twidale 2004), named by the class whose mean is nearest.
+
+use super::{Angles, Directions};
+
+/// Number of patterns.
+pub const PATTERNS: usize = 8;
+
+/// Number of features that patterns are told apart by.
+const FEATURES: usize = 8;
+
+/// Stands for a mean that is not known: the feature is left out for the class.
+const ANY: f64 = f64::NAN;
+
+/// A pattern and the means of its features.
+struct Class {
+    name: &'static str,
+    /// Grain, cross-grain, flow, entropy, mean and spread of junction angles in degrees, radial, outward.
+    means: [f64; FEATURES],
+}
+
+const fn class(name: &'static str, means: [f64; FEATURES]) -> Class {
+    Class { name, means }
+}
+
+/// The means of maps of each pattern, three seeds each. They are to be fitted again as patterns can be grown.
+static CLASSES: [Class; PATTERNS] = [
+    class("dendritic", [0.15, 0.03, 0.55, 0.99, 66.0, ANY, 0.49, ANY]),
+    class("parallel", [0.76, 0.36, 0.93, 0.72, 34.0, ANY, ANY, ANY]),
+    class("trellis", [0.75, 0.45, 0.10, 0.72, 44.0, ANY, ANY, ANY]),
+    class("rectangular", [0.07, 0.37, 0.08, 0.94, 71.0, ANY, ANY, ANY]),
+    class("radial", [0.02, 0.30, 0.03, 0.96, 35.0, ANY, 0.86, 0.9]),
+    class("annular", [0.03, 0.15, 0.14, 0.99, 60.0, ANY, 0.37, ANY]),
+    class("centripetal", [0.04, 0.04, 0.04, 1.00, 43.0, ANY, 0.86, -0.9]),
+    class("deranged", [0.06, 0.02, 0.05, 1.00, 78.0, ANY, ANY, ANY]),
+];
+
+/// How much each feature varies among maps of one pattern.
+const SPREADS: [f64; FEATURES] = [0.1, 0.08, 0.15, 0.03, 8.0, 6.0, 0.1, 0.3];
+
+/// A network's distances from all patterns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Pattern {
+    /// The names of the patterns, and the distance from the mean of each: the root of the mean square of the features'
+    /// deviations, each in its own spread.
+    pub distances: [(&'static str, f64); PATTERNS],
+}
+
+impl Pattern {
+    /// Compares a network's features with those of all patterns.
+    pub fn of(directions: Directions, angles: Angles) -> Self {
+        let Directions { grain, cross_grain, flow, entropy, radial, outward } = directions;
+        let features = [grain, cross_grain, flow, entropy, angles.mean, angles.spread, radial, outward];
+        Self { distances: std::array::from_fn(|i| (CLASSES[i].name, distance(&features, &CLASSES[i].means))) }
+    }
+
+    /// The name of the nearest pattern.
+    pub fn name(&self) -> &'static str {
+        let nearest = self.distances.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.map_or("", |(name, _)| name)
+    }
+}
+
+fn distance(features: &[f64; FEATURES], means: &[f64; FEATURES]) -> f64 {
+    let deviations =
+        (0..FEATURES).map(|i| (features[i] - means[i]) / SPREADS[i]).filter(|deviation| !deviation.is_nan());
+    let (sum, count) =
+        deviations.fold((0.0, 0.0), |(sum, count), deviation| (sum + deviation * deviation, count + 1.0));
+    f64::sqrt(sum / count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pattern(features: [f64; FEATURES]) -> Pattern {
+        let [grain, cross_grain, flow, entropy, mean, spread, radial, outward] = features;
+        Pattern::of(Directions { grain, cross_grain, flow, entropy, radial, outward }, Angles { mean, spread })
+    }
+
+    #[test]
+    fn each_class_s_mean_has_its_name_and_no_distance() {
+        for class in &CLASSES {
+            let found = pattern(class.means.map(|mean| if mean.is_nan() { 0.5 } else { mean }));
+            assert_eq!(found.name(), class.name);
+            let own = found.distances.iter().find(|(name, _)| *name == class.name).unwrap();
+            assert_eq!(own.1, 0.0);
+        }
+    }
+
+    #[test]
+    fn distances_are_in_spreads() {
+        let mut features = CLASSES[4].means;
+        features[4] += 2.0 * SPREADS[4];
+        // Of seven known features one is off by two spreads.
+        let far = pattern(features).distances[4].1;
+        assert!((far - (4.0f64 / 7.0).sqrt()).abs() < 1e-12, "{far}");
+    }
+
+    #[test]
+    fn the_flow_tells_spokes_that_run_outward_from_those_that_run_inward() {
+        let spokes = |outward| pattern([0.03, 0.1, 0.03, 0.99, 40.0, 20.0, 0.86, outward]).name();
+        assert_eq!((spokes(0.8), spokes(-0.8)), ("radial", "centripetal"));
+    }
+}
