@@ -1,6 +1,7 @@
 //! The pattern of drainage (Twidale 2004), named by the class whose mean is nearest.
 
 use super::{Angles, Directions};
+use crate::base::sort;
 
 /// Number of patterns.
 pub const PATTERNS: usize = 8;
@@ -41,8 +42,8 @@ const SPREADS: [f64; FEATURES] = [0.1, 0.08, 0.15, 0.03, 8.0, 6.0, 0.1, 0.3];
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Pattern {
-    /// The names of the patterns, and the distance from the mean of each: the root of the mean square of the features'
-    /// deviations, each in its own spread.
+    /// The names of the patterns, in a fixed order, and the distance from the mean of each: the root of the mean square
+    /// of the features' deviations, each in its own spread.
     pub distances: [(&'static str, f64); PATTERNS],
 }
 
@@ -54,10 +55,15 @@ impl Pattern {
         Self { distances: std::array::from_fn(|i| (CLASSES[i].name, distance(&features, &CLASSES[i].means))) }
     }
 
+    /// The names and distances of the patterns, the nearest first: the network is named after it.
+    pub fn nearest_first(&self) -> [(&'static str, f64); PATTERNS] {
+        let order = sort::argsort(self.distances.iter().map(|(_, distance)| sort::key(*distance as f32)));
+        std::array::from_fn(|i| self.distances[order[i]])
+    }
+
     /// The name of the nearest pattern.
     pub fn name(&self) -> &'static str {
-        let nearest = self.distances.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-        nearest.map_or("", |(name, _)| name)
+        self.nearest_first()[0].0
     }
 }
 
@@ -86,6 +92,14 @@ mod tests {
             let own = found.distances.iter().find(|(name, _)| *name == class.name).unwrap();
             assert_eq!(own.1, 0.0);
         }
+    }
+
+    #[test]
+    fn the_nearest_comes_first() {
+        let nearest_first =
+            pattern(CLASSES[3].means.map(|mean| if mean.is_nan() { 0.5 } else { mean })).nearest_first();
+        assert_eq!(nearest_first[0], ("rectangular", 0.0));
+        assert!(nearest_first.windows(2).all(|pair| pair[0].1 <= pair[1].1));
     }
 
     #[test]

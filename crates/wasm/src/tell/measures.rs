@@ -18,6 +18,8 @@ export interface Measure {
   readonly places: number;
   /** None of a network that is too small for it. */
   readonly value?: number;
+  /** What the network is named after, where the measure is how far it is from that: its pattern. */
+  readonly word?: string;
   /** None where rivers of the world cannot be compared with those of a map. */
   readonly nature?: { readonly median?: number; readonly least: number; readonly most: number; readonly source: string };
 }
@@ -25,12 +27,28 @@ export interface Measure {
 
 #[wasm_bindgen]
 impl FinishedMap {
-    /// Returns the measures of the rivers.
+    /// Returns the measures of the rivers, and as the last one the pattern that they are named after.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
         let measures = Measures::of(&self.0);
-        TABLE.iter().map(|measure| row(measure, &measures)).collect()
+        TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect()
     }
+}
+
+/// The pattern. Its help tells how far each is, nearest first.
+fn pattern(measures: &Measures) -> Object {
+    let distances = measures.pattern().map(|pattern| pattern.nearest_first());
+    let help: Vec<String> =
+        distances.iter().flatten().map(|(name, distance)| format!("{name} {distance:.1}")).collect();
+    let nearest = distances.map(|distances| distances[0]);
+    object(&[
+        ("name", "pattern".into()),
+        ("help", format!("distances: {}", help.join(", ")).into()),
+        ("unit", "".into()),
+        ("places", 1.into()),
+        ("value", nearest.map(|(_, distance)| distance).into()),
+        ("word", nearest.map(|(name, _)| name).into()),
+    ])
 }
 
 fn row(measure: &Measure, measures: &Measures) -> Object {

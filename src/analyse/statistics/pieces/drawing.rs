@@ -48,10 +48,11 @@ impl Drawing {
         work::count(steps);
         for step in 0..=steps {
             let at = from + way * (step as f32 / steps as f32);
-            if at.x >= 0.0 && at.y >= 0.0 && (at.x as usize) < self.width {
-                if let Some(pixel) = self.pixels.get_mut(at.y as usize * self.width + at.x as usize) {
-                    *pixel = 255;
-                }
+            if at.min_element() >= 0.0
+                && (at.x as usize) < self.width
+                && let Some(pixel) = self.pixels.get_mut(at.y as usize * self.width + at.x as usize)
+            {
+                *pixel = 255;
             }
         }
     }
