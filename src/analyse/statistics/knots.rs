@@ -39,6 +39,29 @@ pub fn knots(network: &Network, spacing: f32) -> Option<f64> {
 mod tests {
     use super::super::samples::{into, network, to_sea};
     use super::*;
+    use crate::property::cases;
+    use proptest::prelude::*;
+
+    /// All places against all others.
+    fn twin(network: &Network, spacing: f32) -> f64 {
+        let lines = network.rivers.iter().map(|river| evenly(network.places(river).into_iter(), STEP * spacing));
+        let lines: Vec<Vec<Vec2>> = lines.collect();
+        let kept = |line: &[Vec2]| line[..line.len().saturating_sub(4)].to_vec();
+        let is_near = |at: Vec2, line: &Vec<Vec2>| kept(line).iter().any(|other| distance(at, *other) < spacing);
+        let crowd = |at: Vec2| lines.iter().filter(|line| is_near(at, line)).count();
+        let knots = lines.iter().flat_map(|line| kept(line)).filter(|at| crowd(*at) >= 3).count();
+        1000.0 * knots as f64 / lines.iter().map(Vec::len).sum::<usize>() as f64
+    }
+
+    proptest! {
+        #![proptest_config(cases(64))]
+
+        #[test]
+        fn it_is_that_of_all_places(ends in proptest::collection::vec([(0f32..9.0, 0f32..9.0), (0f32..9.0, 0f32..9.0)], 1..9)) {
+            let network = network(&ends.iter().map(|line| to_sea(line)).collect::<Vec<_>>());
+            prop_assert_eq!(knots(&network, 1.0), Some(twin(&network, 1.0)));
+        }
+    }
 
     /// Rivers side by side, this far apart.
     fn side_by_side(count: usize, apart: f32) -> f64 {

@@ -43,7 +43,13 @@ test("a sentence sums them up, without a score", () => {
 });
 
 test("a pattern is told by its name", () => {
-  const pattern = { ...SINUOSITY, name: "pattern", help: "distances: radial 0.4, annular 2.0", value: 0.4, word: "radial" };
+  const pattern = {
+    ...SINUOSITY,
+    name: "pattern",
+    help: "distances: radial 0.4, annular 2.0",
+    value: 0.4,
+    word: "radial",
+  };
   const { nature: _, ...own } = pattern;
   expect(asText(told([own]))).toBe("Pattern: radial");
 });

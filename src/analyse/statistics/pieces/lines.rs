@@ -204,6 +204,7 @@ fn smoothed_ends(line: &[Vec2]) -> Vec<Vec2> {
     let mut points = evenly(line.iter().copied(), length / steps as f32);
     points.truncate(steps);
     points.extend(line.last());
+    work::count(ROUNDS * points.len());
     for _ in 0..ROUNDS {
         let middle = points.windows(3).map(|three| (three[0] + three[1] * 2.0 + three[2]) / 4.0).collect::<Vec<_>>();
         points[1..=middle.len()].copy_from_slice(&middle);
