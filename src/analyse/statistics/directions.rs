@@ -64,7 +64,7 @@ impl Directions {
 fn chords(network: &Network, spacing: f32) -> Vec<(Vec2, Vec2)> {
     let mut chords = Vec::new();
     for river in &network.rivers {
-        let places = evenly(network.places(river).into_iter(), spacing);
+        let places = evenly(&network.places(river), spacing);
         chords.extend(places.windows(2).map(|pair| (pair[0].midpoint(pair[1]), direction(pair[1] - pair[0]))));
     }
     chords

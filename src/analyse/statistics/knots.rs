@@ -19,7 +19,7 @@ pub fn knots(network: &Network, spacing: f32) -> Option<f64> {
     let mut places: Vec<(usize, Vec2)> = Vec::new();
     let mut all = 0;
     for (river, course) in network.rivers.iter().enumerate() {
-        let line = evenly(network.places(course).into_iter(), STEP * spacing);
+        let line = evenly(&network.places(course), STEP * spacing);
         all += line.len();
         let kept = line.len().saturating_sub((ENDS / STEP) as usize);
         places.extend(line[..kept].iter().map(|&at| (river, at)));
@@ -44,7 +44,7 @@ mod tests {
 
     /// All places against all others.
     fn twin(network: &Network, spacing: f32) -> f64 {
-        let lines = network.rivers.iter().map(|river| evenly(network.places(river).into_iter(), STEP * spacing));
+        let lines = network.rivers.iter().map(|river| evenly(&network.places(river), STEP * spacing));
         let lines: Vec<Vec<Vec2>> = lines.collect();
         let kept = |line: &[Vec2]| line[..line.len().saturating_sub(4)].to_vec();
         let is_near = |at: Vec2, line: &Vec<Vec2>| kept(line).iter().any(|other| distance(at, *other) < spacing);

@@ -42,16 +42,12 @@ test("a sentence sums them up, without a score", () => {
   expect(told([small])[0]?.verdict).toBe("too few rivers to tell");
 });
 
-test("a pattern is told by its name", () => {
-  const pattern = {
-    ...SINUOSITY,
-    name: "pattern",
-    help: "distances: radial 0.4, annular 2.0",
-    value: 0.4,
-    word: "radial",
-  };
-  const { nature: _, ...own } = pattern;
-  expect(asText(told([own]))).toBe("Pattern: radial");
+test("a pattern is told by its name, and how far each is by the help", () => {
+  const { nature: _, ...measure } = SINUOSITY;
+  const pattern = { ...measure, name: "pattern", help: "", places: 1, value: 0.4 };
+  const rows = told([{ ...pattern, distances: { radial: 0.4, annular: 2 } }]);
+  expect(asText(rows)).toBe("Pattern: radial");
+  expect(rows[0]?.help).toBe("radial 0.4, annular 2.0");
 });
 
 test("a finished map is measured", () => {

@@ -18,8 +18,8 @@ export interface Measure {
   readonly places: number;
   /** None of a network that is too small for it. */
   readonly value?: number;
-  /** What the network is named after, where the measure is how far it is from that: its pattern. */
-  readonly word?: string;
+  /** Of the pattern, which is named after the nearest: how far each is. */
+  readonly distances?: Readonly<Record<string, number>>;
   /** None where rivers of the world cannot be compared with those of a map. */
   readonly nature?: { readonly median?: number; readonly least: number; readonly most: number; readonly source: string };
 }
@@ -35,20 +35,15 @@ impl FinishedMap {
     }
 }
 
-/// The pattern. Its help tells how far each is, nearest first.
+/// The pattern: how far each is, nearest first.
 fn pattern(measures: &Measures) -> Object {
-    let distances = measures.pattern().map(|pattern| pattern.nearest_first());
-    let help: Vec<String> =
-        distances.iter().flatten().map(|(name, distance)| format!("{name} {distance:.1}")).collect();
-    let nearest = distances.map(|distances| distances[0]);
-    object(&[
-        ("name", "pattern".into()),
-        ("help", format!("distances: {}", help.join(", ")).into()),
-        ("unit", "".into()),
-        ("places", 1.into()),
-        ("value", nearest.map(|(_, distance)| distance).into()),
-        ("word", nearest.map(|(name, _)| name).into()),
-    ])
+    let row = object(&[("name", "pattern".into()), ("help", "".into()), ("unit", "".into()), ("places", 1.into())]);
+    if let Some(pattern) = measures.pattern() {
+        let nearest_first = pattern.nearest_first();
+        let distances = object(&nearest_first.map(|(name, distance)| (name, distance.into())));
+        set(&row, &[("value", nearest_first[0].1.into()), ("distances", distances.into())]);
+    }
+    row
 }
 
 fn row(measure: &Measure, measures: &Measures) -> Object {

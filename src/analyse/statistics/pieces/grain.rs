@@ -14,8 +14,8 @@ pub(super) fn anisotropy(chains: &[Vec<Vec2>]) -> Option<f64> {
     let (mut cosine, mut sine, mut total) = (0.0, 0.0, 0.0);
     for chain in chains {
         let line = smoothed(chain);
-        for (from, to) in line.iter().zip(line.iter().skip(CHORD)) {
-            let chord = *to - *from;
+        for i in CHORD..line.len() {
+            let chord = line[i] - line[i - CHORD];
             let long = length(chord).max(f32::MIN_POSITIVE);
             cosine += f64::from((chord.x * chord.x - chord.y * chord.y) / long);
             sine += f64::from(2.0 * chord.x * chord.y / long);

@@ -3,10 +3,10 @@
 use glam::Vec2;
 
 use super::super::parallels::evenly;
-use crate::base::geometry::{direction, distance};
+use crate::base::geometry::{direction, lengths};
 use crate::base::{sort, work};
 
-/// The eight ways to a neighbour, clockwise; those with odd numbers are diagonal.
+/// The eight ways to a neighbour, clockwise.
 const WAYS: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1)];
 
 const NO_NODE: u32 = u32::MAX;
@@ -47,7 +47,10 @@ impl Lines {
         work::count(pixels.len());
         let junctions = tracing.find_nodes();
         let mut this = Self { chains: Vec::new(), ends: Vec::new(), junctions };
-        for start in (0..pixels.len()).filter(|&i| tracing.node[i] != NO_NODE).collect::<Vec<_>>() {
+        for start in 0..pixels.len() {
+            if tracing.node[start] == NO_NODE {
+                continue;
+            }
             for next in tracing.links(start) {
                 if let Some((chain, end)) = tracing.follow(start, next) {
                     this.chains.push(chain);
@@ -86,6 +89,7 @@ impl Lines {
         (!line.is_empty()).then(|| smoothed(&line))
     }
 
+    #[inline(never)] // it has two callers
     fn arm(&self, arm: usize) -> Vec<Vec2> {
         let mut line = self.chains[arm / 2].clone();
         if arm % 2 == 1 {
@@ -97,15 +101,26 @@ impl Lines {
     /// The arm that each goes on to beyond the node at which it begins.
     fn mates(&self) -> Vec<usize> {
         let mut mates = vec![usize::MAX; 2 * self.chains.len()];
-        let by_node = sort::argsort(self.ends.iter().flatten().copied());
-        for arms in by_node.chunk_by(|&a, &b| self.ends[a / 2][a % 2] == self.ends[b / 2][b % 2]) {
-            let towards: Vec<Vec2> = arms.iter().map(|&arm| self.towards(arm)).collect();
-            let pairs = (0..arms.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-            let straightest =
-                pairs.min_by(|a, b| towards[a.0].dot(towards[a.1]).total_cmp(&towards[b.0].dot(towards[b.1])));
-            if let Some((i, j)) = straightest {
-                (mates[arms[i]], mates[arms[j]]) = (arms[j], arms[i]);
+        let by_node = sort::argsort((0..mates.len()).map(|arm| self.ends[arm / 2][arm % 2]));
+        let towards: Vec<Vec2> = (0..mates.len()).map(|arm| self.towards(arm)).collect();
+        let node = |arm: usize| self.ends[arm / 2][arm % 2];
+        let mut first = 0;
+        while first < by_node.len() {
+            let (mut after, mut straightest) = (first, f32::INFINITY);
+            let mut pair = None;
+            while after < by_node.len() && node(by_node[after]) == node(by_node[first]) {
+                for &other in &by_node[first..after] {
+                    let cosine = towards[by_node[after]].dot(towards[other]);
+                    if cosine < straightest {
+                        (straightest, pair) = (cosine, Some((by_node[after], other)));
+                    }
+                }
+                after += 1;
             }
+            if let Some((a, b)) = pair {
+                (mates[a], mates[b]) = (b, a);
+            }
+            first = after;
         }
         mates
     }
@@ -121,17 +136,17 @@ impl Tracing<'_> {
     fn find_nodes(&mut self) -> Vec<Vec2> {
         let mut junctions = Vec::new();
         for i in 0..self.pixels.len() {
-            if self.pixels[i] == 0 || self.node[i] != NO_NODE || self.links(i).count() == 2 {
+            if self.pixels[i] == 0 || self.node[i] != NO_NODE || self.links(i).len() == 2 {
                 continue;
             }
             let number = self.at.len() as u32;
-            let is_junction = self.links(i).count() > 2;
+            let is_junction = self.links(i).len() > 2;
             let mut members = vec![i];
             self.node[i] = number;
             let mut next = 0;
             while is_junction && next < members.len() {
-                for other in self.links(members[next]).collect::<Vec<_>>() {
-                    if self.node[other] == NO_NODE && self.links(other).count() > 2 {
+                for other in self.links(members[next]) {
+                    if self.node[other] == NO_NODE && self.links(other).len() > 2 {
                         self.node[other] = number;
                         members.push(other);
                     }
@@ -158,7 +173,7 @@ impl Tracing<'_> {
         while self.node[here] == NO_NODE {
             self.used[here] = true;
             line.push(self.place(here));
-            let onward = self.links(here).find(|&other| other != before)?;
+            let onward = self.links(here).into_iter().find(|&other| other != before)?;
             (before, here) = (here, onward);
         }
         line.push(self.at[self.node[here] as usize]);
@@ -166,18 +181,21 @@ impl Tracing<'_> {
     }
 
     /// The pixels of the line next to one. A diagonal neighbour is none if there is a way around the corner.
-    fn links(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
+    #[inline(never)] // it has many callers
+    fn links(&self, i: usize) -> Vec<usize> {
         let (x, y) = ((i % self.width) as isize, (i / self.width) as isize);
-        let at = |(dx, dy): (isize, isize)| {
+        let at = |dx: isize, dy: isize| {
             let is_inside = (0..self.width as isize).contains(&(x + dx)) && y + dy >= 0;
             let at = ((y + dy) * self.width as isize + x + dx) as usize;
             (is_inside && self.pixels.get(at).is_some_and(|&pixel| pixel != 0)).then_some(at)
         };
-        let found: [Option<usize>; 8] = std::array::from_fn(|way| {
-            let (dx, dy) = WAYS[way];
-            at((dx, dy)).filter(|_| way % 2 == 0 || (at((dx, 0)).is_none() && at((0, dy)).is_none()))
-        });
-        found.into_iter().flatten()
+        let mut found = Vec::new();
+        for (dx, dy) in WAYS {
+            if dx * dy == 0 || (at(dx, 0).is_none() && at(0, dy).is_none()) {
+                found.extend(at(dx, dy));
+            }
+        }
+        found
     }
 
     fn place(&self, i: usize) -> Vec2 {
@@ -187,27 +205,31 @@ impl Tracing<'_> {
 
 /// The length of a line after smoothing, in pixels.
 pub(super) fn length(line: &[Vec2]) -> f64 {
-    smoothed_ends(line).windows(2).map(|pair| f64::from(distance(pair[0], pair[1]))).sum()
+    lengths(&smoothed_ends(line)).last().copied().unwrap_or_default().into()
 }
 
 /// Smooths a line so that it no longer shows pixels, and returns points a pixel apart, from its first point.
 pub(super) fn smoothed(line: &[Vec2]) -> Vec<Vec2> {
-    evenly(smoothed_ends(line).into_iter(), 1.0)
+    evenly(&smoothed_ends(line), 1.0)
 }
 
 /// Smooths a line by a bell curve with a standard deviation of two pixels. Its ends stay.
 fn smoothed_ends(line: &[Vec2]) -> Vec<Vec2> {
     /// Each adds half a square pixel to the variance.
     const ROUNDS: usize = 8;
-    let length: f32 = line.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
+    let length = lengths(line).last().copied().unwrap_or_default();
     let steps = ((length + 0.5) as usize).max(1);
-    let mut points = evenly(line.iter().copied(), length / steps as f32);
+    let mut points = evenly(line, length / steps as f32);
     points.truncate(steps);
     points.extend(line.last());
     work::count(ROUNDS * points.len());
     for _ in 0..ROUNDS {
-        let middle = points.windows(3).map(|three| (three[0] + three[1] * 2.0 + three[2]) / 4.0).collect::<Vec<_>>();
-        points[1..=middle.len()].copy_from_slice(&middle);
+        let mut before = line[0];
+        for i in 1..points.len() - 1 {
+            let own = points[i];
+            points[i] = (before + own * 2.0 + points[i + 1]) / 4.0;
+            before = own;
+        }
     }
     points
 }

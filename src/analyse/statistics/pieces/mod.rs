@@ -53,26 +53,28 @@ impl Look {
             return None;
         }
         let rivers = lines.rivers();
+        let turns = turns::Turns::of(&rivers);
         Some(Self {
             junction_spacing: Some(junction_spacing(&lines)),
             nearest_line: nearest::nearest_line(&rivers),
-            turn_kurtosis: turns::kurtosis(&rivers),
-            turn_autocorrelation: turns::autocorrelation(&rivers),
+            turn_kurtosis: turns.kurtosis(),
+            turn_autocorrelation: turns.autocorrelation(),
             gap_variation: Some(gaps.variation),
             anisotropy: grain::anisotropy(&lines.chains),
         })
     }
 
-    /// The medians and means of pieces.
+    /// The medians of pieces; of what has to do with turns and neighbours the means.
     pub fn typical(pieces: &[Self]) -> Self {
-        let of = |of: fn(&Self) -> Option<f64>| pieces.iter().filter_map(of).collect::<Vec<f64>>();
+        let median = |of: fn(&Self) -> Option<f64>| fit::median_of(&known(pieces, of));
+        let mean = |of: fn(&Self) -> Option<f64>| fit::mean(&known(pieces, of));
         Self {
-            junction_spacing: fit::median_of(&of(|piece| piece.junction_spacing)),
-            nearest_line: fit::mean(&of(|piece| piece.nearest_line)),
-            turn_kurtosis: fit::mean(&of(|piece| piece.turn_kurtosis)),
-            turn_autocorrelation: fit::mean(&of(|piece| piece.turn_autocorrelation)),
-            gap_variation: fit::median_of(&of(|piece| piece.gap_variation)),
-            anisotropy: fit::median_of(&of(|piece| piece.anisotropy)),
+            junction_spacing: median(|piece| piece.junction_spacing),
+            nearest_line: mean(|piece| piece.nearest_line),
+            turn_kurtosis: mean(|piece| piece.turn_kurtosis),
+            turn_autocorrelation: mean(|piece| piece.turn_autocorrelation),
+            gap_variation: median(|piece| piece.gap_variation),
+            anisotropy: median(|piece| piece.anisotropy),
         }
     }
 
@@ -84,6 +86,11 @@ impl Look {
             .filter_map(|piece| Self::of_piece(piece))
             .collect()
     }
+}
+
+#[inline(never)] // it has six callers
+fn known(pieces: &[Look], of: fn(&Look) -> Option<f64>) -> Vec<f64> {
+    pieces.iter().filter_map(of).collect()
 }
 
 /// Returns `true` if there is enough river, everywhere.

@@ -18,17 +18,18 @@ const AROUND: usize = 3;
 /// between the directions of the line there and of the other one at its nearest place: 1 for parallel lines, 0 for any
 /// directions, −1 for right angles. `None` if no lines are near each other.
 pub(super) fn nearest_line(rivers: &[Vec<Vec2>]) -> Option<f64> {
-    let numbered = rivers.iter().enumerate();
-    let places: Vec<(usize, Vec2, Vec2)> =
-        numbered.flat_map(|(i, line)| (0..line.len()).map(move |at| (i, line[at], heading(line, at)))).collect();
-    let points: Vec<Vec2> = places.iter().map(|place| place.1).collect();
+    let (mut points, mut places) = (Vec::new(), Vec::new());
+    for (number, line) in rivers.iter().enumerate() {
+        points.extend_from_slice(line);
+        places.extend((0..line.len()).map(|at| (number, heading(line, at))));
+    }
     let index = Index::new(&points, NEAR);
     let (mut sum, mut count) = (0.0, 0);
-    for &(own, at, towards) in &places {
+    for (&at, &(own, towards)) in points.iter().zip(&places) {
         let (mut far, mut other) = (NEAR, Vec2::ZERO);
-        for i in index.around(at, NEAR).filter(|&i| places[i].0 != own) {
-            if distance(at, points[i]) < far {
-                (far, other) = (distance(at, points[i]), places[i].2);
+        for i in index.around(at, NEAR) {
+            if places[i].0 != own && distance(at, points[i]) < far {
+                (far, other) = (distance(at, points[i]), places[i].1);
             }
         }
         if (JUNCTION..NEAR).contains(&far) {

@@ -14,36 +14,62 @@ const LAG: usize = 8;
 /// The fewest turns that say something.
 const LEAST: usize = 20;
 
-/// Measures the kurtosis of turns: 3 for turns that deviate normally, higher where straight reaches change with
-/// elbows. `None` for fewer than 20 turns.
-pub(super) fn kurtosis(rivers: &[Vec<Vec2>]) -> Option<f64> {
-    let turns: Vec<f64> = rivers.iter().flat_map(|river| turns(river)).collect();
-    let count = turns.len() as f64;
-    let mean = turns.iter().sum::<f64>() / count;
-    let squares = || turns.iter().map(|turn| (turn - mean) * (turn - mean));
-    let variance = squares().sum::<f64>() / count;
-    let fourth = squares().map(|square| square * square).sum::<f64>() / count;
-    (turns.len() >= LEAST && variance > 0.0).then(|| fourth / (variance * variance))
+/// The turns of all lines of a piece.
+#[derive(Default)]
+pub(super) struct Turns {
+    /// The sums of the first four powers of all turns.
+    powers: [f64; 4],
+    count: usize,
+    /// The sum of products of turns 8 pixels apart along the same line.
+    products: f64,
+    pairs: usize,
 }
 
-/// Measures how turns go with those 8 pixels farther along the same line: −1 if each is undone, 0 if they have nothing
-/// to do with each other, 1 in a circle. `None` for fewer than 20 pairs.
-pub(super) fn autocorrelation(rivers: &[Vec<Vec2>]) -> Option<f64> {
-    let (mut products, mut pairs, mut squares, mut count) = (0.0, 0, 0.0, 0);
-    for turns in rivers.iter().map(|river| turns(river)) {
-        products += turns.iter().zip(turns.iter().skip(LAG)).map(|(turn, other)| turn * other).sum::<f64>();
-        pairs += turns.len().saturating_sub(LAG);
-        squares += turns.iter().map(|turn| turn * turn).sum::<f64>();
-        count += turns.len();
+impl Turns {
+    /// Reads lines whose points are a pixel apart.
+    pub fn of(rivers: &[Vec<Vec2>]) -> Self {
+        let mut this = Self::default();
+        for river in rivers {
+            let turns = turns(river);
+            for (i, &turn) in turns.iter().enumerate() {
+                let mut power = 1.0;
+                for sum in &mut this.powers {
+                    power *= turn;
+                    *sum += power;
+                }
+                if i >= LAG {
+                    this.products += turn * turns[i - LAG];
+                    this.pairs += 1;
+                }
+            }
+            this.count += turns.len();
+        }
+        this
     }
-    (pairs >= LEAST && squares > 0.0).then(|| products / pairs as f64 / (squares / count as f64))
+
+    /// The kurtosis: 3 for turns that deviate normally, higher where straight reaches change with elbows. `None` for
+    /// fewer than 20 turns.
+    pub fn kurtosis(&self) -> Option<f64> {
+        let [mean, second, third, fourth] = self.powers.map(|sum| sum / self.count as f64);
+        let squared = mean * mean;
+        let variance = second - squared;
+        let moment = fourth - 4.0 * mean * third + 6.0 * squared * second - 3.0 * squared * squared;
+        (self.count >= LEAST && variance > 0.0).then(|| moment / (variance * variance))
+    }
+
+    /// How turns go with those 8 pixels farther along the same line: −1 if each is undone, 0 if they have nothing to do
+    /// with each other, 1 in a circle. `None` for fewer than 20 pairs.
+    pub fn autocorrelation(&self) -> Option<f64> {
+        let mean_square = self.powers[1] / self.count as f64;
+        (self.pairs >= LEAST && mean_square > 0.0).then(|| self.products / self.pairs as f64 / mean_square)
+    }
 }
 
 /// The turns of a line whose points are a pixel apart, in radians.
 fn turns(line: &[Vec2]) -> Vec<f64> {
-    let chords: Vec<Vec2> = line.iter().zip(line.iter().skip(CHORD)).map(|(from, to)| *to - *from).collect();
-    let turn = |(a, b): (&Vec2, &Vec2)| libm::atan2f(a.perp_dot(*b), a.dot(*b)).into();
-    chords.iter().zip(chords.iter().skip(APART)).map(turn).collect()
+    let chord = |i: usize| line[i + CHORD] - line[i];
+    let turn = |i: usize| libm::atan2f(chord(i).perp_dot(chord(i + APART)), chord(i).dot(chord(i + APART))).into();
+    (0..line.len().saturating_sub(CHORD + APART)).map(turn).collect()
 }
 
 #[cfg(test)]
@@ -59,10 +85,10 @@ mod tests {
     #[test]
     fn regular_bends_undo_each_other_or_repeat() {
         for (length, expected) in [(16.0, -1.0), (32.0, 0.0), (48.0, 0.5)] {
-            let found = autocorrelation(&winding(length)).unwrap();
+            let found = Turns::of(&winding(length)).autocorrelation().unwrap();
             assert!((found - expected).abs() < 0.05, "{length}: {found}");
             // Sines have this kurtosis.
-            let found = kurtosis(&winding(length)).unwrap();
+            let found = Turns::of(&winding(length)).kurtosis().unwrap();
             assert!((found - 1.5).abs() < 0.05, "{length}: {found}");
         }
     }
@@ -71,12 +97,13 @@ mod tests {
     fn straight_reaches_between_elbows_have_a_high_kurtosis() {
         let east = (0..50).map(|i| Vec2::new(i as f32, 0.0));
         let line: Vec<Vec2> = east.chain((0..50).map(|i| Vec2::new(50.0, i as f32))).collect();
-        assert!(kurtosis(&[line]).unwrap() > 6.0);
+        assert!(Turns::of(&[line]).kurtosis().unwrap() > 6.0);
     }
 
     #[test]
     fn a_few_turns_say_nothing() {
         let short: Vec<Vec2> = (0..20).map(|i| Vec2::new(i as f32, (i % 2) as f32)).collect();
-        assert_eq!((kurtosis(std::slice::from_ref(&short)), autocorrelation(&[short])), (None, None));
+        let turns = Turns::of(&[short]);
+        assert_eq!((turns.kurtosis(), turns.autocorrelation()), (None, None));
     }
 }

@@ -58,11 +58,13 @@ export function told(measures: readonly Measure[]): Told[] {
   });
 }
 
-function toldOf({ help, unit, places, value, word, nature }: Measure, { label, below, above }: Plain): Told {
+function toldOf({ help: says, unit, places, value, distances, nature }: Measure, { label, below, above }: Plain): Told {
   const written = (number: number): string => `${number.toFixed(places)}${unit === "" ? "" : ` ${unit}`}`;
   const range = nature ? `${nature.least.toFixed(places)} to ${written(nature.most)} (${nature.source})` : "";
+  const patterns = Object.entries(distances ?? {});
+  const help = says || patterns.map(([name, far]) => `${name} ${far.toFixed(places)}`).join(", ");
   if (value === undefined) return { label, help, value: "", verdict: TOO_SMALL, nature: range };
-  const row = { label, help, value: word ?? written(value), verdict: "", nature: range };
+  const row = { label, help, value: patterns[0]?.[0] ?? written(value), verdict: "", nature: range };
   if (!nature) return row;
   const { least, most } = nature;
   // Judged as it is written: nobody should read that 45 is less than 45.
