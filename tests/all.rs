@@ -29,6 +29,7 @@ mod names;
 mod network;
 mod painting;
 mod patterns;
+mod pieces;
 mod presets;
 mod rasters;
 mod recipes;

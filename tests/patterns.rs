@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::Vec2;
-use riverseed::analyse::statistics::junction_angles;
+use riverseed::analyse::statistics::{Measures, junction_angles};
+use riverseed::recipe::{Choice, Pattern};
 use riverseed::{Map, Session};
 
 /// Measures of the directions of rivers, each from 0 to 1 unless it is an angle.
@@ -176,4 +177,32 @@ fn beds_strike_and_slopes_dip_as_asked_for() {
         assert_eq!(along / all > 0.5, is_along, "{pattern}");
         assert!((along / all - 0.5).abs() > 0.2, "{pattern}: {}", along / all);
     }
+}
+
+/// The patterns are told apart by the means of other maps, so these are new to the measure.
+#[test]
+fn nine_of_ten_maps_are_named_after_the_pattern_that_was_asked_for() {
+    let lands = |pattern: Pattern| match pattern {
+        Pattern::Centripetal => ["land=basin&sea=0.12", "land=basin&sea=0.2&roughness=0.5"],
+        Pattern::Radial | Pattern::Annular => ["land=island&sea=0.4", FROM_ALL_SIDES],
+        _ => ["land=rectangle", "land=continent&sea=0.25"],
+    };
+    let mut others = Vec::new();
+    for &pattern in Pattern::ALL {
+        let name = pattern.word().name;
+        for seed in 0..5 {
+            let link = format!(
+                "{}&attractors={}&pattern={name}&meander-rounds=4&tributary-spacing={}&seed=unseen{seed}",
+                lands(pattern)[seed % 2],
+                [8000, 12_000][seed / 2 % 2],
+                [1.6, 0.0][seed / 3],
+            );
+            let map = Session::new(link.parse().unwrap()).unwrap().finish().unwrap();
+            let found = Measures::of(&map).pattern().unwrap().name();
+            if found != name {
+                others.push(format!("{found}: {link}"));
+            }
+        }
+    }
+    assert!(others.len() <= 4, "{others:#?}");
 }

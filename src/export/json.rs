@@ -49,11 +49,13 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         members.value("points", points(course(network, i)));
         Json::from(members)
     };
+    let measured = Measures::of(map);
     form.value("recipe", values(map.recipe(), is_named))
         .object("resolved", resolved(map))
         .object("domain", domain)
         .object("growth", growth(map))
-        .value("measures", measures(&Measures::of(map)))
+        .value("measures", measures(&measured))
+        .value("pattern", pattern(&measured))
         .object("nodes", nodes(map.pruned()))
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
@@ -143,6 +145,16 @@ pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     let mut members = Members::default();
     for measure in &statistics::TABLE {
         members.value(measure.name, (measure.value)(measured).map_or(Json::Null, Json::Double));
+    }
+    members.into()
+}
+
+/// The network's distances from the patterns of drainage, nearest first; null if it is too small.
+pub fn pattern<'a>(measured: &Measures) -> Json<'a> {
+    let Some(pattern) = measured.pattern() else { return Json::Null };
+    let mut members = Members::default();
+    for (name, distance) in pattern.nearest_first() {
+        members.value(name, Json::Double(distance));
     }
     members.into()
 }

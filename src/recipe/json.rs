@@ -109,8 +109,19 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then members that this reader skips.
-const NETWORK: [&str; 10] =
-    ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "names", "attractors"];
+const NETWORK: [&str; 11] = [
+    "recipe",
+    "resolved",
+    "domain",
+    "growth",
+    "measures",
+    "pattern",
+    "nodes",
+    "rivers",
+    "oxbows",
+    "names",
+    "attractors",
+];
 
 fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error> {
     let mut seen = vec![String::from(NETWORK[0])];

@@ -14,11 +14,22 @@ use super::{json, list, names, of_all, singles, some, wholes, written};
 fn members_are_those_that_are_told_of() {
     of_all(|session| {
         let file = json(session);
-        let members =
-            ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "names", "attractors"];
+        let members = [
+            "recipe",
+            "resolved",
+            "domain",
+            "growth",
+            "measures",
+            "pattern",
+            "nodes",
+            "rivers",
+            "oxbows",
+            "names",
+            "attractors",
+        ];
         assert_eq!(names(&file), members);
         let without = written(|text| to_json::write(text, &session.map().unwrap(), None));
-        assert_eq!(names(&without), members[..9]);
+        assert_eq!(names(&without), members[..10]);
     });
 }
 
@@ -59,6 +70,19 @@ fn measures_are_those_of_the_rivers() {
                 "{}",
                 measure.name
             );
+        }
+    });
+}
+
+#[test]
+fn patterns_come_with_the_nearest_first() {
+    of_all(|session| {
+        let (written, measures) = (&json(session)["pattern"], Measures::of(&session.map().unwrap()));
+        let Some(pattern) = measures.pattern() else { return assert!(written.is_null()) };
+        let expected = pattern.nearest_first();
+        assert_eq!(names(written), expected.map(|(name, _)| name));
+        for (name, distance) in expected {
+            assert_eq!(written[name].as_f64().map(|value| value as f32), Some(distance as f32), "{name}");
         }
     });
 }

@@ -24,19 +24,20 @@ pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(writeln!(io::stdout().lock(), "{text}")?)
 }
 
-/// The values as in the JSON of a network, and nature's ranges under the same names.
+/// The values and patterns as in the JSON of a network, and nature's ranges under the names of the values.
 fn as_json(measures: &Measures) -> io::Result<String> {
     let of_nature = |measure: &Measure| Some((measure.name.to_owned(), range(measure.nature?)));
     let nature: Map<String, Value> = TABLE.iter().filter_map(of_nature).collect();
     let measured = serde_json::to_value(export::json::measures(measures))?;
-    Ok(serde_json::to_string_pretty(&json!({ "measures": measured, "nature": nature }))?)
+    let pattern = serde_json::to_value(export::json::pattern(measures))?;
+    Ok(serde_json::to_string_pretty(&json!({ "measures": measured, "nature": nature, "pattern": pattern }))?)
 }
 
 fn range(nature: Nature) -> Value {
     json!({ "median": nature.median, "least": nature.least, "most": nature.most, "source": nature.source })
 }
 
-/// A line for each measure.
+/// A line for each measure, and one that names the pattern.
 fn table(measures: &Measures) -> String {
     let row = |measure: &Measure| {
         let nature = measure.nature.map_or(String::new(), in_words);
@@ -50,7 +51,14 @@ fn table(measures: &Measures) -> String {
     let line = |[label, value, unit, nature, help]: &[String; 5]| {
         format!("{label:labels$}  {value:>values$} {unit:units$}  {nature:natures$}  {help}")
     };
-    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+    rows.iter().map(line).chain(pattern(measures)).collect::<Vec<_>>().join("\n")
+}
+
+/// The pattern and how far each is, such as "Pattern: dendritic (dendritic 0.6, deranged 2.1, …)".
+fn pattern(measures: &Measures) -> Option<String> {
+    let pattern = measures.pattern()?;
+    let distances = pattern.nearest_first().map(|(name, distance)| format!("{name} {distance:.1}"));
+    Some(format!("Pattern: {} (distances: {})", pattern.name(), distances.join(", ")))
 }
 
 fn value(measure: &Measure, measures: &Measures) -> String {

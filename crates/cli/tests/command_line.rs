@@ -252,10 +252,13 @@ fn measures_are_printed_beside_nature_s() {
     let link = "seed=kauri&land=rectangle&growth=colonize&valleys=0&attractors=3000&trim=2";
     let lines = printed(&[link]);
     let line = |label: &str| lines.lines().find(|line| line.starts_with(label)).unwrap();
-    assert_eq!(lines.lines().count(), 1 + TABLE.len(), "{lines}");
+    assert_eq!(lines.lines().count(), 1 + TABLE.len() + 1, "{lines}");
     assert!(line("Bifurcation ratio").contains("4.1 (3.5 to 5.2), 11 river basins"), "{lines}");
     let json: serde_json::Value = serde_json::from_str(&printed(&[link, "--json"])).unwrap();
-    assert_eq!(json["measures"], network("measured.json", &[link])["measures"]);
+    let network = network("measured.json", &[link]);
+    assert_eq!((&json["measures"], &json["pattern"]), (&network["measures"], &network["pattern"]));
+    let pattern = json["pattern"].as_object().unwrap().keys().next().unwrap();
+    assert!(line("Pattern").starts_with(&format!("Pattern: {pattern} (distances: {pattern} ")), "{lines}");
     assert_eq!(json["nature"]["hack-exponent"]["median"], 0.67);
     let ratio = json["measures"]["bifurcation-ratio"].as_f64().unwrap();
     assert!(line("Bifurcation ratio").contains(&format!(" {ratio:.2} ")), "{lines}");

@@ -41,6 +41,13 @@ pub fn junction_angles(network: &Network, upstream: f32) -> Option<Angles> {
     Some(Angles { mean, spread: variance.sqrt() })
 }
 
+/// Measures the median angle at which rivers of order 1 join others, in degrees, like [`junction_angles`]. `None` if no
+/// such river is as long as `upstream`.
+pub fn tributary_angle(network: &Network, upstream: f32) -> Option<f64> {
+    let least = network.rivers.iter().filter(|river| river.order == 1);
+    fit::median_of(&least.filter_map(|river| junction_angle(network, river, upstream)).collect::<Vec<_>>())
+}
+
 fn junction_angle(network: &Network, river: &River, upstream: f32) -> Option<f64> {
     let joined = network.rivers.get(river.parent as usize).filter(|_| river.junction != NONE)?;
     let places = |river: &River, end: u32| {
@@ -102,6 +109,10 @@ mod tests {
         assert!((angles(3.0).mean - 75.0).abs() < 1e-4 && (angles(3.0).spread - 15.0).abs() < 1e-4);
         let turned = libm::atan2(3.0, 4.0).to_degrees();
         assert!((angles(7.0).mean - (60.0 + turned) / 2.0).abs() < 1e-4, "{:?}", angles(7.0));
+        let mut least = network.clone();
+        assert_eq!(tributary_angle(&least, 3.0), None);
+        least.rivers[1].order = 1;
+        assert!((tributary_angle(&least, 3.0).unwrap() - 60.0).abs() < 1e-4);
         // There are no angles farther upstream than the stem and B are long.
         assert_eq!(junction_angles(&network, 10.5), None);
     }

@@ -31,6 +31,18 @@ pub(super) fn median(values: &[f32]) -> Option<f32> {
     Some((sorted[(sorted.len() - 1) / 2] + upper) / 2.0)
 }
 
+/// The median of numbers, with the precision of 32-bit floats.
+#[inline(never)] // it has several callers
+pub(super) fn median_of(values: &[f64]) -> Option<f64> {
+    median(&values.iter().map(|&value| value as f32).collect::<Vec<_>>()).map(f64::from)
+}
+
+/// The mean; `None` for an empty list.
+#[inline(never)] // it has several callers
+pub(super) fn mean(values: &[f64]) -> Option<f64> {
+    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -36,14 +36,16 @@ impl Index {
     }
 
     /// Returns the numbers of all points within a radius of a place, and of some a little farther away.
-    pub fn around(&self, at: Vec2, radius: f32) -> impl Iterator<Item = usize> + '_ {
+    #[inline(never)] // each copy of the search weighs half a kilobyte
+    pub fn around(&self, at: Vec2, radius: f32) -> std::vec::IntoIter<usize> {
         let ((left, top), (right, bottom)) = (self.place(at - radius), self.place(at + radius));
-        (top..=bottom).flat_map(move |row| {
-            let row = row * self.columns;
+        let mut found = Vec::new();
+        for row in (top..=bottom).map(|row| row * self.columns) {
             let run = self.starts[row + left]..self.starts[row + right + 1];
             work::count(1 + run.len());
-            self.order[run].iter().copied()
-        })
+            found.extend_from_slice(&self.order[run]);
+        }
+        found.into_iter()
     }
 
     fn cell(&self, at: Vec2) -> usize {

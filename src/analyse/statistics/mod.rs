@@ -3,9 +3,13 @@
 
 mod along_coast;
 mod courses;
+mod directions;
 mod fit;
 mod index;
+mod knots;
 mod parallels;
+mod pattern;
+mod pieces;
 #[cfg(test)]
 mod samples;
 mod streams;
@@ -15,9 +19,13 @@ mod tests;
 mod umbrellas;
 
 pub use along_coast::along_coast;
-pub use courses::{Angles, junction_angles, sinuosity, total_length};
+pub use courses::{Angles, junction_angles, sinuosity, total_length, tributary_angle};
+pub use directions::Directions;
 pub(crate) use index::Index;
+pub use knots::knots;
 pub use parallels::parallels;
+pub use pattern::{PATTERNS, Pattern};
+pub use pieces::Look;
 pub use streams::{Streams, hack_exponent};
 pub use table::{Measure, Nature, TABLE};
 pub use umbrellas::umbrellas;
@@ -63,6 +71,14 @@ pub struct Measures {
     pub parallels: f64,
     /// The length of river that runs along a coast, in units.
     pub along_coast: f64,
+    /// The median angle at which rivers of order 1 join others, in degrees.
+    pub tributary_angle: Option<f64>,
+    /// Number of places where three rivers or more crowd without joining, per 1,000 spacings of river.
+    pub knots: Option<f64>,
+    /// The looks of the map's pieces, drawn as densely as the world's maps.
+    pub look: Look,
+    /// The directions of the rivers.
+    pub directions: Option<Directions>,
 }
 
 impl Measures {
@@ -88,7 +104,16 @@ impl Measures {
             umbrellas: umbrellas(network),
             parallels: parallels(network, spacing),
             along_coast: along_coast(network, spacing, |at| inland(map, at)),
+            tributary_angle: tributary_angle(network, ANGLE_SPACINGS * spacing),
+            knots: knots(network, spacing),
+            look: Look::typical(&Look::all(network, map.domain().size, density as f32)),
+            directions: Directions::of(network, spacing),
         }
+    }
+
+    /// Names the pattern of drainage. `None` if there is no river or no junction.
+    pub fn pattern(&self) -> Option<Pattern> {
+        Some(Pattern::of(self.directions?, self.junction_angles?))
     }
 }
 

@@ -100,25 +100,25 @@ impl Stretches {
 
 /// The places along a course, half a spacing apart.
 fn places(network: &Network, river: &River, course: u32, spacing: f32) -> Vec<Place> {
-    let line = evenly(network.course(river).map(|vertex| vertex.at), STEP * spacing);
+    let line = evenly(&network.places(river), STEP * spacing);
     let heading = |i: usize| direction(line[(i + AROUND).min(line.len() - 1)] - line[i.saturating_sub(AROUND)]);
     line.iter().enumerate().map(|(i, &at)| Place { at, direction: heading(i), course }).collect()
 }
 
 /// Points along a line, starting at its first point, `step` apart.
-fn evenly(mut line: impl Iterator<Item = Vec2>, step: f32) -> Vec<Vec2> {
-    let Some(mut from) = line.next() else { return Vec::new() };
-    let mut points = vec![from];
-    // Distance of the next point beyond `from`.
+#[inline(never)] // each copy weighs two hundred bytes
+pub(super) fn evenly(line: &[Vec2], step: f32) -> Vec<Vec2> {
+    let mut points = Vec::new();
+    points.extend(line.first());
+    // Distance of the next point beyond the last vertex.
     let mut next = step;
-    for to in line {
-        let length = distance(from, to);
+    for pair in line.windows(2) {
+        let length = distance(pair[0], pair[1]);
         while next <= length {
-            points.push(from.lerp(to, next / length));
+            points.push(pair[0].lerp(pair[1], next / length));
             next += step;
         }
         next -= length;
-        from = to;
     }
     points
 }
@@ -178,6 +178,6 @@ mod tests {
     fn places_lie_evenly() {
         let line = [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0)].map(Vec2::from);
         let expected = [(0.0, 0.0), (2.0, 0.0), (3.0, 1.0)].map(Vec2::from);
-        assert_eq!(evenly(line.into_iter(), 2.0), expected);
+        assert_eq!(evenly(&line, 2.0), expected);
     }
 }

@@ -41,8 +41,13 @@ const fn basins(median: f64, least: f64, most: f64) -> Option<Nature> {
     Some(Nature { median: Some(median), least, most, source: "11 river basins" })
 }
 
+/// Median and range over eight dozens of pieces of the world's maps, each dozen measured like a map.
+const fn pieces(median: f64, least: f64, most: f64) -> Option<Nature> {
+    Some(Nature { median: Some(median), least, most, source: "96 pieces of the world's maps, by the dozen" })
+}
+
 /// All measures.
-pub static TABLE: [Measure; 13] = [
+pub static TABLE: [Measure; 27] = [
     Measure {
         name: "bifurcation-ratio",
         label: "Bifurcation ratio",
@@ -164,5 +169,131 @@ pub static TABLE: [Measure; 13] = [
         places: 0,
         nature: None,
         value: |measures| Some(measures.along_coast),
+    },
+    Measure {
+        name: "tributary-angle",
+        label: "Tributary angle",
+        help: "the median angle at which rivers of order 1 join others, measured in the same way",
+        unit: "degrees",
+        places: 0,
+        nature: None,
+        value: |measures| measures.tributary_angle,
+    },
+    Measure {
+        name: "junction-spacing",
+        label: "Junction spacing",
+        help: "length of river per junction, over the mean distance of lines",
+        unit: "",
+        places: 2,
+        nature: pieces(4.01, 3.03, 5.23),
+        value: |measures| measures.look.junction_spacing,
+    },
+    Measure {
+        name: "nearest-line",
+        label: "Nearest line",
+        help: "the mean cosine of twice the angle to the nearest other line: 1 for parallels, -1 for combs",
+        unit: "",
+        places: 2,
+        nature: pieces(-0.02, -0.14, 0.15),
+        value: |measures| measures.look.nearest_line,
+    },
+    Measure {
+        name: "turn-kurtosis",
+        label: "Kurtosis of turns",
+        help: "3 where all bends are alike, higher where straight reaches change with elbows",
+        unit: "",
+        places: 1,
+        nature: pieces(4.1, 3.8, 4.6),
+        value: |measures| measures.look.turn_kurtosis,
+    },
+    Measure {
+        name: "turn-autocorrelation",
+        label: "Autocorrelation of turns",
+        help: "how turns go with those half a line distance farther: -1 if each is undone, 0 if they have nothing in common",
+        unit: "",
+        places: 2,
+        nature: pieces(-0.01, -0.09, 0.0),
+        value: |measures| measures.look.turn_autocorrelation,
+    },
+    Measure {
+        name: "gap-variation",
+        label: "Unevenness of gaps",
+        help: "distances of land from the nearest line: standard deviation over mean",
+        unit: "",
+        places: 3,
+        nature: pieces(0.748, 0.729, 0.769),
+        value: |measures| measures.look.gap_variation,
+    },
+    Measure {
+        name: "anisotropy",
+        label: "Grain of pieces",
+        help: "how far the lines of a small piece of the map run in one direction, from 0 to 1",
+        unit: "",
+        places: 2,
+        nature: pieces(0.32, 0.18, 0.39),
+        value: |measures| measures.look.anisotropy,
+    },
+    Measure {
+        name: "knots",
+        label: "Knots",
+        help: "places with three rivers or more within a spacing that do not join there",
+        unit: "per 1,000 spacings",
+        places: 1,
+        nature: None,
+        value: |measures| measures.knots,
+    },
+    Measure {
+        name: "grain",
+        label: "Grain",
+        help: "how far all lines run in one direction, either way, from 0 to 1",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.grain),
+    },
+    Measure {
+        name: "cross-grain",
+        label: "Cross-grain",
+        help: "the same for two directions at right angles",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.cross_grain),
+    },
+    Measure {
+        name: "flow",
+        label: "Common flow",
+        help: "how far all water runs one way, from 0 to 1",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.flow),
+    },
+    Measure {
+        name: "direction-entropy",
+        label: "Entropy of directions",
+        help: "how evenly directions are spread, from 0 to 1 if all are alike",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.entropy),
+    },
+    Measure {
+        name: "radial",
+        label: "Radial",
+        help: "how far rivers run to or from the middle: 0.5 for any directions, 1 for spokes",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.radial),
+    },
+    Measure {
+        name: "outward",
+        label: "Outward",
+        help: "how far water runs away from the middle, from -1 to 1",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.directions.map(|of| of.outward),
     },
 ];

@@ -34,6 +34,12 @@ fn lengths_double_with_the_map_and_all_else_stays_however_it_is_turned() {
     assert_eq!(total_length(&other), total_length(network) * 2.0);
     assert!(junction_angles(network, 40.0).is_some());
     assert_eq!(junction_angles(&other, 80.0), junction_angles(network, 40.0));
+    assert_eq!(knots(&other, 50.0), knots(network, 25.0));
+    let [own, others] =
+        [(network, 25.0), (&other, 50.0)].map(|(network, spacing)| Directions::of(network, spacing).unwrap());
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
+    assert!(near(own.grain, others.grain) && near(own.cross_grain, others.cross_grain) && near(own.flow, others.flow));
+    assert!(near(own.radial, others.radial) && near(own.outward, others.outward) && own.outward.abs() > 0.01);
     // The counts are not all 0.
     assert!(umbrellas(network) > 0);
     assert_eq!(umbrellas(&other), umbrellas(network));

@@ -99,6 +99,7 @@ test("JSON holds the whole network @core", async ({ page }) => {
     "domain",
     "growth",
     "measures",
+    "pattern",
     "nodes",
     "rivers",
     "oxbows",

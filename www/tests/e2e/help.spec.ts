@@ -87,7 +87,7 @@ test("the panel tells how river-like the rivers are, and of the next ones as wel
   await openWithPanel(page, "seed=kauri");
   await page.getByText("How river-like?").click();
   const rows = page.locator(".measures > div");
-  await expect(rows).toHaveCount(10);
+  await expect(rows).toHaveCount(19);
   await expect(rows.first()).toContainText(/as in nature|than in nature/);
   await expect(page.locator(".measured")).toContainText("parcels unreached");
   const before = await rows.allTextContents();

@@ -42,12 +42,21 @@ test("a sentence sums them up, without a score", () => {
   expect(told([small])[0]?.verdict).toBe("too few rivers to tell");
 });
 
+test("a pattern is told by its name, and how far each is by the help", () => {
+  const { nature: _, ...measure } = SINUOSITY;
+  const pattern = { ...measure, name: "pattern", help: "", places: 1, value: 0.4 };
+  const rows = told([{ ...pattern, distances: { radial: 0.4, annular: 2 } }]);
+  expect(asText(rows)).toBe("Pattern: radial");
+  expect(rows[0]?.help).toBe("radial 0.4, annular 2.0");
+});
+
 test("a finished map is measured", () => {
   const river = new engine.River("seed=kauri");
   while (river.advance(1000));
   const rows = told(askMap(river, teller, (map) => map.measures()));
-  expect(rows).toHaveLength(10);
-  expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(7);
+  expect(rows).toHaveLength(19);
+  expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(13);
+  expect(asText(rows)).toMatch(/^Pattern: [a-z]+$/m);
   expect(asText(rows)).toMatch(
     /^Small streams for each larger one: \d\.\d\d; .*; nature: 3\.50 to 5\.20 \(11 river basins\)$/m,
   );

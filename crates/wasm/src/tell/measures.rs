@@ -18,6 +18,8 @@ export interface Measure {
   readonly places: number;
   /** None of a network that is too small for it. */
   readonly value?: number;
+  /** Of the pattern, which is named after the nearest: how far each is. */
+  readonly distances?: Readonly<Record<string, number>>;
   /** None where rivers of the world cannot be compared with those of a map. */
   readonly nature?: { readonly median?: number; readonly least: number; readonly most: number; readonly source: string };
 }
@@ -25,12 +27,23 @@ export interface Measure {
 
 #[wasm_bindgen]
 impl FinishedMap {
-    /// Returns the measures of the rivers.
+    /// Returns the measures of the rivers, and as the last one the pattern that they are named after.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
         let measures = Measures::of(&self.0);
-        TABLE.iter().map(|measure| row(measure, &measures)).collect()
+        TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect()
     }
+}
+
+/// The pattern: how far each is, nearest first.
+fn pattern(measures: &Measures) -> Object {
+    let row = object(&[("name", "pattern".into()), ("help", "".into()), ("unit", "".into()), ("places", 1.into())]);
+    if let Some(pattern) = measures.pattern() {
+        let nearest_first = pattern.nearest_first();
+        let distances = object(&nearest_first.map(|(name, distance)| (name, distance.into())));
+        set(&row, &[("value", nearest_first[0].1.into()), ("distances", distances.into())]);
+    }
+    row
 }
 
 fn row(measure: &Measure, measures: &Measures) -> Object {

@@ -22,6 +22,15 @@ const PLAIN: readonly Plain[] = [
   { name: "hack-exponent", label: "How long basins are drawn out", below: "rounder", above: "longer" },
   { name: "sinuosity", label: "How winding", below: "straighter", above: "more winding" },
   { name: "junction-angle", label: "The angle at which rivers meet", below: "sharper", above: "wider" },
+  { name: "tributary-angle", label: "The angle at which the smallest join", below: "", above: "" },
+  { name: "junction-spacing", label: "How far from one junction to the next", below: "nearer", above: "farther" },
+  { name: "nearest-line", label: "Beside its neighbour, or across", below: "more across", above: "more alongside" },
+  { name: "turn-kurtosis", label: "Straight reaches and sudden bends", below: "fewer", above: "more" },
+  { name: "turn-autocorrelation", label: "How bends follow each other", below: "more zigzag", above: "less zigzag" },
+  { name: "gap-variation", label: "How uneven the gaps between rivers", below: "more even", above: "less even" },
+  { name: "anisotropy", label: "How far neighbours go one way", below: "less", above: "more" },
+  { name: "knots", label: "Rivers that crowd without joining", below: "", above: "" },
+  { name: "pattern", label: "Pattern", below: "", above: "" },
   { name: "umbrellas", label: "Trunks that meet like ribs of an umbrella", below: "", above: "" },
   { name: "parallels", label: "Rivers that run side by side", below: "", above: "" },
   { name: "along-coast", label: "Rivers that run along a coast", below: "", above: "" },
@@ -49,11 +58,13 @@ export function told(measures: readonly Measure[]): Told[] {
   });
 }
 
-function toldOf({ help, unit, places, value, nature }: Measure, { label, below, above }: Plain): Told {
+function toldOf({ help: says, unit, places, value, distances, nature }: Measure, { label, below, above }: Plain): Told {
   const written = (number: number): string => `${number.toFixed(places)}${unit === "" ? "" : ` ${unit}`}`;
   const range = nature ? `${nature.least.toFixed(places)} to ${written(nature.most)} (${nature.source})` : "";
+  const patterns = Object.entries(distances ?? {});
+  const help = says || patterns.map(([name, far]) => `${name} ${far.toFixed(places)}`).join(", ");
   if (value === undefined) return { label, help, value: "", verdict: TOO_SMALL, nature: range };
-  const row = { label, help, value: written(value), verdict: "", nature: range };
+  const row = { label, help, value: patterns[0]?.[0] ?? written(value), verdict: "", nature: range };
   if (!nature) return row;
   const { least, most } = nature;
   // Judged as it is written: nobody should read that 45 is less than 45.
