@@ -97,6 +97,7 @@ impl DrainageSettings {
     }
 
     /// Fractal noise over the plane, from −1 to 1. `index` separates different uses.
+    #[inline(never)] // each copy weighs three hundred bytes
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
         let mut noise = self.seed.noise(Purpose::Ground, index, 1.0 / wavelength, octaves);
         noise.set_fractal_gain(Some(gain));
