@@ -4,6 +4,7 @@
 //! frame. In between, only depth follows the new nodes, from each tip downstream, because it decides what may be drawn.
 
 use super::strokes::{Pen, TAPER_NODES};
+use crate::prune::Trim;
 use crate::tree::Tree;
 
 /// Discharge is measured again when one node in this many is new.
@@ -18,6 +19,8 @@ pub(super) struct Flow {
     pub radii: Vec<u16>,
     /// The discharges at the last measurement.
     pub discharge: Vec<u32>,
+    /// `true` for nodes of channels, at the last measurement.
+    pub channels: Vec<bool>,
     /// The number of nodes at the last measurement.
     measured: usize,
 }
@@ -55,19 +58,23 @@ impl Flow {
         tree.len() > self.measured + self.measured / NEWS
     }
 
-    /// Measures every node in one pass from the sources down. Nodes that drain less than a channel have no depth; while a
-    /// tree grows, channels are taken to begin at the same discharge everywhere.
-    pub fn measure(&mut self, tree: &Tree, pen: &Pen, channel_area: u32) {
+    /// Measures every node in one pass from the sources down. Nodes above the heads of channels have no depth.
+    pub fn measure(&mut self, tree: &Tree, pen: &Pen, trim: Trim) {
         self.depth.clear();
         self.depth.resize(tree.len(), 0);
+        self.channels.clear();
+        self.channels.resize(tree.len(), false);
         self.radii.resize(tree.len(), 0);
         self.discharge.clear();
         self.discharge.extend_from_slice(&tree.drained);
+        let is_head = trim.heads.is_head(tree, trim.seed);
         for node in (0..tree.len()).rev() {
             let (depth, discharge) = (self.depth[node], self.discharge[node]);
             self.radii[node] = pen.radius(depth, discharge);
+            self.channels[node] = self.channels[node] || is_head(node, discharge);
             if let Some(parent) = tree.parent_of(node) {
-                if discharge >= channel_area {
+                if self.channels[node] {
+                    self.channels[parent] = true;
                     self.depth[parent] = self.depth[parent].max(depth + 1);
                 }
                 self.discharge[parent] += discharge;

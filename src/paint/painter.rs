@@ -202,7 +202,7 @@ impl Painter {
         self.tongues.clear();
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
-            self.flow.measure(tree, &pen, progress.trim.heads.channel_area);
+            self.flow.measure(tree, &pen, progress.trim);
             self.draw_changes(progress, &pen);
         } else if progress.trim.heads.channel_area == 0 {
             let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
@@ -306,12 +306,12 @@ impl Painter {
     /// between; drawing them again, now at least as wide, leaves no trace of that.
     fn draw_changes(&mut self, progress: &Progress<'_>, pen: &Pen) {
         let Progress { tree, finished, trim, .. } = *progress;
-        let Flow { depth, discharge, .. } = &self.flow;
+        let Flow { depth, discharge, channels, .. } = &self.flow;
         let stays = if finished {
             prune::stays(tree, discharge, trim)
         } else {
-            let is_certain = |(&depth, &discharge)| depth >= trim.nodes && discharge >= trim.heads.channel_area;
-            depth.iter().zip(discharge).map(is_certain).collect()
+            let is_certain = |(&depth, &is_channel)| depth >= trim.nodes && is_channel;
+            depth.iter().zip(channels).map(is_certain).collect()
         };
         self.drawn.resize(tree.len(), 0);
         let radii = &self.flow.radii;

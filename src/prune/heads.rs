@@ -39,7 +39,7 @@ impl Heads {
     }
 
     /// A test of a node, with its discharge, that has no channel upstream of it: `true` if one begins there.
-    fn is_head(&self, tree: &Tree, seed: Seed) -> impl Fn(usize, u32) -> bool {
+    pub fn is_head(&self, tree: &Tree, seed: Seed) -> impl Fn(usize, u32) -> bool {
         let mut noise = seed.noise(Purpose::Trimming, 0, 1.0 / self.wavelength, 3);
         noise.set_fractal_gain(Some(0.6));
         let Self { channel_area, variation, largest_basin, .. } = *self;

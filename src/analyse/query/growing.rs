@@ -55,7 +55,8 @@ mod tests {
         for node in 0..tree.len() {
             below(node).for_each(|lower| discharge[lower] += tree.drained[node]);
         }
-        let is_channel = |node: usize| discharge[node] >= trim.heads.channel_area;
+        let channels = trim.heads.channels(tree, &discharge, trim.seed);
+        let is_channel = |node: usize| channels[node];
         let mut depth = vec![0; tree.len()];
         for node in (0..tree.len()).filter(|&node| is_channel(node)) {
             for (steps, lower) in below(node).enumerate() {
@@ -69,8 +70,14 @@ mod tests {
 
     #[test]
     fn the_tips_of_a_tree_are_where_what_is_certain_to_stay_of_it_begins() {
-        let methods =
-            ["colonize&trim=0", "colonize&trim=29", "drainage", "drainage&trim=60", "brownian&sensitivity=30"];
+        let methods = [
+            "colonize&trim=0",
+            "colonize&trim=29",
+            "drainage",
+            "drainage&trim=60",
+            "drainage&head-variation=1",
+            "brownian&sensitivity=30",
+        ];
         for method in methods {
             let mut most = 0;
             for ticks in [0, 5, 14] {
