@@ -10,8 +10,8 @@
 //! of them stay.
 //!
 //! Two further rules keep a trimmed tree from looking clipped: the threshold varies from branch to branch, and of
-//! tributaries that crowd along a river only the greatest stay ([`selection`]). Drainage is first cut back to its
-//! channels ([`heads`]).
+//! tributaries that crowd along a river only the greatest stay (`selection.rs`). Drainage is first cut back to its
+//! channels (`heads.rs`).
 
 mod heads;
 mod selection;
