@@ -48,6 +48,7 @@ const CONTEXTS = [
   `${SMALL}&land=rectangle&curl=0`,
   MANY,
   DRAINED,
+  `${DRAINED}&pattern=trellis`,
   "seed=kauri&growth=brownian&edition=1",
   `${SMALL}&meander=none`,
   `${SMALL}&valleys=0&style=atlas`,

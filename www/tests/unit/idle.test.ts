@@ -23,6 +23,7 @@ const recipes = [
   ...styles,
   ...meanders,
   "curl=0.6",
+  `growth=drainage&pattern=trellis&${FINE}`,
   "meander-rounds=0",
   "meander-strength=0",
   "great-rivers=0",
