@@ -225,7 +225,7 @@ async function panicOnASlider(page: Page): Promise<void> {
 
 test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
   await panicOnASlider(page);
-  await page.getByRole("slider", { name: "Trim" }).press("ArrowRight");
+  await page.getByRole("slider", { name: "Trim", exact: true }).press("ArrowRight");
   await page.getByRole("button", { name: "Replay" }).click();
   await expectFailure(page, "panic", /report the link/);
 });
