@@ -20,7 +20,7 @@ use crate::land::Land;
 use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Heads, Pruned, Trim};
-use crate::recipe::{IntegerKey, NumberKey, Pattern, Recipe, Stage, Style};
+use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
@@ -437,10 +437,7 @@ impl Session {
 
     /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
-        /// The tributaries of a trellis are about half a bed long.
-        const IN_A_TRELLIS: f32 = 0.55;
-        let is_trellis = self.growth.settings().drainage.pattern == Pattern::Trellis;
-        let length = self.recipe.number(NumberKey::Trim) * if is_trellis { IN_A_TRELLIS } else { 1.0 };
+        let length = self.recipe.number(NumberKey::Trim) * self.growth.settings().drainage.trim_share();
         let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
         Trim {
             variation: self.recipe.number(NumberKey::TrimVariation),

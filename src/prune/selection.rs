@@ -8,7 +8,7 @@
 //!
 //! Its water still flows down the river that it would have joined. d = spacing · e^(0.8 g), with g a normal deviate of
 //! the tributary, because in nature the distances of junctions vary as much; e = 0.7 · spacing. The first rule spares
-//! long tributaries, since the gap without one would be wider than any between its fellows.
+//! long tributaries, since the gap without one would be wider than all others along the river.
 
 use glam::Vec2;
 

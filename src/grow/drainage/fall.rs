@@ -13,7 +13,7 @@ use crate::recipe::Pattern;
 /// A field of directions of length φ, the strength of the fall.
 pub(super) struct Fall<'a> {
     settings: &'a GrowthSettings,
-    whither: Whither,
+    general: General,
     /// The turn of all directions, as the cosine and sine of an angle.
     turn: Vec2,
     noise: FastNoiseLite,
@@ -22,7 +22,7 @@ pub(super) struct Fall<'a> {
 }
 
 /// The general direction of the fall.
-enum Whither {
+enum General {
     /// Toward the sea.
     Sea,
     /// The same direction everywhere.
@@ -47,18 +47,18 @@ impl<'a> Fall<'a> {
     /// Finds out where the land of some settings falls to.
     pub fn new(settings: &'a GrowthSettings) -> Self {
         let drainage = &settings.drainage;
-        let whither = match drainage.pattern {
-            Pattern::Parallel => Whither::Plane(down_dip(settings)),
-            Pattern::Radial | Pattern::Annular => Whither::Outward(center(settings)),
-            Pattern::Centripetal => Whither::Inward(center(settings)),
-            _ => Whither::Sea,
+        let general = match drainage.pattern {
+            Pattern::Parallel => General::Plane(down_dip(settings)),
+            Pattern::Radial | Pattern::Annular => General::Outward(center(settings)),
+            Pattern::Centripetal => General::Inward(center(settings)),
+            _ => General::Sea,
         };
         let sine = TURN * (2.0 * drainage.seed.item_hash(Purpose::Country).unit([0, 0, 0]) - 1.0);
-        let is_turned = matches!(whither, Whither::Sea);
+        let is_turned = matches!(general, General::Sea);
         let turn = if is_turned { Vec2::new((1.0 - sine * sine).sqrt(), sine) } else { Vec2::X };
         Self {
             settings,
-            whither,
+            general,
             turn,
             noise: drainage.noise(4, WAVELENGTH * drainage.spacing, 2, 0.5),
             reach: REACH * drainage.spacing,
@@ -68,11 +68,11 @@ impl<'a> Fall<'a> {
     /// The fall at a place.
     pub fn at(&self, at: Vec2) -> Vec2 {
         let drainage = &self.settings.drainage;
-        let general = match self.whither {
-            Whither::Sea => direction(to_sea(self.settings, at, self.reach)),
-            Whither::Plane(way) => way,
-            Whither::Outward(center) => direction(at - center),
-            Whither::Inward(center) => direction(center - at),
+        let general = match self.general {
+            General::Sea => direction(to_sea(self.settings, at, self.reach)),
+            General::Plane(way) => way,
+            General::Outward(center) => direction(at - center),
+            General::Inward(center) => direction(center - at),
         };
         let uneven = if self.is_smooth() { Vec2::ZERO } else { self.uneven_slope(at) };
         direction(self.turn.rotate(general) + uneven) * drainage.fall
@@ -80,7 +80,7 @@ impl<'a> Fall<'a> {
 
     /// Returns `true` if the land is a plane, a dome or a hollow, without any other slope.
     fn is_smooth(&self) -> bool {
-        !matches!(self.whither, Whither::Sea)
+        !matches!(self.general, General::Sea)
     }
 
     /// The slope of uneven ground; its length is about [`UNEVENNESS`] on average.

@@ -91,6 +91,11 @@ impl DrainageSettings {
         }
     }
 
+    /// The share of the trimming length that is applied: the tributaries of a trellis are about half a bed long.
+    pub(crate) fn trim_share(&self) -> f32 {
+        if self.pattern == Pattern::Trellis { 0.55 } else { 1.0 }
+    }
+
     /// A bound for the distance by which bends move a place, in units; measured, not proved.
     pub(super) fn farthest_bend(&self) -> f32 {
         self.bending * (1.1 + 1.5 * self.bending_variation)

@@ -2,7 +2,7 @@ use super::*;
 use crate::base::geometry::meet;
 use crate::land::{Cell, CoastDistance, Land};
 use crate::property::cases;
-use crate::recipe::link;
+use crate::recipe::{Choice, Pattern, link};
 use crate::tree::Hydrology;
 use glam::Vec2;
 use proptest::prelude::*;
@@ -42,14 +42,16 @@ fn recipes() -> impl Strategy<Value = String> {
     ]);
     let shape = (0u32..1000, 100u32..900, 0.2f32..0.7, 0.3f32..3.0);
     let ground = (0.0f32..=1.0, 4.0f32..60.0, 0.2f32..0.8, 0u32..6, 0.0f32..1.5, 0.0f32..=4.0);
+    let patterns = prop::sample::select(Pattern::WORDS.iter().map(|word| word.name).collect::<Vec<_>>());
+    let country = (prop_oneof![Just("dendritic"), patterns], prop_oneof![Just(0.0f32), 0.0f32..=2.0], 0.0f32..=1.0);
     let mouths = (prop::sample::select(vec![0, 0, 1, 5]), prop::sample::select(vec!["nesw", "n", "se"]), 0u32..2);
-    (lands, shape, ground, mouths).prop_map(
-        |(land, (seed, attractors, sea, aspect), ground, (mouths, shores, apart))| {
+    (lands, shape, ground, mouths, country).prop_map(
+        |(land, (seed, attractors, sea, aspect), ground, (mouths, shores, apart), (pattern, fall, uneven))| {
             let (valleys, valley_spacing, concavity, captures, hardness, bending) = ground;
             format!(
                 "{land}&seed={seed}&attractors={attractors}&sea={sea:.2}&aspect={aspect:.2}&valleys={valleys:.2}\
              &valley-spacing={valley_spacing:.1}&concavity={concavity:.2}&captures={captures}&hardness={hardness:.2}\
-             &bending={bending:.2}&mouths={mouths}&shores={shores}&mouth-spacing={}",
+             &bending={bending:.2}&pattern={pattern}&fall={fall:.2}&bending-variation={uneven:.2}&mouths={mouths}&shores={shores}&mouth-spacing={}",
                 apart * 60
             )
         },
