@@ -5,10 +5,17 @@
 
 use glam::Vec2;
 
-use crate::recipe::{NumberKey, Recipe};
+use crate::recipe::{IntegerKey, LandKind, NumberKey, Recipe};
 
 /// The area of every domain, in square units.
 pub const AREA: f32 = 1_000_000.0;
+
+/// The mean distance, in units, between the parcels of a recipe's drainage: √(area of land / attractors), if the sea is
+/// as it suits the kind of land. It does not change with the actual sea.
+pub fn parcel_spacing(recipe: &Recipe) -> f32 {
+    let land = 1.0 - recipe.get::<LandKind>().usual_sea();
+    (land * AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt()
+}
 
 /// The rectangle from the origin, its north-western corner, to `size`.
 #[derive(Clone, Copy, Debug, PartialEq)]

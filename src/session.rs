@@ -437,8 +437,8 @@ impl Session {
 
     /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
-        let length = self.recipe.number(NumberKey::Trim) * self.growth.settings().drainage.trim_share();
-        let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
+        let trim =
+            Trim::new(self.recipe.number(NumberKey::Trim), self.growth.node_length(), !self.growth.mouths_are_chosen());
         Trim {
             variation: self.recipe.number(NumberKey::TrimVariation),
             heads: self.heads(),

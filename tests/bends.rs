@@ -13,7 +13,7 @@ use riverseed::{Map, Session};
 
 /// Lands on which great rivers have room, by both models, and how long they meander.
 const ROOMY: [&str; 6] = [
-    "seed=s0&aspect=1.6&land=island&attractors=20000&channel-area=6&width=16",
+    "seed=s4&aspect=1.6&land=island&sea=0.55&attractors=5600&channel-area=6&width=16",
     "seed=s2&land=continent&sea=0.4&sides=sw&attractors=20000&width=18",
     "seed=s3&aspect=1.3&land=valley&sea=0.15&attractors=18000&channel-area=8&width=20",
     "seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5",

@@ -318,7 +318,7 @@ fn no_two_rivers_have_one_label_in_short_either() {
 fn most_great_rivers_have_their_name() {
     let maps = ["island", "continent", "archipelago", "valley", "rectangle"].into_iter().flat_map(|land| {
         ["drainage", "colonize"]
-            .map(|growth| format!("land={land}&growth={growth}&attractors=6000&labels=some&seed=kea"))
+            .map(|growth| format!("land={land}&sea=0.55&growth={growth}&attractors=6000&labels=some&seed=kea"))
     });
     let labelled = |link: String| {
         let session = finished(&link);

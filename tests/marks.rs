@@ -199,7 +199,7 @@ tiers!(maps_with_mountains_tell_the_heights_of_summits_and_of_saddles);
 /// Wherever nothing is in its way.
 #[test]
 fn the_highest_place_is_told_and_has_a_triangle() {
-    let session = finished_link("land=island&seed=kauri&style=survey&labels=some");
+    let session = finished_link("land=island&sea=0.55&attractors=5600&seed=kauri&style=survey&labels=some");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1440.0);
     let highest = of(&labels, Kind::SpotHeight).max_by_key(|label| label.text.parse::<u32>().unwrap()).unwrap();
@@ -261,7 +261,8 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
     for (land, cartouche) in
         [("island", "none"), ("continent", "framed"), ("archipelago", "plain"), ("rectangle", "none")]
     {
-        let link = format!("land={land}&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}");
+        let link =
+            format!("land={land}&sea=0.55&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}");
         let session = finished_link(&link);
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1440.0);

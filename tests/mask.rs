@@ -134,10 +134,11 @@ fn every_river_stays_on_the_mask_s_land() {
         let mut session = Session::on_land(recipe(&format!("growth={growth}&attractors=4000")), land.clone()).unwrap();
         let rivers = session.finish().unwrap();
         assert!(rivers.network().rivers.len() > 30, "{growth}: {}", rivers.network().rivers.len());
-        let around = [(0.0, 0.0), (1.5, 0.0), (-1.5, 0.0), (0.0, 1.5), (0.0, -1.5)];
+        // Within a cell of the land, half a diagonal long.
+        let around = [-1.5, 0.0, 1.5].map(|x| [-1.5, 0.0, 1.5].map(|y| (x, y))).concat();
         for vertex in &rivers.network().vertices {
             // Mouths lie on the coast itself.
-            let is_on_land = around.into_iter().any(|aside| mask.holds(vertex.at + Vec2::from(aside)));
+            let is_on_land = around.iter().any(|&aside| mask.holds(vertex.at + Vec2::from(aside)));
             assert!(is_on_land, "{growth}: a river at {}", vertex.at);
         }
     }

@@ -6,7 +6,7 @@ use riverseed::paint::Framing;
 use riverseed::recipe::{Choice, Style};
 use riverseed::{Picture, Session};
 
-const LINK: &str = "seed=skye&attractors=3000&land=island&width=16&meander=none&bank-variation=0";
+const LINK: &str = "seed=lewis&attractors=3000&land=island&sea=0.55&width=16&meander=none&bank-variation=0";
 
 /// A distance from the coast at which there is nothing but the sea, in units: its line has ended and no ring has begun. Where
 /// beaches sink into the sea, that is farther.
@@ -27,6 +27,27 @@ fn widest_mouth(session: &Session) -> (Vec2, Vec2, f32) {
     let distance = session.land().unwrap().coast_distance();
     let seaward = -distance.slope(at).normalize();
     (at + seaward * distance.height(at), seaward, width(widest))
+}
+
+/// The place so far up the river whose mouth is nearest to a point of the coast.
+fn above_mouth(session: &Session, mouth: Vec2, far: f32) -> Vec2 {
+    let network = session.network().unwrap();
+    let course = |id: u32| {
+        let river = &network.rivers[id as usize];
+        network.vertices[river.start as usize..river.end as usize].iter().rev().map(|vertex| vertex.at)
+    };
+    let end = |id: u32| course(id).next().unwrap();
+    let nearest =
+        network.mouths().into_iter().min_by(|a, b| end(*a).distance(mouth).total_cmp(&end(*b).distance(mouth)));
+    let (mut left, mut below) = (far, mouth);
+    for at in course(nearest.unwrap()) {
+        let step = below.distance(at);
+        if step >= left {
+            return below.lerp(at, left / step);
+        }
+        (left, below) = (left - step, at);
+    }
+    below
 }
 
 /// A picture of the surroundings of a point, 12 pixels for each unit.
@@ -91,8 +112,9 @@ fn a_river_turns_into_the_sea_within_its_mouth() {
         let session = finished(&format!("{LINK}&style={style}"));
         let (at, seaward, width) = widest_mouth(&session);
         let close = Close::of(&session, at);
-        let [river, above, mouth, sea] =
-            [-3.0 * width, -2.4 * width, -0.2 * width, OFFSHORE].map(|way| close.pixel(at + seaward * way));
+        let upstream = |widths: f32| close.pixel(above_mouth(&session, at, widths * width));
+        let [river, above, mouth] = [3.0, 2.4, 0.2].map(upstream);
+        let sea = close.pixel(at + seaward * OFFSHORE);
         assert!(apart(mouth, sea) * 8 < apart(river, sea), "{style}: {river:?}, {mouth:?}, {sea:?}");
         assert!(apart(above, river) * 8 < apart(river, sea), "{style}: {river:?}, {above:?}, {sea:?}");
     }
@@ -112,7 +134,7 @@ fn the_sea_in_a_mouth_is_cut_out_with_the_sea() {
 
 #[test]
 fn a_brook_ends_in_the_line_of_the_coast() {
-    let session = finished("seed=skye&attractors=3000&land=island&width=1.5&style=ink");
+    let session = finished("seed=lewis&attractors=3000&land=island&width=1.5&style=ink");
     let (at, seaward, _) = widest_mouth(&session);
     let close = Close::of(&session, at);
     let distance = session.land().unwrap().coast_distance();

@@ -23,7 +23,7 @@ fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
 }
 
 /// A map on which several great rivers wind.
-const MANY_REACHES: &str = "seed=s6&land=island&growth=drainage&great-rivers=8&style=ink";
+const MANY_REACHES: &str = "seed=s6&land=island&sea=0.55&attractors=5600&growth=drainage&great-rivers=8&style=ink";
 
 proptest! {
     #![proptest_config(large(500))]
@@ -140,7 +140,9 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
 fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
     let names = |own: &str| Names::of(&finished(MANY_REACHES, &format!("names={own}")).map().unwrap());
     assert!(names("i0.The Shire").title.contains("Shire") && !names("i0.The Shire").title.contains("The Shire"));
-    let meanders = |names: Names| names.reaches.into_iter().find(|reach| reach.name.ends_with(" Meanders"));
+    // Another reach may be called The Meanders, after no river.
+    let is_named_after_a_river = |name: &str| name.ends_with(" Meanders") && name != "The Meanders";
+    let meanders = |names: Names| names.reaches.into_iter().find(|reach| is_named_after_a_river(&reach.name));
     let reach = meanders(names("")).unwrap();
     assert!(!reach.name.contains("Fork"), "{}", reach.name);
     let unnamed = meanders(names(&format!("{}.", reach.identity))).unwrap();

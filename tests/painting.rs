@@ -168,7 +168,7 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
 tiers!(rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it);
 
 /// Rivers that cut off loops, on land with a coast and without.
-const BENDS: &str = "seed=fisk&aspect=1&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=4&meander-mix=1&style=past-courses";
+const BENDS: &str = "seed=fisk&aspect=1&sea=0.55&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=4&meander-mix=1&style=past-courses";
 
 #[test]
 fn past_courses_painted_round_by_round_are_those_painted_at_once() {

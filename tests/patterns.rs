@@ -179,6 +179,26 @@ fn beds_strike_and_slopes_dip_as_asked_for() {
     }
 }
 
+#[test]
+fn rivers_run_from_a_given_centre_and_to_it() {
+    for (pattern, is_outward) in [("radial", true), ("centripetal", false)] {
+        for (x, y) in [(25, 30), (70, 60)] {
+            let link =
+                format!("attractors=8000&meander=none&{FROM_ALL_SIDES}&pattern={pattern}&center-x={x}&center-y={y}");
+            let map = Session::new(link.parse().unwrap()).unwrap().finish().unwrap();
+            let center = Vec2::new(x as f32, y as f32) / 100.0 * map.domain().size;
+            // Within reach of the centre, where no side of the map is near.
+            let near: Vec<_> = steps(&map, map.grown().stream_spacing)
+                .into_iter()
+                .filter(|(from, _)| (40.0..220.0).contains(&from.distance(center)))
+                .collect();
+            let outward = near.iter().filter(|(from, to)| to.distance(center) > from.distance(center)).count();
+            let share = outward as f32 / near.len() as f32;
+            assert!(near.len() > 50 && if is_outward { share > 0.9 } else { share < 0.5 }, "{link}: {share}");
+        }
+    }
+}
+
 /// The patterns are told apart by the means of other maps, so these are new to the measure.
 #[test]
 fn nine_of_ten_maps_are_named_after_the_pattern_that_was_asked_for() {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::io::Cursor;
+use std::ops::RangeInclusive;
 
 use riverseed::analyse::statistics::{Look, Measures, TABLE};
 use riverseed::import::png;
@@ -68,26 +69,85 @@ fn nature_s_ranges_are_median_least_and_greatest_of_dozens_of_pieces() {
     }
 }
 
-/// What the study found in maps of the default drainage at that time, of the growth that they still have: the medians of
-/// twelve maps.
+/// The measures of a recipe's maps, by name: the medians of twelve.
+fn usual(recipe: &str) -> impl Fn(&str) -> f64 + use<> {
+    let of_seed = |seed: u32| {
+        let mut session = Session::new(link::read(&format!("{recipe}&seed=s{seed}")).unwrap()).unwrap();
+        session.finish().unwrap();
+        Measures::of(&session.map().unwrap())
+    };
+    let maps: Vec<Measures> = (0..12).map(of_seed).collect();
+    let recipe = recipe.to_owned();
+    move |name| {
+        let measure = TABLE.iter().find(|measure| measure.name == name).unwrap();
+        let mut values: Vec<f64> = maps.iter().filter_map(measure.value).collect();
+        assert!(values.len() > 9, "{recipe}: {name} of {} maps", values.len());
+        values.sort_by(f64::total_cmp);
+        let median = (values[(values.len() - 1) / 2] + values[values.len() / 2]) / 2.0;
+        println!("{recipe}: {name} {median:.3}");
+        median
+    }
+}
+
+/// Checks measures of a recipe's maps against the ranges that they should lie in.
+fn assert_within(recipe: &str, ranges: &[(&str, RangeInclusive<f64>)]) {
+    let median = usual(recipe);
+    let astray = ranges.iter().map(|(name, range)| (name, median(name), range));
+    let astray: Vec<_> = astray.filter(|(_, median, range)| !range.contains(median)).collect();
+    assert!(astray.is_empty(), "{recipe}: {astray:?}");
+}
+
+/// The look of the default network is that of real rivers.
 #[test]
 #[ignore = "second tier"]
-fn maps_have_the_measures_that_the_study_found_in_them() {
-    let of_seed = |seed: u32| {
-        let recipe = link::read(&format!("land=rectangle&sides=s&seed=s{seed}")).unwrap();
-        let mut session = Session::new(recipe).unwrap();
-        session.finish().unwrap();
-        let measures = Measures::of(&session.map().unwrap());
-        values(measures.look)
-    };
-    let maps: Vec<[f64; 6]> = (0..12).map(of_seed).collect();
-    let median = |i: usize| {
-        let mut values: Vec<f64> = maps.iter().map(|values| values[i]).collect();
-        values.sort_by(f64::total_cmp);
-        (values[5] + values[6]) / 2.0
-    };
-    let study = [(2.7, 0.135), (-0.17, 0.02), (3.2, 0.16), (-0.16, 0.02), (0.706, 0.035), (0.22, 0.015)];
-    assert_near("maps", std::array::from_fn(median), study);
+fn default_drainage_looks_like_the_world_s_rivers() {
+    assert_within(
+        "land=rectangle&sides=s",
+        &[
+            ("junction-spacing", 3.4..=4.2),
+            ("nearest-line", -0.06..=0.08),
+            ("turn-kurtosis", 3.9..=f64::MAX),
+            ("turn-autocorrelation", -0.1..=0.1),
+            ("gap-variation", 0.735..=0.769),
+            ("anisotropy", 0.26..=0.36),
+            ("sinuosity", 1.26..=1.45),
+            ("knots", 0.0..=0.0),
+        ],
+    );
+}
+
+/// All its channels together branch like natural basins.
+#[test]
+#[ignore = "second tier"]
+fn all_channels_of_drainage_branch_like_natural_basins() {
+    assert_within(
+        "land=rectangle&sides=s&valleys=0.3&channel-area=1&trim=0&tributary-spacing=0",
+        &[
+            ("bifurcation-ratio", 3.5..=5.2),
+            ("length-ratio", 1.7..=2.4),
+            ("tokunaga-c", 2.3..=3.3),
+            ("hack-exponent", 0.6..=0.69),
+        ],
+    );
+}
+
+/// Rivers wind like natural ones wherever the sea is, and nowhere do three or more lines lie within a spacing.
+#[test]
+#[ignore = "second tier"]
+fn rivers_of_all_lands_wind_like_natural_ones_and_none_is_tangled() {
+    for land in ["island", "continent", "archipelago", "valley", "basin"] {
+        assert_within(&format!("land={land}"), &[("sinuosity", 1.21..=1.54), ("knots", 0.0..=0.3)]);
+    }
+}
+
+/// Where the land falls steeply, as in a desert, rivers join at narrower angles than in humid country.
+#[test]
+#[ignore = "second tier"]
+fn junctions_are_the_narrower_the_more_the_land_falls() {
+    let angles =
+        [0.0, 0.2, 0.8, 1.6].map(|fall| usual(&format!("land=rectangle&sides=s&fall={fall}"))("junction-angle"));
+    assert!(angles.windows(2).all(|pair| pair[0] > pair[1] + 2.0), "{angles:?}");
+    assert!((64.0..=74.0).contains(&angles[1]) && angles[2] < 60.0, "{angles:?}");
 }
 
 /// Drainage without a grain is dendritic, wherever the sea is.

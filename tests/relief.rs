@@ -165,7 +165,10 @@ fn share_above(values: &[f32], bound: f32) -> f32 {
 }
 
 fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
-    let texts = [("seed=kea&attractors=3000", 1000), ("seed=kea&growth=colonize&land=rectangle&attractors=3000", 2000)];
+    let texts = [
+        ("seed=kea&sea=0.55&attractors=1500", 1000),
+        ("seed=kea&growth=colonize&land=rectangle&attractors=3000", 2000),
+    ];
     for (text, cells) in one_in(2, texts) {
         let session = finished(text);
         let (own, finer) = (session.map().unwrap().make_relief().unwrap(), finer(&session, cells));

@@ -255,7 +255,7 @@ proptest! {
 
 tiers!(a_picture_painted_in_parts_is_that_of_a_fresh_one);
 
-const MAP: &str = "land=island&attractors=3000&seed=kauri";
+const MAP: &str = "land=island&sea=0.55&attractors=3000&seed=kauri";
 
 #[test]
 fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {

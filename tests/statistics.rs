@@ -55,7 +55,7 @@ fn ratios_of_a_basin(grower: &str, trims: [u32; 2]) -> [[Option<f64>; 5]; 2] {
 
 fn ratios(session: &Session, nodes: u32) -> [Option<f64>; 5] {
     let tree = session.tree();
-    let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..session.trim() });
+    let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, tributary_spacing: 0.0, ..session.trim() });
     let (order, area) = (&pruned.hydrology.order, &pruned.hydrology.discharge);
     let streams = Streams::of(&pruned.tree, order);
     [
@@ -113,7 +113,7 @@ fn measured(link: &str) -> impl Fn(&str) -> f64 + use<> {
 fn what_eyes_dislike_is_at_most_a_third_of_colonization_s() {
     let mut of_colonization = BTreeMap::new();
     let [paper, calm, wild, valleys] = GROWERS;
-    for (land, grower) in one_in(6, pairs(["land=island&sea=0.6", "land=continent&sea=0.3"], [wild, calm, valleys])) {
+    for (land, grower) in one_in(6, pairs(["land=valley&sea=0.2", "land=continent&sea=0.3"], [wild, calm, valleys])) {
         let colonized = of_colonization.entry(land).or_insert_with(|| measured(&format!("{land}&{paper}")));
         let like_nature = measured(&format!("{land}&{grower}"));
         for count in ["umbrellas", "parallels", "along-coast"] {

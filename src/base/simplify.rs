@@ -25,7 +25,7 @@ pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
     let places = points.iter().zip(before).zip(after).map(|((&at, before), after)| Place { at, before, after });
     let mut significance = vec![f32::INFINITY; points.len()];
     let fewest = if is_closed { 3 } else { 2 };
-    Lines::new(places.collect())
+    Lines::new(places.collect(), area)
         .simplify(|lines, _| lines.left > fewest, |gone, area| significance[gone as usize] = area);
     significance
 }
@@ -43,15 +43,37 @@ pub(crate) struct Lines {
     places: Vec<Place>,
     is_gone: Vec<bool>,
     left: usize,
+    importance: Importance,
+}
+
+/// The importance of a point between its neighbours.
+type Importance = fn([Vec2; 3]) -> f32;
+
+/// The area of the triangle.
+fn area([a, b, c]: [Vec2; 3]) -> f32 {
+    ((a - b).perp_dot(c - b) * 0.5).abs()
+}
+
+/// The area of the triangle, less where the line turns back on itself: from half a right angle between the legs down to
+/// nothing at 26°. So spikes go first, whatever their length (as in the weighted area of the program Mapshaper).
+pub(crate) fn area_unless_spike([a, b, c]: [Vec2; 3]) -> f32 {
+    const BLUNT: f32 = 0.7;
+    const SHARP: f32 = 0.9;
+    let (back, on) = (a - b, c - b);
+    let cosine = back.dot(on) / (back.length_squared() * on.length_squared()).sqrt();
+    // Not a number where two points coincide: then the area is 0.
+    let share = if cosine > BLUNT { fast_max((SHARP - cosine) / (SHARP - BLUNT), 0.0) } else { 1.0 };
+    area([a, b, c]) * share
 }
 
 impl Lines {
-    pub fn new(places: Vec<Place>) -> Self {
-        Self { is_gone: vec![false; places.len()], left: places.len(), places }
+    pub fn new(places: Vec<Place>, importance: Importance) -> Self {
+        Self { is_gone: vec![false; places.len()], left: places.len(), places, importance }
     }
 
-    /// Removes one point after the other, the smallest area first, as long as `may_go` allows. A refused point is tried
-    /// again once one of its neighbours has been removed. The areas passed to `tell` never decrease.
+    /// Removes one point after the other, the least important first, as long as `may_go` allows. A refused point is tried
+    /// again once one of its neighbours has been removed. The importances passed to `tell` never
+    /// decrease.
     pub fn simplify(mut self, mut may_go: impl FnMut(&Self, [u32; 3]) -> bool, mut tell: impl FnMut(u32, f32)) {
         let mut queue = Areas::with_room_for(self.places.len());
         let mut highest = 0.0;
@@ -87,8 +109,7 @@ impl Lines {
     }
 
     fn area(&self, triangle: &[u32; 3]) -> f32 {
-        let [a, b, c] = triangle.map(|i| self.at(i));
-        ((a - b).perp_dot(c - b) * 0.5).abs()
+        (self.importance)(triangle.map(|i| self.at(i)))
     }
 
     fn enter(&self, i: u32, queue: &mut Areas) {
@@ -128,6 +149,17 @@ mod tests {
             (0..40).map(|i| corners[i / 10].lerp(corners[(i / 10 + 1) % 4], (i % 10) as f32 / 10.0)).collect();
         assert_eq!(kept(&dense, true, 1e-6), corners);
         assert_eq!(kept(&dense[..11], false, 1e-6), [Vec2::ZERO, Vec2::X]);
+    }
+
+    #[test]
+    fn spikes_count_for_less_than_elbows_of_the_same_area() {
+        let at = |angle: f32| area_unless_spike([Vec2::X, Vec2::ZERO, Vec2::new(libm::cosf(angle), libm::sinf(angle))]);
+        let whole = |angle: f32| 0.5 * libm::sinf(angle);
+        for blunt in [0.8, 1.2, 1.6, 2.4, 3.0] {
+            assert_eq!(at(blunt), whole(blunt).abs(), "{blunt}");
+        }
+        assert!(at(0.6) < 0.7 * whole(0.6) && at(0.6) > 0.0 && at(0.4) == 0.0);
+        assert_eq!(area_unless_spike([Vec2::ONE; 3]), 0.0);
     }
 
     #[test]

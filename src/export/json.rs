@@ -101,6 +101,7 @@ fn resolved<'a>(map: &Map) -> Members<'a> {
     let (recipe, grown, shaped) = (map.recipe(), map.grown(), map.network_settings());
     let mut members = Members::default();
     members
+        .single("sea", recipe.sea())
         .single("spacing", grown.spacing)
         .single("reach", grown.reach)
         .single("kill", grown.kill)

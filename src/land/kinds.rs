@@ -31,7 +31,7 @@ impl Shape {
             domain: Domain::of(recipe),
             sides: recipe.sides(),
             seed: Seed::from_text(recipe.seed()),
-            sea: recipe.number(NumberKey::Sea),
+            sea: recipe.sea(),
             roughness: recipe.number(NumberKey::Roughness),
         }
     }

@@ -1,7 +1,7 @@
 //! In which order vertices go when courses are simplified: one ranking of all rivers, made once, so that any degree of
 //! simplification is a prefix of it.
 //!
-//! The method is that of Visvalingam and Whyatt, with rules of its own for a network: sources, mouths and junctions stay; a
+//! The method is that of Visvalingam and Whyatt, but spikes count for less. It has rules of its own for a network: sources, mouths and junctions stay; a
 //! vertex goes only while its triangle with its neighbours holds no other vertex, so that the line cannot come to lie across
 //! another, nor so near it that rounding could carry it across; and only if the line that is left stays on land.
 
@@ -10,7 +10,7 @@ use glam::Vec2;
 use super::smooth::LEAST_CLEARANCE;
 use super::{NONE, Network, Vertex};
 use crate::base::geometry::{height, is_in_triangle};
-use crate::base::simplify::{Lines, Place};
+use crate::base::simplify::{Lines, Place, area_unless_spike};
 use crate::base::work;
 use crate::land::Land;
 
@@ -19,7 +19,7 @@ pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
     let places = places(network);
     let cells = Cells::new(&places);
     let mut order = Vec::with_capacity(places.len());
-    Lines::new(places).simplify(
+    Lines::new(places, area_unless_spike).simplify(
         |lines, triangle| {
             let corners @ [a, _, c] = triangle.map(|i| lines.at(i));
             land.is_none_or(|land| land.allows(a, c))

@@ -29,7 +29,7 @@ const LINKS: [&str; 4] = [
 
 #[test]
 fn even_channels_begin_at_one_discharge_and_uneven_ones_around_it() {
-    let (tree, discharge, trim) = grown(LINKS[0]);
+    let (tree, discharge, trim) = grown(&format!("{}&channel-area=6&head-variation=0", LINKS[0]));
     let even = trim.heads.channels(&tree, &discharge, trim.seed);
     assert!(even.iter().zip(&discharge).all(|(is_channel, discharge)| *is_channel == (*discharge >= 6)));
     let heads = Heads { variation: 0.5, ..trim.heads };

@@ -205,6 +205,21 @@ pub(crate) enum Shown {
     Beds,
 }
 
+impl LandKind {
+    /// The share of the map that is water unless a recipe asks for another; 0 where the sea is drawn or there is none.
+    /// Much water lets an island have lively coasts and lie free of the frame.
+    pub fn usual_sea(self) -> f32 {
+        match self {
+            Self::Island => 0.72,
+            Self::Archipelago => 0.73,
+            Self::Continent => 0.35,
+            Self::Valley => 0.15,
+            Self::Basin => 0.18,
+            Self::Rectangle | Self::Drawn => 0.0,
+        }
+    }
+}
+
 impl Style {
     /// The row of a style in the table of what styles show.
     const fn shown(self) -> &'static [Shown] {

@@ -52,6 +52,7 @@ impl Given<'_> {
             Key::Bending | Key::ChannelArea | Key::HeadVariation => self.not_draining(),
             Key::Pattern | Key::Fall => self.not_draining(),
             Key::Strike => self.not_draining().or_else(|| self.no_strike()),
+            Key::CenterX | Key::CenterY => self.not_draining().or_else(|| self.no_center()),
             Key::BendingVariation => self.not_draining().or_else(|| self.no_bending()),
             Key::ValleySpacing => self.brownian().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
@@ -148,6 +149,11 @@ impl Given<'_> {
     fn no_strike(&self) -> Reason {
         let has_strike = matches!(self.pattern(), Pattern::Trellis | Pattern::Rectangular | Pattern::Parallel);
         (!has_strike).then_some("this pattern has no strike")
+    }
+
+    fn no_center(&self) -> Reason {
+        let has_center = matches!(self.pattern(), Pattern::Radial | Pattern::Annular | Pattern::Centripetal);
+        (!has_center).then_some("this pattern has no centre")
     }
 
     /// Parallel drainage has no valleys, and deranged drainage the deepest.
@@ -268,6 +274,7 @@ mod tests {
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
             ("growth=drainage&bending=0.1", Key::BendingVariation),
             ("growth=drainage&pattern=trellis", Key::Strike),
+            ("growth=drainage&pattern=annular", Key::CenterY),
             ("growth=drainage&pattern=deranged&valleys=0", Key::ValleySpacing),
             ("growth=colonize&pattern=parallel", Key::Valleys),
             ("growth=drainage&land=island", Key::MouthSpacing),
@@ -290,10 +297,11 @@ mod tests {
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const NOT_DRAINING: (&str, &str) = (
-        "concavity captures hardness hardness-scale bending bending-variation pattern strike fall channel-area head-variation",
+        "concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
         "only drainage uses it",
     );
     const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");
+    const NO_CENTER: (&str, &str) = ("center-x center-y", "this pattern has no centre");
     const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
     const NOT_COLONIZING: (&str, &str) =
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
@@ -487,7 +495,7 @@ mod tests {
                 NO_HILLS,
             ],
         ),
-        ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE]),
+        ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE, NO_CENTER]),
         (
             "growth=drainage&pattern=parallel&bending=0",
             &[
@@ -495,6 +503,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_COLONIZING,
+                NO_CENTER,
                 ("valleys", "the pattern determines the valleys"),
                 ("valley-spacing", "there are no valleys"),
                 ("bending-variation", "courses are not bent"),
@@ -508,6 +517,7 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_COLONIZING,
                 NO_STRIKE,
+                NO_CENTER,
                 ("valleys", "the pattern determines the valleys"),
             ],
         ),
@@ -517,7 +527,14 @@ mod tests {
         ),
         (
             "growth=drainage&land=island",
-            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE],
+            &[
+                ("sides", "this land has the sea all around it"),
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_COLONIZING,
+                NO_STRIKE,
+                NO_CENTER,
+            ],
         ),
         ("valleys=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")]),
         (
@@ -528,6 +545,7 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_COLONIZING,
                 NO_STRIKE,
+                NO_CENTER,
                 ("valley-spacing", "there are no valleys"),
                 ("hardness-scale", "all ground is equally hard"),
             ],

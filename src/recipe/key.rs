@@ -103,6 +103,8 @@ keys! {
     BendingVariation: Number,
     Pattern: Choice,
     Strike: Integer,
+    CenterX: Integer,
+    CenterY: Integer,
     Fall: Number,
     ChannelArea: Integer,
     HeadVariation: Number,

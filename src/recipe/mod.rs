@@ -111,6 +111,13 @@ impl Recipe {
         words.iter().position(is_chosen).unwrap_or(0)
     }
 
+    /// The share of the map that is water: the one asked for or, at 0, the one that suits the kind of land. 0 for a drawn
+    /// land and for the whole rectangle, where the recipe does not determine it.
+    pub fn sea(&self) -> f32 {
+        let (asked, usual) = (self.number(NumberKey::Sea), self.get::<LandKind>().usual_sea());
+        if asked > 0.0 && usual > 0.0 { asked } else { usual }
+    }
+
     /// The sides beyond which the sea lies.
     pub fn sides(&self) -> Sides {
         self.sides_of(Key::Sides)

@@ -103,6 +103,8 @@ struct Country {
     growth: Text,
     attractors: Text,
     sensitivity: Text,
+    bending: Text,
+    bending_variation: Text,
     pattern: Text,
     strike: Text,
     fall: Text,
@@ -119,16 +121,18 @@ struct Country {
 const USUAL: Country = Country {
     aspect: "1.6",
     land: "island",
-    sea: "0.55",
+    sea: "0",
     roughness: "1",
     sides: "s",
     growth: "drainage",
     attractors: "20000",
     sensitivity: "16",
+    bending: "2.2",
+    bending_variation: "1",
     pattern: "dendritic",
     strike: "0",
-    fall: "0",
-    channel_area: "6",
+    fall: "0.3",
+    channel_area: "3",
     width: "16",
     rounds: "18",
     great_rivers: "3",
@@ -138,7 +142,7 @@ const USUAL: Country = Country {
 };
 
 impl Country {
-    const fn values(self) -> [(Key, Text); 19] {
+    const fn values(self) -> [(Key, Text); 23] {
         [
             (Key::Aspect, self.aspect),
             (Key::Land, self.land),
@@ -148,8 +152,12 @@ impl Country {
             (Key::Growth, self.growth),
             (Key::Attractors, self.attractors),
             (Key::Sensitivity, self.sensitivity),
+            (Key::Bending, self.bending),
+            (Key::BendingVariation, self.bending_variation),
             (Key::Pattern, self.pattern),
             (Key::Strike, self.strike),
+            (Key::CenterX, "0"),
+            (Key::CenterY, "0"),
             (Key::Fall, self.fall),
             (Key::ChannelArea, self.channel_area),
             (Key::Mouths, "0"),
@@ -176,31 +184,15 @@ pub static COUNTRIES: &[Preset] = &[
         name: "archipelago",
         label: "Archipelago",
         help: "Many islands, each with rivers of its own.",
-        values: &Country {
-            land: "archipelago",
-            sea: "0.65",
-            attractors: "26000",
-            channel_area: "5",
-            width: "14",
-            ..USUAL
-        }
-        .values(),
+        values: &Country { land: "archipelago", width: "14", ..USUAL }.values(),
         style: None,
     },
     Preset {
         name: "coast",
         label: "Coast",
         help: "Land with the sea to the south and west.",
-        values: &Country {
-            land: "continent",
-            sea: "0.4",
-            roughness: "0.9",
-            sides: "sw",
-            width: "18",
-            rounds: "30",
-            ..USUAL
-        }
-        .values(),
+        values: &Country { land: "continent", roughness: "0.9", sides: "sw", width: "18", rounds: "30", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {
@@ -210,10 +202,9 @@ pub static COUNTRIES: &[Preset] = &[
         values: &Country {
             aspect: "1.3",
             land: "valley",
-            sea: "0.15",
             roughness: "0.7",
             attractors: "18000",
-            channel_area: "8",
+            channel_area: "4",
             width: "20",
             rounds: "40",
             ..USUAL
@@ -225,24 +216,21 @@ pub static COUNTRIES: &[Preset] = &[
         name: "lakeland",
         label: "Lakeland",
         help: "A lake in the middle, and rivers that run inward.",
-        values: &Country { aspect: "1.3", land: "basin", sea: "0.25", attractors: "18000", rounds: "24", ..USUAL }
-            .values(),
+        values: &Country { aspect: "1.3", land: "basin", attractors: "18000", rounds: "24", ..USUAL }.values(),
         style: None,
     },
     Preset {
         name: "banner",
         label: "Banner",
         help: "A coast three times as wide as it is high, for the head of a page.",
-        values: &Country { aspect: "3", land: "continent", sea: "0.35", roughness: "0.8", rounds: "24", ..USUAL }
-            .values(),
+        values: &Country { aspect: "3", land: "continent", roughness: "0.8", rounds: "24", ..USUAL }.values(),
         style: None,
     },
     Preset {
         name: "poster",
         label: "Poster",
         help: "An island on end, for a wall or a phone.",
-        values: &Country { aspect: "0.7", sea: "0.5", attractors: "30000", channel_area: "5", rounds: "24", ..USUAL }
-            .values(),
+        values: &Country { aspect: "0.7", rounds: "24", ..USUAL }.values(),
         style: None,
     },
     Preset {
@@ -252,9 +240,11 @@ pub static COUNTRIES: &[Preset] = &[
         values: &Country {
             aspect: "2",
             land: "valley",
-            sea: "0.15",
             roughness: "0.5",
             attractors: "5000",
+            // Loops grow of even bends.
+            bending: "1",
+            bending_variation: "0",
             channel_area: "20",
             width: "26",
             rounds: "120",
@@ -281,7 +271,6 @@ pub static COUNTRIES: &[Preset] = &[
         help: "Few rivers, far apart, that join at narrow angles.",
         values: &Country {
             land: "continent",
-            sea: "0.35",
             roughness: "0.8",
             attractors: "12000",
             fall: "0.8",
@@ -302,8 +291,8 @@ pub static COUNTRIES: &[Preset] = &[
             sea: "0.3",
             roughness: "0.8",
             sides: "e",
-            attractors: "60000",
-            channel_area: "3",
+            attractors: "45000",
+            fall: "0.2",
             width: "24",
             rounds: "40",
             ..USUAL
@@ -315,16 +304,7 @@ pub static COUNTRIES: &[Preset] = &[
         name: "skerries",
         label: "Skerries",
         help: "More sea than land: islets and rocks with short streams.",
-        values: &Country {
-            land: "archipelago",
-            sea: "0.8",
-            attractors: "30000",
-            channel_area: "4",
-            width: "10",
-            rounds: "12",
-            ..USUAL
-        }
-        .values(),
+        values: &Country { land: "archipelago", sea: "0.8", width: "10", rounds: "12", ..USUAL }.values(),
         style: None,
     },
     Preset {

@@ -2,7 +2,7 @@
 //! within their limits.
 
 use super::Recipe;
-use super::choice::{GrowthMethod, Style};
+use super::choice::{GrowthMethod, LandKind, Style};
 use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
 use super::value::Value;
@@ -36,7 +36,7 @@ pub fn read(text: &str, options: ReadOptions) -> Reading {
         recipe.put(Key::Style, Value::Choice(DARK_PAGES.word().name));
     }
     if options.widget {
-        notices.extend(widget_limit(recipe.get()).keep(&mut recipe));
+        notices.extend(widget_limit(&recipe).keep(&mut recipe));
     }
     Reading { recipe, notices, names_style }
 }
@@ -62,12 +62,18 @@ enum WidgetLimit {
     AtLeast(IntegerKey, u32),
 }
 
-/// Returns a widget's limit for a growth method. Within it no step, not even those that turn the tree into rivers,
+/// Returns a widget's limit for a recipe's growth method. Within it no step, not even those that turn the tree into rivers,
 /// holds up a page noticeably, even where the page's policy forbids workers. With workers the limits are the same, so
 /// that a tag gives the same river everywhere. Authors who want more can use a picture.
-fn widget_limit(method: GrowthMethod) -> WidgetLimit {
-    match method {
-        GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(IntegerKey::Attractors, 20_000),
+fn widget_limit(recipe: &Recipe) -> WidgetLimit {
+    /// The greatest number of attractors or parcels on land.
+    const MOST: f32 = 20_000.0;
+    match recipe.get() {
+        GrowthMethod::Colonize | GrowthMethod::Drainage => {
+            // With less sea than suits the land there are more parcels on land than the recipe says.
+            let more_land = (1.0 - recipe.sea()) / (1.0 - recipe.get::<LandKind>().usual_sea());
+            WidgetLimit::AtMost(IntegerKey::Attractors, (MOST / more_land.max(1.0)).round() as u32)
+        }
         GrowthMethod::Brownian => WidgetLimit::AtLeast(IntegerKey::Sensitivity, 16),
     }
 }
@@ -108,6 +114,18 @@ mod tests {
         }
     }
 
+    fn limit_of(method: GrowthMethod) -> WidgetLimit {
+        widget_limit(&link::read(&format!("growth={}", method.word().name)).unwrap())
+    }
+
+    #[test]
+    fn with_little_sea_the_limit_is_lower_and_with_much_as_usual() {
+        let limit = |over: &str| bound(widget_limit(&link::read(over).unwrap())).1;
+        let all = ["land=island", "land=island&sea=0.8", "land=rectangle&sea=0.1", "land=basin&sea=0.3"].map(limit);
+        assert_eq!(all, [20_000; 4]);
+        assert_eq!([limit("land=island&sea=0.3"), limit("land=island&sea=0.01")], [8_000, 5_657]);
+    }
+
     #[test]
     fn the_link_of_a_file_means_what_the_file_shows_on_dark_pages_too() {
         for text in ["seed=kauri", "seed=kauri&style=ink", "seed=kauri&style=atlas"] {
@@ -120,7 +138,7 @@ mod tests {
     #[test]
     fn each_way_of_growing_has_a_limit_within_the_range_that_its_default_keeps() {
         for &method in GrowthMethod::ALL {
-            let (key, limit, beyond) = bound(widget_limit(method));
+            let (key, limit, beyond) = bound(limit_of(method));
             let Kind::Integer { min, max, .. } = key.parameter().kind else { panic!("{key:?} is no whole number") };
             assert!((min..=max).contains(&limit) && (min..=max).contains(&beyond));
             let text = format!("growth={}", method.word().name);
@@ -132,7 +150,7 @@ mod tests {
     #[test]
     fn what_is_beyond_a_limit_is_brought_to_it_in_widgets_and_told() {
         for &method in GrowthMethod::ALL {
-            let (key, limit, beyond) = bound(widget_limit(method));
+            let (key, limit, beyond) = bound(limit_of(method));
             let link = |value| format!("growth={}&{}={value}", method.word().name, key.parameter().name);
             let kept = read(&link(beyond), WIDGET);
             assert_eq!(kept.recipe, link::read(&link(limit)).unwrap());

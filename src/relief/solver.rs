@@ -355,13 +355,17 @@ mod tests {
         for land in every_land() {
             for seed in ["kauri", "rimu", "kea", "totara", "matai"] {
                 let share = lowered(&format!("seed={seed}&{land}&attractors=6000"));
-                // As measured: 0.1 to 0.9 %, but 1.5 to 2.4 % in a basin. Nearly all of it is within 80 units of the sea, where hillsides
-                // are often gentler than brooks: two thirds of the rivers' cells in a basin, half of those on an island.
-                let most = if land == "land=basin" { 0.025 } else { 0.01 };
+                // As measured: 0.4 to 2.2 %, but up to 4.5 % in a valley or on an island and 7.5 % on those of an archipelago. Nearly all
+                // of it is within 80 units of the sea, where hillsides are often gentler than brooks: most of a small island.
+                let most = match land.as_str() {
+                    "land=archipelago" => 0.08,
+                    "land=island" | "land=valley" => 0.05,
+                    _ => 0.03,
+                };
                 assert!((0.0..most).contains(&share), "{seed}, {land}: {share}");
                 all.push(share);
             }
         }
-        assert!(all.iter().sum::<f32>() < 0.0075 * all.len() as f32, "0.6 % on average: {all:?}");
+        assert!(all.iter().sum::<f32>() < 0.025 * all.len() as f32, "2.2 % on average: {all:?}");
     }
 }

@@ -59,10 +59,11 @@ fn drainage() -> impl Strategy<Value = String> {
         Just("dendritic"),
         proptest::sample::select(Pattern::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
     ];
-    let country = (pattern, 0u32..=180, zero_or(2.0), zero_or(1.0), zero_or(1.0)).prop_map(
-        |(pattern, strike, fall, bends, heads)| {
+    let places = (0u32..=180, 0u32..=100, 0u32..=100);
+    let country = (pattern, places, zero_or(2.0), zero_or(1.0), zero_or(1.0)).prop_map(
+        |(pattern, (strike, x, y), fall, bends, heads)| {
             format!(
-                "&pattern={pattern}&strike={strike}&fall={fall:.2}&bending-variation={bends:.2}&head-variation={heads:.2}"
+                "&pattern={pattern}&strike={strike}&center-x={x}&center-y={y}&fall={fall:.2}&bending-variation={bends:.2}&head-variation={heads:.2}"
             )
         },
     );

@@ -100,6 +100,7 @@ fn lengths_are_resolved() {
         near(&domain["width"], 1000.0 * aspect.sqrt());
         near(&domain["height"], 1000.0 / aspect.sqrt());
         let spacing = resolved["spacing"].as_f64().unwrap() as f32;
+        near(&resolved["sea"], recipe.sea());
         if session.land().is_none() {
             near(&resolved["spacing"], (1e6 / recipe.integer(IntegerKey::Attractors) as f32).sqrt());
         }
@@ -122,7 +123,7 @@ fn lengths_are_resolved() {
         let number = |key: Key| key.parameter().text_of(recipe.value(key)).parse().unwrap();
         as_they_are.for_each(|key| near(&resolved[key.parameter().name], number(key)));
         // All there is: what is not named above is looked at nowhere.
-        assert_eq!(names(resolved).len(), AS_THEY_ARE.split(' ').count() + 10);
+        assert_eq!(names(resolved).len(), AS_THEY_ARE.split(' ').count() + 11);
     });
 }
 

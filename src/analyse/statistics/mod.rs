@@ -32,10 +32,10 @@ pub use umbrellas::umbrellas;
 
 use glam::Vec2;
 
-use crate::domain::AREA;
+use crate::domain::parcel_spacing;
 use crate::land::CELL_SIZE;
 use crate::map::Map;
-use crate::recipe::{GrowthMethod, IntegerKey};
+use crate::recipe::GrowthMethod;
 
 /// The distance above a junction at which its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
@@ -117,11 +117,11 @@ impl Measures {
     }
 }
 
-/// The spacing, the ruler for all lengths. With sea on the map, the actual attractors of space colonization lie closer
-/// together; the parcels of drainage do not, and a Brownian tree has none.
+/// The spacing, the ruler for all lengths. Space colonization is measured by that of drainage with as many parcels; a
+/// Brownian tree has its own.
 fn ruler(map: &Map) -> f32 {
     match map.recipe().get() {
-        GrowthMethod::Colonize => (AREA / map.recipe().integer(IntegerKey::Attractors) as f32).sqrt(),
+        GrowthMethod::Colonize => parcel_spacing(map.recipe()),
         GrowthMethod::Drainage | GrowthMethod::Brownian => map.grown().stream_spacing,
     }
 }

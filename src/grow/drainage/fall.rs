@@ -120,7 +120,8 @@ fn down_dip(settings: &GrowthSettings) -> Vec2 {
     if dip.dot(seaward) < 0.0 { -dip } else { dip }
 }
 
-/// The middle of the largest land or, on a plain rectangle, of the domain, moved a little by the seed.
+/// The place of a dome or hollow: the given one or, in each direction in which none is given, the middle of the largest
+/// land, on a plain rectangle that of the domain, moved a little by the seed.
 pub(super) fn center(settings: &GrowthSettings) -> Vec2 {
     /// The greatest distance that it is moved in each direction, in units.
     const MOVE: f32 = 80.0;
@@ -135,5 +136,7 @@ pub(super) fn center(settings: &GrowthSettings) -> Vec2 {
         }
         Some(sum * CELL_SIZE / region.cells as f32)
     });
-    middle.unwrap_or(settings.domain.size / 2.0) + aside
+    let usual = middle.unwrap_or(settings.domain.size / 2.0) + aside;
+    let given = settings.drainage.center;
+    Vec2::select(given.cmpgt(Vec2::ZERO), given * settings.domain.size, usual)
 }

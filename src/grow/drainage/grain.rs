@@ -31,11 +31,11 @@ enum Form {
 const BEDS: f32 = 10.0;
 
 /// The logarithm of the hardness of the hardest beds, and that of the softest as a share of it.
-const HARDEST: f32 = 1.5;
+const HARDEST: f32 = 2.4;
 const SOFTEST: f32 = -0.2;
 
 /// The logarithm by which a bed resists water that runs the wrong way.
-const BEDDING: f32 = 1.8;
+const BEDDING: f32 = 2.5;
 
 /// The length of joints compared with their distance, and that distance in spacings.
 const SLENDER: f32 = 10.0;

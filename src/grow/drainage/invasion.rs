@@ -45,7 +45,7 @@ impl Invasion {
         for _ in 0..count {
             let Some(here) = self.frontier.pop() else { return Ok(false) };
             self.directions.order.push(here);
-            for there in parcels.neighbours[here as usize].into_iter().filter(|&there| there != NONE) {
+            for &there in parcels.neighbours.of(here as usize) {
                 if self.directions.to[there as usize] == NONE {
                     self.directions.to[there as usize] = here;
                     self.frontier.push(self.height[there as usize], there);

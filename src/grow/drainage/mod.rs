@@ -7,11 +7,12 @@
 //!
 //! The starting areas decide the large shape: equal areas give a calm network, those of an invasion a wild one.
 
+mod adjacency;
+mod bends;
 mod captures;
 mod country;
 mod directions;
 mod fall;
-mod folds;
 mod grain;
 mod heights;
 mod identities;
@@ -38,8 +39,9 @@ use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
 
-/// The memory of drainage for each cell of its lattice: 116 bytes by count, and room for lists that grow.
-const BYTES_A_CELL: usize = 160;
+/// The memory of drainage for each cell of its lattice. Most of it is needed at the start, for the triangulation: 250 bytes
+/// by count, and room for lists that grow.
+const BYTES_A_CELL: usize = 320;
 
 /// The greatest number of parcels in a tick that shows nothing: some milliseconds of work.
 const PARCELS_A_TICK: usize = 20_000;

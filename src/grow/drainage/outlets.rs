@@ -1,14 +1,12 @@
 //! Outlets: the places along the coast where water leaves the land.
 //!
-//! An edge of the lattice from a parcel on land to a cell in water crosses the coast, and there is an outlet: the
+//! An edge of the triangulation from a parcel on land to a place in water crosses the coast, and there is an outlet: the
 //! nearest one for each parcel. So there is about one for each spacing, and no way to an outlet crosses an edge. Water
 //! decides which of them become great rivers. The frame of a picture is not a coast, since land continues beyond it,
 //! except for the chosen sides of a rectangle.
 
 use glam::Vec2;
 
-use super::directions::NONE;
-use super::lattice::Lattice;
 use crate::base::geometry::distance;
 use crate::base::sort;
 use crate::base::work;
@@ -24,28 +22,18 @@ pub(super) struct Outlet {
     pub parcel: u32,
 }
 
-/// Finds the outlets of a land, as many as are asked for.
-pub(super) fn find(
+/// Finds the outlets of a land, as many as are asked for. `beyond` names the places around a parcel that are not its
+/// neighbours.
+pub(super) fn find<B: Iterator<Item = Vec2>>(
     settings: &GrowthSettings,
-    lattice: &Lattice,
-    cells: &[usize],
-    neighbours: &[[u32; 6]],
+    parcels: &[Vec2],
+    beyond: impl Fn(usize) -> B,
 ) -> Vec<Outlet> {
     let mut all = Vec::new();
-    for (parcel, &cell) in cells.iter().enumerate() {
-        let from = lattice.at[cell];
-        let around = lattice.neighbours(cell);
-        let mut nearest: Option<Vec2> = None;
-        for way in 0..6 {
-            if neighbours[parcel][way] == NONE
-                && lattice.is_edge(cell, way)
-                && let Some(coast) = settings.coast_toward(from, lattice.at[around[way]])
-                && nearest.is_none_or(|nearest| coast.distance_squared(from) < nearest.distance_squared(from))
-            {
-                nearest = Some(coast);
-            }
-        }
-        all.extend(nearest.map(|at| Outlet { at, parcel: parcel as u32 }));
+    for (parcel, &from) in parcels.iter().enumerate() {
+        let coasts = beyond(parcel).filter_map(|there| settings.coast_toward(from, there));
+        let nearer = |a: Vec2, b: Vec2| if b.distance_squared(from) < a.distance_squared(from) { b } else { a };
+        all.extend(coasts.reduce(nearer).map(|at| Outlet { at, parcel: parcel as u32 }));
     }
     if settings.mouths > 0 { nearest_to_mouths(settings, &all) } else { thin_out(settings, all) }
 }

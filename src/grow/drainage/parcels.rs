@@ -3,9 +3,10 @@
 
 use glam::Vec2;
 
+use super::adjacency::Adjacency;
 use super::country::Country;
 use super::directions::NONE;
-use super::lattice::{Lattice, WAYS};
+use super::lattice::Lattice;
 use super::outlets::{self, Outlet};
 use crate::base::geometry::distance;
 use crate::base::random::{DEVIATION, Purpose};
@@ -19,12 +20,15 @@ use crate::land::{Cell, CoastDistance};
 pub(super) struct Parcels {
     /// The position of each parcel, in domain units.
     pub at: Vec<Vec2>,
-    /// The neighbours in the six directions of the lattice that water may come from or go to; [`NONE`] where it may
-    /// not.
-    pub neighbours: Vec<[u32; 6]>,
-    /// The cost at which water arrives from the neighbour in each of the six directions: length times hardness of the
-    /// ground, less where the land falls that way. Empty if no water has to find its way.
-    costs: Vec<[f32; 6]>,
+    /// The places before the plane was bent.
+    pub unbent: Vec<Vec2>,
+    /// The neighbours of each parcel that water may come from or go to.
+    pub neighbours: Adjacency,
+    /// The cost at which water arrives from each of these neighbours: length times hardness of the ground, less where
+    /// the land falls that way. Empty if no water has to find its way.
+    costs: Vec<f32>,
+    /// Which parcels lie on the rim of the land: a coast, a ridge or the border of the domain.
+    pub is_on_rim: Vec<bool>,
     /// The identity of each parcel's cell, which belongs to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,
     /// The nearness of each parcel to a border of the domain beyond which land continues, from 0, far away, to 1, at
@@ -52,24 +56,33 @@ impl Parcels {
 
     /// Lays out the parcels without costs and their ingredients, for use without drainage.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
-        let mut lattice = Lattice::new(settings);
-        let cells = land_cells(settings, &mut lattice);
+        let lattice = Lattice::new(settings);
+        let around = Adjacency::of_places(&lattice.at);
+        let on_land = places_on_land(settings, &lattice.at);
         let mut number = vec![NONE; lattice.at.len()];
-        for (i, &cell) in (0..).zip(&cells) {
-            number[cell] = i;
+        for (i, &place) in (0..).zip(&on_land) {
+            number[place] = i;
         }
+        let neighbours = join_neighbours(settings, &lattice.at, &around, &on_land, &number);
+        let rim = |(parcel, &place): (usize, &usize)| neighbours.of(parcel).len() < around.of(place).len();
         let mut this = Self {
-            at: cells.iter().map(|&cell| lattice.at[cell]).collect(),
-            identity: cells.iter().map(|&cell| lattice.identity(cell)).collect(),
-            neighbours: vec![[NONE; 6]; cells.len()],
+            at: on_land.iter().map(|&place| lattice.at[place]).collect(),
+            unbent: on_land.iter().map(|&place| lattice.unbent[place]).collect(),
+            identity: on_land.iter().map(|&place| lattice.identity[place]).collect(),
+            is_on_rim: on_land.iter().enumerate().map(rim).collect(),
             ..Self::default()
         };
-        this.join_neighbours(settings, &lattice, &cells, &number);
-        this.outlets = outlets::find(settings, &lattice, &cells, &this.neighbours);
-        this.outlet_of = vec![NONE; cells.len()];
+        let beyond = |parcel: usize| {
+            let (joined, around) = (neighbours.of(parcel), around.of(on_land[parcel]));
+            let others = around.iter().filter(|&&there| !joined.contains(&number[there as usize]));
+            others.map(|&there| lattice.at[there as usize])
+        };
+        this.outlets = outlets::find(settings, &this.at, beyond);
+        this.outlet_of = vec![NONE; this.len()];
         for (i, outlet) in (0..).zip(&this.outlets) {
             this.outlet_of[outlet.parcel as usize] = i;
         }
+        this.neighbours = neighbours;
         this
     }
 
@@ -78,10 +91,11 @@ impl Parcels {
         self.at.len()
     }
 
-    /// The cost of crossing to a parcel from its neighbour in a direction.
+    /// The neighbours of a parcel, each with the cost of crossing from it.
     #[inline]
-    pub fn cost_from(&self, parcel: usize, way: usize) -> f32 {
-        self.costs[parcel][way]
+    pub fn ways_to(&self, parcel: usize) -> impl Iterator<Item = (u32, f32)> {
+        let range = self.neighbours.range(parcel);
+        self.neighbours.to[range.clone()].iter().copied().zip(self.costs[range].iter().copied())
     }
 
     /// The cost of leaving the land from the parcel of an outlet.
@@ -90,33 +104,23 @@ impl Parcels {
         outlet.map_or(f32::INFINITY, |outlet| distance(self.at[parcel], outlet.at))
     }
 
-    /// The cost of crossing from a parcel to a neighbour.
-    pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
-        let way = self.neighbours[parcel].iter().position(|&there| there == neighbour);
-        way.map_or(f32::INFINITY, |way| self.cost_from(neighbour as usize, (way + WAYS) % 6))
+    /// The cost of an edge on level, even ground: l₀²/l, where l is its length and l₀ its length before the plane was
+    /// bent. An edge along which the plane was drawn out is cheap, so the cheapest ways follow the bends.
+    fn effort(&self, from: usize, to: usize) -> f32 {
+        self.unbent[from].distance_squared(self.unbent[to]) / distance(self.at[from], self.at[to])
     }
 
-    fn join_neighbours(&mut self, settings: &GrowthSettings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
-        work::count(cells.len() * WAYS);
-        for (parcel, &cell) in cells.iter().enumerate() {
-            let around = lattice.neighbours(cell);
-            for way in 0..WAYS {
-                let there = number[around[way]];
-                if there != NONE
-                    && lattice.is_edge(cell, way)
-                    && settings.allows(lattice.at[cell], lattice.at[around[way]])
-                {
-                    self.neighbours[parcel][way] = there;
-                    self.neighbours[there as usize][way + WAYS] = parcel as u32;
-                }
-            }
-        }
+    /// The cost of crossing from a parcel to a neighbour.
+    pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
+        self.ways_to(neighbour as usize)
+            .find(|&(from, _)| from as usize == parcel)
+            .map_or(f32::INFINITY, |(_, cost)| cost)
     }
 
     /// Adds hard and soft ground, its grain and its fall. Each edge has its own random part, and one that it shares with
     /// many around it.
     fn weigh(&mut self, growth: &GrowthSettings) {
-        const CHANCE: f32 = 0.47;
+        const CHANCE: f32 = 0.2;
         let settings = &growth.drainage;
         let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
         let country = Country::new(growth);
@@ -125,23 +129,56 @@ impl Parcels {
         };
         let hardness: Vec<f32> = self.at.iter().zip(&self.border).map(ground).collect();
         let chance = settings.seed.item_hash(Purpose::Ground);
-        self.costs = vec![[0.0; 6]; self.len()];
+        self.costs = vec![0.0; self.neighbours.to.len()];
         for parcel in 0..self.len() {
-            for way in 0..WAYS {
-                let there = self.neighbours[parcel][way] as usize;
-                if let Some(&to) = self.at.get(there) {
-                    let (from, [i, j]) = (self.at[parcel], self.identity[parcel]);
-                    let own = CHANCE * chance.normal([i, j, 2 + way as u32]);
-                    let ground = 0.5 * (hardness[parcel] + hardness[there]);
-                    let toll = self.toll[parcel].max(self.toll[there]);
-                    let cost = distance(from, to) * libm::expf(own + ground) * toll;
-                    let [forward, back] = country.costs(from, to, cost);
-                    self.costs[there][way + WAYS] = forward;
-                    self.costs[parcel][way] = back;
+            for way in self.neighbours.range(parcel) {
+                let there = self.neighbours.to[way] as usize;
+                // Each edge is met twice, once from either end.
+                if there < parcel {
+                    continue;
                 }
+                let (from, to) = (self.at[parcel], self.at[there]);
+                let own = CHANCE * chance.normal(edge_between(self.identity[parcel], self.identity[there]));
+                let ground = 0.5 * (hardness[parcel] + hardness[there]);
+                let toll = self.toll[parcel].max(self.toll[there]);
+                let cost = self.effort(parcel, there) * libm::expf(own + ground) * toll;
+                let [forward, back] = country.costs(from, to, cost);
+                self.costs[way] = back;
+                let range = self.neighbours.range(there);
+                let same = |way: &usize| self.neighbours.to[*way] as usize == parcel;
+                range.into_iter().filter(same).for_each(|way| self.costs[way] = forward);
             }
         }
     }
+}
+
+/// Joins parcels that are neighbours if water may cross from one to the other.
+fn join_neighbours(
+    settings: &GrowthSettings,
+    places: &[Vec2],
+    around: &Adjacency,
+    on_land: &[usize],
+    number: &[u32],
+) -> Adjacency {
+    let mut pairs = Vec::with_capacity(3 * on_land.len());
+    for (parcel, &place) in (0..).zip(on_land) {
+        for &there in around.of(place) {
+            let other = number[there as usize];
+            if other != NONE && other > parcel && settings.allows(places[place], places[there as usize]) {
+                pairs.push((parcel, other));
+            }
+        }
+    }
+    work::count(around.to.len());
+    Adjacency::of_edges(on_land.len(), pairs.iter().flat_map(|&(a, b)| [(a, b), (b, a)]))
+}
+
+/// The numbers that identify an edge between two cells: those of one cell, and the way to the other.
+fn edge_between(a: [u32; 2], b: [u32; 2]) -> [u32; 3] {
+    let [[i, j], [k, l]] = if a < b { [a, b] } else { [b, a] };
+    let (across, down) = (k.wrapping_sub(i) & 0xffff, l.wrapping_sub(j) & 0xffff);
+    // Neither 0 nor 1, which stand for other random numbers of a cell.
+    [i, j, ((down << 16) | across).wrapping_add(2)]
 }
 
 /// The logarithm of the additional hardness of ground at a border beyond which land continues.
@@ -176,19 +213,15 @@ fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
     places.iter().map(toll).collect()
 }
 
-/// The cells of the lattice that are parcels: those on land and, if mouths are drawn, on land that has one.
-fn land_cells(settings: &GrowthSettings, lattice: &mut Lattice) -> Vec<usize> {
+/// The places that are parcels: those on land and, if mouths are drawn, on land that has one.
+fn places_on_land(settings: &GrowthSettings, places: &[Vec2]) -> Vec<usize> {
     let with_a_mouth = settings.land.as_deref().filter(|_| !settings.starts.is_empty());
     let watered = with_a_mouth.map(|land| Watered::of(settings, land));
-    let is_land = |&cell: &usize| {
-        let at = lattice.at[cell];
-        lattice.is_inner(cell)
-            && settings.domain.contains(at)
+    let is_on_land = |&place: &usize| {
+        let at = places[place];
+        settings.domain.contains(at)
             && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
             && watered.as_ref().is_none_or(|watered| watered.holds(at))
     };
-    let mut cells: Vec<usize> = (0..lattice.at.len()).filter(is_land).collect();
-    lattice.break_edges(&cells);
-    cells.retain(|&cell| lattice.has_edges(cell));
-    cells
+    (0..places.len()).filter(is_on_land).collect()
 }

@@ -73,9 +73,9 @@ impl Round {
         let way = &mut self.ways[here as usize];
         way.slope = f32::INFINITY;
         let cost = way.cost;
-        for (way, there) in parcels.neighbours[here as usize].into_iter().enumerate() {
-            let Some(next) = self.ways.get_mut(there as usize).filter(|next| !next.is_settled()) else { continue };
-            let through = cost + parcels.cost_from(here as usize, way) * next.slope;
+        for (there, crossing) in parcels.ways_to(here as usize) {
+            let next = &mut self.ways[there as usize];
+            let through = cost + crossing * next.slope;
             if through < next.cost {
                 next.cost = through;
                 self.directions.to[there as usize] = here;

@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use crate::base::random::{Purpose, Seed};
 use crate::base::trigonometry::sine_and_cosine;
-use crate::domain::AREA;
+use crate::domain::parcel_spacing;
 use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Pattern, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.
@@ -14,8 +14,7 @@ use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Pattern, Recipe};
 pub struct DrainageSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
-    /// The mean distance between parcels, √(area of the domain / attractors). The land leaves parcels out but does not
-    /// move any.
+    /// The mean distance between parcels. The land leaves parcels out but does not move any.
     pub spacing: f32,
     /// The influence of valleys, from 0 to 1: the exponent of the areas of an invasion, or the unevenness of the ground
     /// on which attractors lie.
@@ -40,12 +39,15 @@ pub struct DrainageSettings {
     pub pattern: Pattern,
     /// The direction of folded beds and of joints: a unit vector.
     pub strike: Vec2,
+    /// The place of a dome or hollow, as shares of the domain's size; 0 stands for any that the seed chooses.
+    pub center: Vec2,
 }
 
 impl DrainageSettings {
     /// Resolves a recipe.
     pub fn new(recipe: &Recipe) -> Self {
-        let spacing = (AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt();
+        let spacing = parcel_spacing(recipe);
+        let percent = |key| recipe.integer(key) as f32 / 100.0;
         let spacings = |key| recipe.number(key) * spacing;
         let is_drainage = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
         let seed = Seed::from_text(recipe.seed());
@@ -65,6 +67,7 @@ impl DrainageSettings {
             fall: recipe.number(NumberKey::Fall),
             pattern,
             strike: strike(seed, recipe.integer(IntegerKey::Strike)),
+            center: Vec2::new(percent(IntegerKey::CenterX), percent(IntegerKey::CenterY)),
         };
         plain.with_pattern()
     }
@@ -74,13 +77,14 @@ impl DrainageSettings {
     fn with_pattern(self) -> Self {
         let Self { fall, hardness, captures, bending, spacing, hardness_scale, .. } = self;
         match self.pattern {
-            Pattern::Dendritic | Pattern::Rectangular => self,
+            Pattern::Dendritic => self,
+            Pattern::Rectangular => Self { bending: 0.6 * bending, ..self },
             Pattern::Parallel => {
-                Self { fall: fall + 1.8, hardness: 0.4 * hardness, valleys: 0.0, bending: 0.6 * bending, ..self }
+                Self { fall: fall + 1.8, hardness: 0.4 * hardness, valleys: 0.0, bending: 0.3 * bending, ..self }
             }
-            Pattern::Trellis => Self { bending: 0.4 * bending, ..self },
-            Pattern::Annular => Self { fall: fall + 0.25, bending: 0.5 * bending, ..self },
-            Pattern::Radial | Pattern::Centripetal => Self { fall: fall + 1.2, bending: 0.6 * bending, ..self },
+            Pattern::Trellis => Self { fall: 0.1 * fall, bending: 0.1 * bending, ..self },
+            Pattern::Annular => Self { fall: 0.3 * fall + 0.16, bending: 0.3 * bending, ..self },
+            Pattern::Radial | Pattern::Centripetal => Self { fall: fall + 1.2, bending: 0.3 * bending, ..self },
             Pattern::Deranged => Self {
                 hardness: 2.2 * hardness,
                 hardness_scale: hardness_scale.min(9.0 * spacing),
@@ -91,14 +95,9 @@ impl DrainageSettings {
         }
     }
 
-    /// The share of the trimming length that is applied: the tributaries of a trellis are about half a bed long.
-    pub(crate) fn trim_share(&self) -> f32 {
-        if self.pattern == Pattern::Trellis { 0.55 } else { 1.0 }
-    }
-
     /// A bound for the distance by which bends move a place, in units; measured, not proved.
     pub(super) fn farthest_bend(&self) -> f32 {
-        self.bending * (1.1 + 1.5 * self.bending_variation)
+        self.bending * (1.65 + 1.7 * self.bending_variation).min(2.9)
     }
 
     /// Fractal noise over the plane, from −1 to 1. `index` separates different uses.

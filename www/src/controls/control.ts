@@ -10,9 +10,9 @@ export interface Control {
   readonly element: HTMLElement;
   /**
    * Shows a value and its default, both as link text. With `idle`, the reason why it has no effect, the control is
-   * disabled.
+   * disabled. `automatic` is the value that the text stands for, if it is chosen automatically.
    */
-  show(text: string, fallback: string, idle: string | undefined): void;
+  show(text: string, fallback: string, idle: string | undefined, automatic?: string): void;
 }
 
 export function control(parameter: Parameter, change: Change): Control {
@@ -35,11 +35,11 @@ export function control(parameter: Parameter, change: Change): Control {
   element.append(head, field.element, ...remark, help);
   return {
     element,
-    show(text, fallback, idle) {
+    show(text, fallback, idle, automatic) {
       element.disabled = idle !== undefined;
       setText(help, idle === undefined ? parameter.help : `No effect: ${idle}.`);
       reset.show(fallback, text !== fallback && idle === undefined);
-      field.show(text);
+      field.show(text, automatic);
     },
   };
 }

@@ -30,6 +30,13 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
+/** Returns the value that a parameter's 0 stands for on the map that is shown. */
+function automaticValue(parameter: Parameter | undefined, values: Values["values"]): string | undefined {
+  const { key = "", automatic } = parameter ?? {};
+  if (!automatic || values.get(key) !== "0") return undefined;
+  return automatic.values[values.get(automatic.by) ?? ""];
+}
+
 /** Takes one change of several keys, with their new values as link text. */
 export type ChangeOfMany = (values: readonly (readonly [key: string, text: string])[]) => void;
 
@@ -74,7 +81,8 @@ export function controls(
     show({ values, defaults, idle }) {
       for (const [key, one] of made) {
         const text = values.get(key);
-        if (text !== undefined) one.show(text, defaults.get(key) ?? "", idle.get(key));
+        if (text === undefined) continue;
+        one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(byKey.get(key), values));
       }
       for (const one of macros.values()) one.show(values, defaults);
       for (const one of groups) one.show(values, defaults);

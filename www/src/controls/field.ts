@@ -12,8 +12,8 @@ export interface Field {
   readonly aside?: HTMLElement;
   /** A remark to read before the field is changed. */
   readonly remark?: string;
-  /** Shows a value, given as link text. */
-  show(text: string): void;
+  /** Shows a value, given as link text. `automatic` is the value that it stands for, if it is chosen automatically. */
+  show(text: string, automatic?: string): void;
   focus(): void;
 }
 

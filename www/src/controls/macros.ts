@@ -38,8 +38,10 @@ export const MACROS: readonly Macro[] = [
     help: "How small a stream may be to be drawn.",
     words: ["very few", "few", "usual", "many", "very many"],
     parts: [
-      { key: "channel-area", growth: "drainage", stops: [60, 20, 6, 3, 1] },
-      { key: "trim", growth: "colonize", stops: [120, 50, 22, 8, 0] },
+      { key: "trim", growth: "drainage", stops: [80, 36, 18, 9, 0] },
+      { key: "channel-area", growth: "drainage", stops: [60, 12, 3, 2, 1] },
+      { key: "tributary-spacing", growth: "drainage", stops: [4, 2.4, 1.6, 1, 0.4] },
+      { key: "trim", growth: "colonize", stops: [120, 50, 18, 8, 0] },
       { key: "sensitivity", growth: "brownian", stops: [40, 24, 16, 11, 8] },
     ],
   },

@@ -49,10 +49,12 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
     label: el("label", { for: slider.id }, parameter.label),
     aside: unitAside(exact, parameter.unit),
     ...(RESHAPING.has(parameter.key) ? { remark: "Each notch is another river." } : {}),
-    show(text) {
-      shown = text;
+    show(text, automatic) {
+      shown = automatic ?? text;
       setValue(exact, text);
-      showOnSlider(slider, text, range, parameter.unit);
+      showOnSlider(slider, shown, range, parameter.unit);
+      if (automatic !== undefined)
+        slider.setAttribute("aria-valuetext", `automatic: ${spoken(automatic, parameter.unit)}`);
     },
     focus: () => slider.focus(),
   };

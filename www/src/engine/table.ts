@@ -23,6 +23,8 @@ export interface Parameter {
   readonly choices?: readonly { readonly value: string; readonly label: string }[];
   /** As link text. */
   readonly default: string;
+  /** The values that 0 stands for, by the value of another parameter. */
+  readonly automatic?: { readonly by: string; readonly values: Readonly<Record<string, string>> };
 }
 
 /** A named set of values; what it leaves out keeps its default. */

@@ -49,17 +49,19 @@ const CONTEXTS = [
   MANY,
   DRAINED,
   `${DRAINED}&pattern=trellis`,
+  `${DRAINED}&pattern=radial`,
   "seed=kauri&growth=brownian&edition=1",
   `${SMALL}&meander=none`,
   `${SMALL}&valleys=0&style=atlas`,
 ];
 
 /** Many rivers that meander for long: here they come near each other. */
-const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=60&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1`;
+const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=60&tributary-spacing=0&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1&flat-share=1`;
 
 function contextOf(key: string): string {
   if (["neck", "oxbows", "clearance"].includes(key)) return CLOSE;
   if (key === "mouth-spacing") return MANY;
+  if (key === "trim-variation") return `${SMALL}&trim=60`;
   if (key === "growth" || key === "great-rivers") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);

@@ -65,7 +65,7 @@ test("the wheel moves the slider that has the focus, and no other", async ({ pag
   await sea.focus();
   await sea.hover();
   await page.mouse.wheel(0, -100);
-  await expectAddress(page, "sea", "0.56");
+  await expectAddress(page, "sea", "0.73");
   await coast.hover();
   await page.mouse.wheel(0, 100);
   await expect(coast).toHaveValue("1");

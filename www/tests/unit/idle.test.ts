@@ -8,7 +8,8 @@ import { outlineOf } from "../tracing.ts";
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
   "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
-const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
+/** Long enough for some side branches to be about as long. */
+const COARSE = `${PLAIN.replace("trim=20", "trim=60")}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
 const OUTLINE = outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
@@ -24,6 +25,7 @@ const recipes = [
   ...meanders,
   "curl=0.6",
   `growth=drainage&pattern=trellis&${FINE}`,
+  `growth=drainage&pattern=radial&${FINE}`,
   "meander-rounds=0",
   "meander-strength=0",
   "great-rivers=0",

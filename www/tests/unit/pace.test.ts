@@ -65,7 +65,7 @@ test("so does one of 60,000 attractors or parcels, and a banner from its short s
 
 test("growth is spread over its time, not made in a leap", () => {
   const links = ["drainage", "colonize", "brownian"].flatMap((growth) =>
-    ["", "&land=rectangle&aspect=3&sides=w&mouths=1", "&land=archipelago&aspect=0.25"].map(
+    ["", "&land=rectangle&aspect=3&sides=w&mouths=1", "&land=archipelago&sea=0.55&aspect=0.25"].map(
       (land) => `growth=${growth}${land}`,
     ),
   );
