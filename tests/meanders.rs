@@ -15,9 +15,9 @@ use riverseed::{Oxbow, River, Session};
 /// be.
 const OLD: [&str; 6] = [
     "seed=skye&attractors=4000",
-    "seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&width=22&great-rivers=2&flat-share=0.6",
-    "seed=needle&land=rectangle&aspect=1.5&sides=s&mouths=2&growth=colonize&attractors=800&trim=30&tributary-spacing=0&width=34&flat-share=0.6&meander=flow",
-    "seed=fisk&land=rectangle&aspect=2&sides=s&mouths=1&growth=colonize&attractors=700&trim=30&width=26&flat-share=0.7&meander-mix=0.8",
+    "seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&trim-variation=0&tributary-spacing=0&width=22&great-rivers=2&flat-share=0.6",
+    "seed=needle&land=rectangle&aspect=1.5&sides=s&mouths=2&growth=colonize&attractors=800&trim=30&trim-variation=0&tributary-spacing=0&width=34&flat-share=0.6&meander=flow",
+    "seed=fisk&land=rectangle&aspect=2&sides=s&mouths=1&growth=colonize&attractors=700&trim=30&trim-variation=0&tributary-spacing=0&width=26&flat-share=0.7&meander-mix=0.8",
     "seed=danube&land=continent&growth=brownian&sensitivity=30&trim=20&width=10&great-rivers=6&meander=flow&meander-strength=1",
     "seed=anduin&land=continent&growth=drainage&attractors=3000&width=24&great-rivers=16&flat-share=1&meander-strength=1&meander-elsewhere=1&clearance=0",
 ];

@@ -20,7 +20,7 @@ use riverseed::tree::Hydrology;
 /// The table's defaults, written out as they were when these bars were set.
 const DEFAULTS: &str = "attractors=20000&aspect=1.6&roughness=1&mouth-spacing=0&shores=nesw&sides=s&scatter=random&reach=2.3&kill=1.1\
                         &step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
-                        &hardness-scale=36&bending=2&channel-area=8&simplify=60&width=16&bank-variation=0.15&meander=bend\
+                        &hardness-scale=36&bending=1&bending-variation=0&fall=0&channel-area=8&simplify=60&width=16&bank-variation=0.15&meander=bend\
                         &meander-rounds=36&meander-strength=0.6&meander-mix=0.6&meander-elsewhere=0.3&great-rivers=3&flat-share=0.25";
 
 const GROWERS: [&str; 4] = [

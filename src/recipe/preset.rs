@@ -131,7 +131,7 @@ const USUAL: Country = Country {
     bending_variation: "1",
     pattern: "dendritic",
     strike: "0",
-    fall: "0.3",
+    fall: "0.35",
     channel_area: "3",
     width: "16",
     rounds: "18",

@@ -392,7 +392,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Drainage",
             stage: Grow,
             logarithmic: false,
-            kind: number(0.0, 2.0, 0.05, 0.3),
+            kind: number(0.0, 2.0, 0.05, 0.35),
         },
         Parameter {
             key: Key::ChannelArea,

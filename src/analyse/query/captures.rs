@@ -58,15 +58,15 @@ mod tests {
 
     #[test]
     fn former_ways_lead_from_streams_over_another_parcel_to_the_next_stream() {
-        // In the second, streams were captured twice: their way before the last capture counts.
-        for (link, are_any_twice) in
-            [("seed=kea&attractors=560&sea=0.55", false), ("seed=s36&attractors=1680&sea=0.55", true)]
-        {
-            let session = finished(&format!("{link}&growth=drainage&head-variation=0"));
-            let twice = former_ways(&session).iter().any(|way| is_captured_twice(&session, way[0]));
-            assert_eq!(twice, are_any_twice, "{link}");
+        // On some of these, streams were captured twice: their way before the last capture counts.
+        let mut twice = 0;
+        for seed in 0..12 {
+            let link = format!("seed={seed}&attractors=1680&sea=0.55&growth=drainage&head-variation=0");
+            let session = finished(&link);
+            twice += u32::from(former_ways(&session).iter().any(|way| is_captured_twice(&session, way[0])));
             check(&session);
         }
+        assert!((1..12).contains(&twice), "{twice} maps with streams that were captured twice");
     }
 
     /// Returns `true` if the parcel at a place was captured twice, from two others.

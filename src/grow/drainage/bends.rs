@@ -6,7 +6,7 @@
 //! Between the knots lies a quadratic B-spline, whose slope is continuous.
 
 use fastnoise_lite::FastNoiseLite;
-use glam::Vec2;
+use glam::{IVec2, Vec2};
 
 use super::settings::DrainageSettings;
 use crate::base::random::DEVIATION;
@@ -27,7 +27,7 @@ const STRENGTH_WAVELENGTH: f32 = 16.0;
 const STRONGEST: f32 = 1.7;
 
 /// The distance between knots, in spacings.
-const KNOT_SPACING: f32 = 0.8;
+const KNOT_SPACING: f32 = 1.0;
 
 /// The factor for the length of the flow that brings the root mean square displacement to about 0.75 times the bending.
 const FLOW: f32 = 0.24;
@@ -42,10 +42,14 @@ pub(super) struct Bends {
     step: f32,
     /// The distance between knots, in units.
     knot_spacing: f32,
-    /// The number of columns of knots on each side of the middle one, and of rows.
-    reach: [i32; 2],
+    /// The number of columns of knots on each side of the middle one, and of rows: whole numbers.
+    reach: Vec2,
+    /// The column and row of the last knot.
+    last: IVec2,
     /// The heights of knots, row by row; NaN where it has not been needed.
     heights: Vec<f32>,
+    /// Which knots are the north-western corner of nine whose heights are known.
+    is_known: Vec<bool>,
 }
 
 impl Bends {
@@ -55,16 +59,19 @@ impl Bends {
         let is_bent = settings.bending > 0.0;
         let reach = if is_bent { half + settings.farthest_bend() } else { Vec2::ZERO };
         // A spline needs the knots beside the nearest one.
-        let reach = (reach / knot_spacing).to_array().map(|knots| knots as i32 + 3);
-        let [columns, rows] = reach.map(|knots| 2 * knots as usize + 1);
+        let reach = (reach / knot_spacing).as_ivec2() + 3;
+        let last = 2 * reach;
+        let knots = (last.x as usize + 1) * (last.y as usize + 1);
         Self {
             noise: settings.noise(0, WAVELENGTH * settings.spacing, OCTAVES, GAIN),
             strength: settings.noise(1, STRENGTH_WAVELENGTH * settings.spacing, 1, 0.5),
             variation: settings.bending_variation,
             step: settings.bending / STEPS as f32 * FLOW * WAVELENGTH / KNOT_SPACING,
             knot_spacing,
-            reach,
-            heights: vec![f32::NAN; columns * rows],
+            reach: reach.as_vec2(),
+            last,
+            heights: vec![f32::NAN; knots],
+            is_known: vec![false; knots],
         }
     }
 
@@ -77,36 +84,50 @@ impl Bends {
         (0..STEPS).fold(at, |at, _| at + self.slope(at / self.knot_spacing).perp() * self.step)
     }
 
-    /// The rise of the spline in both directions, a knot. The place is counted in knots.
+    /// The rise of the spline in both directions, a knot. The place is counted in knots, and is in reach.
     fn slope(&mut self, at: Vec2) -> Vec2 {
-        let knot = at.round();
-        let off = at - knot;
+        let from_corner = at + self.reach;
+        // The nearest knot. Casting rounds down, and is faster than rounding.
+        let knot = (from_corner + 0.5).as_ivec2().clamp(IVec2::ONE, self.last - 1);
+        let off = from_corner - knot.as_vec2();
+        let around = self.around(knot);
         let weights = |off: f32| [0.5 * (0.5 - off) * (0.5 - off), 0.75 - off * off, 0.5 * (0.5 + off) * (0.5 + off)];
         let rises = |off: f32| [off - 0.5, -2.0 * off, off + 0.5];
-        let (across, down) = ((weights(off.x), rises(off.x)), (weights(off.y), rises(off.y)));
-        let (mut slope, knot) = (Vec2::ZERO, knot.as_ivec2());
+        let across = (weights(off.x), rises(off.x));
+        let (down, rise_down) = (weights(off.y), rises(off.y));
+        let mut slope = Vec2::ZERO;
         for row in 0..3 {
-            for column in 0..3 {
-                let height = self.height(knot.x + column - 1, knot.y + row - 1);
-                let (column, row) = (column as usize, row as usize);
-                slope += height * Vec2::new(across.1[column] * down.0[row], across.0[column] * down.1[row]);
-            }
+            let along = |weights: &[f32; 3]| {
+                let [a, b, c] = around[row];
+                a * weights[0] + b * weights[1] + c * weights[2]
+            };
+            slope += Vec2::new(along(&across.1) * down[row], along(&across.0) * rise_down[row]);
         }
         slope
     }
 
-    /// The height of a knot.
-    fn height(&mut self, column: i32, row: i32) -> f32 {
-        let [across, down] = self.reach;
-        let knot = (row + down) * (2 * across + 1) + column + across;
-        let Some(known) = self.heights.get(knot as usize).copied() else { return 0.0 };
-        if !known.is_nan() {
-            return known;
+    /// The heights of a knot and of the eight around it, row by row.
+    fn around(&mut self, knot: IVec2) -> [[f32; 3]; 3] {
+        let columns = self.last.x as usize + 1;
+        let corner = (knot.y as usize - 1) * columns + knot.x as usize - 1;
+        if !std::mem::replace(&mut self.is_known[corner], true) {
+            for (row, column) in (0..3).flat_map(|row| (0..3).map(move |column| (row, column))) {
+                let index = corner + row as usize * columns + column as usize;
+                if self.heights[index].is_nan() {
+                    self.heights[index] = self.height(knot + IVec2::new(column - 1, row - 1));
+                }
+            }
         }
-        let at = Vec2::new(column as f32, row as f32) * self.knot_spacing;
-        let height = self.noise.get_noise_2d(at.x, at.y) * self.strength(at);
-        self.heights[knot as usize] = height;
-        height
+        std::array::from_fn(|row| {
+            let start = corner + row * columns;
+            [self.heights[start], self.heights[start + 1], self.heights[start + 2]]
+        })
+    }
+
+    /// The height of a knot.
+    fn height(&self, knot: IVec2) -> f32 {
+        let at = (knot.as_vec2() - self.reach) * self.knot_spacing;
+        self.noise.get_noise_2d(at.x, at.y) * self.strength(at)
     }
 
     /// The strength of the noise at a place: a log-normal deviate with mean 1, but not above [`STRONGEST`].

@@ -14,6 +14,11 @@ use crate::recipe::Pattern;
 pub(super) struct Fall<'a> {
     settings: &'a GrowthSettings,
     general: General,
+    /// The fall of uneven land at the knots of a grid over the domain, row by row, with lengths of about 1.
+    knots: Vec<Vec2>,
+    /// The number of columns of knots, and the distance between knots.
+    columns: usize,
+    knot_spacing: f32,
     /// The turn of all directions, as the cosine and sine of an angle.
     turn: Vec2,
     noise: FastNoiseLite,
@@ -43,6 +48,9 @@ const WAVELENGTH: f32 = 80.0;
 /// Slopes are taken over this many spacings, which smooths them.
 const REACH: f32 = 8.0;
 
+/// The distance between knots, in spacings. Between them the fall is interpolated, since it hardly changes there.
+const KNOT_SPACING: f32 = 4.0;
+
 impl<'a> Fall<'a> {
     /// Finds out where the land of some settings falls to.
     pub fn new(settings: &'a GrowthSettings) -> Self {
@@ -56,26 +64,50 @@ impl<'a> Fall<'a> {
         let sine = TURN * (2.0 * drainage.seed.item_hash(Purpose::Country).unit([0, 0, 0]) - 1.0);
         let is_turned = matches!(general, General::Sea);
         let turn = if is_turned { Vec2::new((1.0 - sine * sine).sqrt(), sine) } else { Vec2::X };
-        Self {
+        let knot_spacing = KNOT_SPACING * drainage.spacing;
+        let last = (settings.domain.size / knot_spacing).as_ivec2() + 1;
+        let mut this = Self {
             settings,
             general,
+            knots: Vec::new(),
+            columns: last.x as usize + 1,
+            knot_spacing,
             turn,
             noise: drainage.noise(4, WAVELENGTH * drainage.spacing, 2, 0.5),
             reach: REACH * drainage.spacing,
+        };
+        if !this.is_smooth() {
+            let knots =
+                (0..=last.y).flat_map(|row| (0..=last.x).map(move |column| Vec2::new(column as f32, row as f32)));
+            this.knots = knots.map(|knot| this.at_knot(knot * knot_spacing)).collect();
         }
+        this
     }
 
-    /// The fall at a place.
+    /// The fall at a place in the domain.
     pub fn at(&self, at: Vec2) -> Vec2 {
-        let drainage = &self.settings.drainage;
-        let general = match self.general {
-            General::Sea => direction(to_sea(self.settings, at, self.reach)),
+        let way = match self.general {
+            General::Sea => self.between_knots(at / self.knot_spacing),
             General::Plane(way) => way,
-            General::Outward(center) => direction(at - center),
-            General::Inward(center) => direction(center - at),
+            General::Outward(center) => at - center,
+            General::Inward(center) => center - at,
         };
-        let uneven = if self.is_smooth() { Vec2::ZERO } else { self.uneven_slope(at) };
-        direction(self.turn.rotate(general) + uneven) * drainage.fall
+        direction(way) * self.settings.drainage.fall
+    }
+
+    /// The fall of land that slopes toward the sea, unevenly.
+    fn at_knot(&self, at: Vec2) -> Vec2 {
+        let general = direction(to_sea(self.settings, at, self.reach));
+        direction(self.turn.rotate(general) + self.uneven_slope(at))
+    }
+
+    /// The interpolated fall at a place that is counted in knots.
+    fn between_knots(&self, at: Vec2) -> Vec2 {
+        let knot = at.as_ivec2();
+        let share = at - knot.as_vec2();
+        let first = knot.y as usize * self.columns + knot.x as usize;
+        let row = |first: usize| self.knots[first].lerp(self.knots[first + 1], share.x);
+        row(first).lerp(row(first + self.columns), share.y)
     }
 
     /// Returns `true` if the land is a plane, a dome or a hollow, without any other slope.

@@ -226,7 +226,7 @@ impl Drainage {
                 FlowDirections::OUT => (0.0, parcels.cost_out(here)),
                 to => (tree.elevation[node[to as usize] as usize], parcels.cost_to(here, to)),
             };
-            let fall = steepness * cost * libm::powf(areas[here] as f32, -concavity);
+            let fall = steepness * cost * round::slope(areas[here] as f32, concavity);
             // A river falls everywhere, however little.
             tree.elevation[node[here] as usize] = (below + fall).max(f32::next_up(below));
         }

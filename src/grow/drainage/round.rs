@@ -32,12 +32,17 @@ impl Way {
     }
 }
 
+/// S = A^−θ. With the usual θ a root does, in a twentieth of the time.
+pub(super) fn slope(area: f32, concavity: f32) -> f32 {
+    if concavity == 0.5 { 1.0 / area.sqrt() } else { libm::powf(area, -concavity) }
+}
+
 impl Round {
     /// Begins at all outlets. `area` is the area that each parcel drained in the previous round, 1 or more.
     pub fn new(parcels: &Parcels, area: &[f32], concavity: f32) -> Result<Self, Refused> {
         let count = parcels.len();
         work::count(count);
-        let way = |&area: &f32| Way { cost: f32::INFINITY, slope: libm::powf(area, -concavity) };
+        let way = |&area: &f32| Way { cost: f32::INFINITY, slope: slope(area, concavity) };
         let mut this = Self {
             ways: area.iter().map(way).collect(),
             queue: Queue::default(),

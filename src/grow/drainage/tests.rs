@@ -65,7 +65,7 @@ fn edges(parcels: &Parcels) -> Vec<(Vec2, Vec2)> {
 
 /// Relaxes every way to the sea until nothing changes (Bellman and Ford), with the ties that a queue leaves out.
 fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
-    let slope: Vec<f32> = area.iter().map(|&area| libm::powf(area, -concavity)).collect();
+    let slope: Vec<f32> = area.iter().map(|&area| round::slope(area, concavity)).collect();
     let mut cost = vec![f32::INFINITY; parcels.len()];
     for outlet in &parcels.outlets {
         let parcel = outlet.parcel as usize;
