@@ -48,7 +48,7 @@ pub(super) struct Bends {
     last: IVec2,
     /// The heights of knots, row by row; NaN where it has not been needed.
     heights: Vec<f32>,
-    /// Which knots are the north-western corner of nine whose heights are known.
+    /// `true` for knots that are the north-western corner of nine whose heights are known.
     is_known: Vec<bool>,
 }
 

@@ -20,14 +20,14 @@ use crate::land::{Cell, CoastDistance};
 pub(super) struct Parcels {
     /// The position of each parcel, in domain units.
     pub at: Vec<Vec2>,
-    /// The places before the plane was bent.
-    pub unbent: Vec<Vec2>,
+    /// The position of each parcel before the plane was bent.
+    unbent: Vec<Vec2>,
     /// The neighbours of each parcel that water may come from or go to.
     pub neighbours: Adjacency,
-    /// The cost at which water arrives from each of these neighbours: length times hardness of the ground, less where
+    /// The cost at which water arrives from each of these neighbours: effort times hardness of the ground, less where
     /// the land falls that way. Empty if no water has to find its way.
     costs: Vec<f32>,
-    /// Which parcels lie on the rim of the land: a coast, a ridge or the border of the domain.
+    /// `true` for parcels on the rim of the land: a coast, a ridge or the border of the domain.
     pub is_on_rim: Vec<bool>,
     /// The identity of each parcel's cell, which belongs to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,

@@ -23,6 +23,9 @@ const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
 const WHEEL_SHARE = 0.02;
 const WHEEL_NOTCHES = 100;
 
+/** The word in the field of a value that is chosen automatically. */
+const AUTOMATIC = "auto";
+
 /** Parameters of which the least change gives a different tree. Their sliders have only `DETENTS` steps. */
 const RESHAPING: ReadonlySet<string> = new Set(["reach", "kill", "step", "momentum", "curl", "stretch", "sensitivity"]);
 const DETENTS = 20;
@@ -42,7 +45,7 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
         : nearestText(Number(shown) + direction * wheelStep(range), range),
     );
   });
-  exact.addEventListener("change", () => commit(exact.value));
+  exact.addEventListener("change", () => commit(exact.value.trim() === AUTOMATIC ? "0" : exact.value));
 
   return {
     element: slider,
@@ -51,7 +54,7 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
     ...(RESHAPING.has(parameter.key) ? { remark: "Each notch is another river." } : {}),
     show(text, automatic) {
       shown = automatic ?? text;
-      setValue(exact, text);
+      setValue(exact, automatic === undefined ? text : AUTOMATIC);
       showOnSlider(slider, shown, range, parameter.unit);
       if (automatic !== undefined)
         slider.setAttribute("aria-valuetext", `automatic: ${spoken(automatic, parameter.unit)}`);

@@ -390,3 +390,22 @@ test("Space plays and pauses from the page, and stays a space in the seed @core"
   await page.keyboard.type(" x");
   await expect(page.getByLabel("Seed", { exact: true })).toHaveValue("kauri x");
 });
+
+test("how much sea suits the land is shown where the slider stands, and can be had again", async ({ page }) => {
+  await openUnfolded(page, SMALL);
+  const slider = page.getByRole("slider", { name: "How much sea" });
+  const exact = page.locator("#exact-sea");
+  await expect(exact).toHaveValue("auto");
+  await expect(slider).toHaveValue("0.72");
+  await expect(slider).toHaveAttribute("aria-valuetext", "automatic: 0.72");
+  await page.getByRole("combobox", { name: "Land", exact: true }).selectOption("basin");
+  await expect(slider).toHaveValue("0.18");
+  await exact.fill("0.4");
+  await exact.press("Enter");
+  await expectAddress(page, "sea", "0.4");
+  await expect(slider).toHaveAttribute("aria-valuetext", "0.4");
+  await exact.fill("auto");
+  await exact.press("Enter");
+  await expectAddress(page, "sea", null);
+  await expect(exact).toHaveValue("auto");
+});

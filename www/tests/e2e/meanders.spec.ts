@@ -94,7 +94,7 @@ test("rivers without meanders are finished when they are made", async ({ page })
 
 test("oxbow lakes are counted in words", async ({ page }) => {
   const link =
-    "seed=kauri&sea=0.4&tributary-spacing=0&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1&attractors=1000";
+    "seed=kauri&land=rectangle&bending=1&bending-variation=0&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1&attractors=1000";
   const { summary } = pictureOf(link, 16, 16);
   expect(summary.oxbows).toBeGreaterThan(1);
   await openFinished(page, link);
