@@ -36,8 +36,8 @@ const recipes = [
   "courses=grown&style=skeleton",
 ].map((link) => merged(COARSE, link));
 
-/** What these do depends on whether anywhere two lines come near each other. */
-const BY_CHANCE = ["neck", "oxbows", "clearance"];
+/** What these do depends on whether two lines come near each other, or a side branch is about as long as the trim. */
+const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
   if (link.includes("meander-rounds=0")) return [...BY_CHANCE, "meander"];
