@@ -72,20 +72,20 @@ impl Lines {
     }
 
     /// Removes one point after the other, the least important first, as long as `may_go` allows. A refused point is tried
-    /// again once one of its neighbours has been removed. The importances passed to `tell` never
-    /// decrease.
+    /// again once one of its neighbours has been removed. What is passed to `tell`, with each point, never decreases.
     pub fn simplify(mut self, mut may_go: impl FnMut(&Self, [u32; 3]) -> bool, mut tell: impl FnMut(u32, f32)) {
         let mut queue = Areas::with_room_for(self.places.len());
         let mut highest = 0.0;
         (0..self.places.len() as u32).for_each(|i| self.enter(i, &mut queue));
-        while let Some((area, i)) = queue.pop() {
+        while let Some((importance, i)) = queue.pop() {
             // An entry is out of date if its point has been removed or its neighbours have changed.
-            let Some(triangle) = self.triangle(i).filter(|triangle| self.area(triangle).to_bits() == area.to_bits())
+            let Some(triangle) =
+                self.triangle(i).filter(|triangle| self.importance_of(triangle).to_bits() == importance.to_bits())
             else {
                 continue;
             };
             if may_go(&self, triangle) {
-                highest = fast_max(highest, area);
+                highest = fast_max(highest, importance);
                 tell(i, highest);
                 let neighbours = self.unlink(triangle);
                 neighbours.into_iter().for_each(|i| self.enter(i, &mut queue));
@@ -108,13 +108,13 @@ impl Lines {
         (before != NONE && after != NONE).then_some([before, i, after])
     }
 
-    fn area(&self, triangle: &[u32; 3]) -> f32 {
+    fn importance_of(&self, triangle: &[u32; 3]) -> f32 {
         (self.importance)(triangle.map(|i| self.at(i)))
     }
 
     fn enter(&self, i: u32, queue: &mut Areas) {
         if let Some(triangle) = self.triangle(i) {
-            queue.push(self.area(&triangle), i);
+            queue.push(self.importance_of(&triangle), i);
         }
     }
 

@@ -1,9 +1,10 @@
 //! In which order vertices go when courses are simplified: one ranking of all rivers, made once, so that any degree of
 //! simplification is a prefix of it.
 //!
-//! The method is that of Visvalingam and Whyatt, but spikes count for less. It has rules of its own for a network: sources, mouths and junctions stay; a
-//! vertex goes only while its triangle with its neighbours holds no other vertex, so that the line cannot come to lie across
-//! another, nor so near it that rounding could carry it across; and only if the line that is left stays on land.
+//! The method is that of Visvalingam and Whyatt, but spikes count for less. A network has rules of its own: sources, mouths
+//! and junctions stay; a vertex goes only while its triangle with its neighbours holds no other vertex, so that the line
+//! cannot come to lie across another, nor so near it that rounding could carry it across; and only if the line that is left
+//! stays on land.
 
 use glam::Vec2;
 

@@ -20,8 +20,8 @@ Numbers keep four decimal places. Units of length:
 
 - a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect;
 - a *spacing* is the distance between streams that growth begins with: in space colonization the mean distance between attractors,
-  √(area of land that has river mouths / `attractors`); in drainage, and where `valleys` lead space colonization, √(1,000,000 / `attractors`),
-  whatever the land: the mean distance between parcels; in a Brownian tree, for `clearance`, its `sensitivity`;
+  √(area of land that has river mouths / `attractors`); in drainage, and where `valleys` lead space colonization, √(usual area of land / `attractors`),
+  whatever the actual sea: the mean distance between parcels; in a Brownian tree, for `clearance`, its `sensitivity`;
 - a *width* is the width of the river at that point;
 - a *node* is one step of growth;
 - a *parcel* is a piece of land that drains itself, in drainage.

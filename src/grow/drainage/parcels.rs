@@ -20,8 +20,6 @@ use crate::land::{Cell, CoastDistance};
 pub(super) struct Parcels {
     /// The position of each parcel, in domain units.
     pub at: Vec<Vec2>,
-    /// The position of each parcel before the plane was bent.
-    unbent: Vec<Vec2>,
     /// The neighbours of each parcel that water may come from or go to.
     pub neighbours: Adjacency,
     /// The cost at which water arrives from each of these neighbours: effort times hardness of the ground, less where
@@ -47,15 +45,20 @@ pub(super) struct Parcels {
 impl Parcels {
     /// Lays out the parcels of a land.
     pub fn new(settings: &GrowthSettings) -> Self {
-        let mut this = Self::without_costs(settings);
+        let (mut this, unbent) = Self::lay_out(settings);
         this.border = this.at.iter().map(|&at| nearness_to_border(settings, at)).collect();
         this.toll = tolls(settings, &this.at);
-        this.weigh(settings);
+        this.weigh(settings, &unbent);
         this
     }
 
     /// Lays out the parcels without costs and their ingredients, for use without drainage.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
+        Self::lay_out(settings).0
+    }
+
+    /// Lays out the parcels without costs. Returns them with their positions before the plane was bent.
+    fn lay_out(settings: &GrowthSettings) -> (Self, Vec<Vec2>) {
         let lattice = Lattice::new(settings);
         let around = Adjacency::of_places(&lattice.at);
         let on_land = places_on_land(settings, &lattice.at);
@@ -67,7 +70,6 @@ impl Parcels {
         let rim = |(parcel, &place): (usize, &usize)| neighbours.of(parcel).len() < around.of(place).len();
         let mut this = Self {
             at: on_land.iter().map(|&place| lattice.at[place]).collect(),
-            unbent: on_land.iter().map(|&place| lattice.unbent[place]).collect(),
             identity: on_land.iter().map(|&place| lattice.identity[place]).collect(),
             is_on_rim: on_land.iter().enumerate().map(rim).collect(),
             ..Self::default()
@@ -83,7 +85,7 @@ impl Parcels {
             this.outlet_of[outlet.parcel as usize] = i;
         }
         this.neighbours = neighbours;
-        this
+        (this, on_land.iter().map(|&place| lattice.unbent[place]).collect())
     }
 
     /// The number of parcels.
@@ -104,12 +106,6 @@ impl Parcels {
         outlet.map_or(f32::INFINITY, |outlet| distance(self.at[parcel], outlet.at))
     }
 
-    /// The cost of an edge on level, even ground: l₀²/l, where l is its length and l₀ its length before the plane was
-    /// bent. An edge along which the plane was drawn out is cheap, so the cheapest ways follow the bends.
-    fn effort(&self, from: usize, to: usize) -> f32 {
-        self.unbent[from].distance_squared(self.unbent[to]) / distance(self.at[from], self.at[to])
-    }
-
     /// The cost of crossing from a parcel to a neighbour.
     pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
         self.ways_to(neighbour as usize)
@@ -119,7 +115,7 @@ impl Parcels {
 
     /// Adds hard and soft ground, its grain and its fall. Each edge has its own random part, and one that it shares with
     /// many around it.
-    fn weigh(&mut self, growth: &GrowthSettings) {
+    fn weigh(&mut self, growth: &GrowthSettings, unbent: &[Vec2]) {
         const CHANCE: f32 = 0.2;
         let settings = &growth.drainage;
         let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
@@ -141,7 +137,8 @@ impl Parcels {
                 let own = CHANCE * chance.normal(edge_between(self.identity[parcel], self.identity[there]));
                 let ground = 0.5 * (hardness[parcel] + hardness[there]);
                 let toll = self.toll[parcel].max(self.toll[there]);
-                let cost = self.effort(parcel, there) * libm::expf(own + ground) * toll;
+                let effort = effort([from, to], [unbent[parcel], unbent[there]]);
+                let cost = effort * libm::expf(own + ground) * toll;
                 let [forward, back] = country.costs(from, to, cost);
                 self.costs[way] = back;
                 let range = self.neighbours.range(there);
@@ -150,6 +147,13 @@ impl Parcels {
             }
         }
     }
+}
+
+/// The cost of an edge on level, even ground, from its ends and those before the plane was bent: l₀²/l, where l is its
+/// length and l₀ its length before. An edge along which the plane was drawn out is cheap, so the cheapest ways follow the
+/// bends.
+fn effort([from, to]: [Vec2; 2], unbent: [Vec2; 2]) -> f32 {
+    unbent[0].distance_squared(unbent[1]) / distance(from, to)
 }
 
 /// Joins parcels that are neighbours if water may cross from one to the other.
