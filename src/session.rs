@@ -21,7 +21,7 @@ use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Heads, Pruned, Trim};
 use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefSettings};
+use crate::relief::{Relief, ReliefSettings, Rills};
 use crate::tree::{Hydrology, Tree};
 
 pub(crate) use drafts::{OF_COASTS, OF_RELIEF, SessionDrafts};
@@ -352,8 +352,11 @@ impl Session {
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
         let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
-        let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
-        let settings = || ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
+        let (recipe, land, growth, trim) = (&self.recipe, &self.land, &self.growth, self.trim());
+        let settings = || {
+            let settings = ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
+            settings.with_rills(|| Rills::of(growth.tree(), trim, growth.total_discharge()))
+        };
         self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
         Ok(true)
     }

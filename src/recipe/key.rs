@@ -128,6 +128,7 @@ keys! {
     Taper: Number,
     Mountains: Number,
     Plains: Number,
+    Rills: Number,
     Shade: Number,
     Style: Choice,
     Labels: Choice,

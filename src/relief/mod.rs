@@ -18,6 +18,7 @@ mod finer;
 mod flow;
 mod grid;
 mod march;
+mod rills;
 mod settings;
 mod solver;
 mod steepness;
@@ -34,6 +35,7 @@ pub(crate) use draft::ReliefDrafts;
 pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
+pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 
