@@ -197,7 +197,9 @@ fn no_relief_holds_a_step() {
             assert!(session.advance(1).unwrap(), "there is no relief: {recipe}");
         }
         let begun = work::steps();
-        assert!(session.advance(1).unwrap() && work::steps() == begun, "the first step only asks for memory");
+        assert!(session.advance(1).unwrap());
+        let nodes = session.tree().len() as u64;
+        assert!(work::steps() - begun <= 40 * nodes, "the first step only asks for memory, and lists the rills");
         let (mut most, mut all) = (0, 0);
         while session.phase() == Phase::Relief {
             let before = work::steps();
@@ -206,7 +208,7 @@ fn no_relief_holds_a_step() {
             all += work::steps() - before;
         }
         let vertices = session.network().unwrap().vertices.len() as u64;
-        let bound = 1_500_000 + 20 * vertices;
+        let bound = 1_700_000 + 20 * vertices;
         assert!(most < bound, "{most} elementary steps, over {bound}: {recipe}");
         assert!(all > 10 * 250_000, "{all} elementary steps, fewer than are made: {recipe}");
     }

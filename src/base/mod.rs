@@ -4,6 +4,7 @@
 pub mod dice;
 pub(crate) mod geometry;
 pub(crate) mod memory;
+pub(crate) mod parallel;
 pub(crate) mod queue;
 pub mod random;
 pub(crate) mod simplify;

@@ -78,7 +78,7 @@ pub fn upward(network: &Network, of: impl Fn(usize, f32) -> f32) -> Vec<f32> {
 }
 
 /// The straight way over the way along the river, around each vertex: a river that winds through a plain does not climb.
-fn straightness(network: &Network) -> Vec<f32> {
+pub(crate) fn straightness(network: &Network) -> Vec<f32> {
     const VERTICES: usize = 12;
     let mut straightness = vec![1.0; network.vertices.len()];
     for river in &network.rivers {

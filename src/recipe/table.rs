@@ -623,7 +623,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Relief",
             stage: Relief,
             logarithmic: false,
-            kind: number(0.2, 4.0, 0.1, 1.5),
+            kind: number(0.2, 4.0, 0.1, 2.0),
         },
         Parameter {
             key: Key::Plains,
@@ -634,7 +634,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Relief",
             stage: Relief,
             logarithmic: false,
-            kind: number(0.0, 400.0, 5.0, 200.0),
+            kind: number(0.0, 400.0, 5.0, 100.0),
         },
         Parameter {
             key: Key::Rills,
@@ -645,7 +645,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Relief",
             stage: Relief,
             logarithmic: false,
-            kind: number(0.0, 1.0, 0.05, 0.0),
+            kind: number(0.0, 1.0, 0.05, 0.6),
         },
         Parameter {
             key: Key::Shade,

@@ -1,10 +1,13 @@
 //! The cells of a map, and a rim of one cell around them: so every cell of the map has eight neighbours.
 
+use std::num::NonZero;
+
 use glam::Vec2;
 
 use super::Grid;
 use super::settings::ReliefSettings;
 use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::land::{Parabola, SmoothedDistance};
 
@@ -35,7 +38,7 @@ impl Cells {
         ask(columns * rows * BYTES_A_CELL)?;
         work::count(columns * rows);
         match &settings.land {
-            Some(land) => this.measure(&SmoothedDistance::of(land.coast_distance())),
+            Some(land) => this.measure(&SmoothedDistance::of(land.coast_distance()), settings.threads),
             None => this.open(settings),
         }
         if !(0..this.inland.len()).any(|cell| this.is_sea(cell)) {
@@ -46,14 +49,18 @@ impl Cells {
     }
 
     /// Takes over the distances that pictures show.
-    fn measure(&mut self, distance: &SmoothedDistance) {
-        for row in 1..self.rows - 1 {
-            let across = distance.across(self.coordinate(row));
-            for column in 1..self.columns - 1 {
-                let (nearest, t) = distance.column(self.coordinate(column));
-                self.inland[row * self.columns + column] = Parabola::of(across.around(nearest)).at(t);
+    fn measure(&mut self, distance: &SmoothedDistance, threads: NonZero<usize>) {
+        let Self { columns, rows, size, ref mut inland } = *self;
+        for_each_row(inland, columns, threads, |row, inland| {
+            if !(1..rows - 1).contains(&row) {
+                return;
             }
-        }
+            let across = distance.across(coordinate(row, size));
+            for (column, inland) in inland.iter_mut().enumerate().take(columns - 1).skip(1) {
+                let (nearest, t) = distance.column(coordinate(column, size));
+                *inland = Parabola::of(across.around(nearest)).at(t);
+            }
+        });
     }
 
     /// All is land; the sea lies beyond some sides.
@@ -117,7 +124,7 @@ impl Cells {
         [cell - 1, cell + 1, north - 1, north, north + 1, south - 1, south, south + 1]
     }
 
-    /// Whether two cells share a side or a corner.
+    /// Returns `true` if two cells share a side or a corner.
     pub fn touch(&self, one: usize, other: usize) -> bool {
         let (row, column) = (one / self.columns, one % self.columns);
         row.abs_diff(other / self.columns) <= 1 && column.abs_diff(other % self.columns) <= 1
@@ -134,6 +141,11 @@ impl Cells {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))
     }
 
+    /// The area of all land, in square units.
+    pub fn land_area(&self) -> f32 {
+        self.land().count() as f32 * self.size * self.size
+    }
+
     /// Where the middle of a cell lies.
     pub fn point(&self, cell: usize) -> Vec2 {
         Vec2::new(self.coordinate(cell % self.columns), self.coordinate(cell / self.columns))
@@ -141,6 +153,11 @@ impl Cells {
 
     /// The middle of a column or row, in units.
     fn coordinate(&self, index: usize) -> f32 {
-        (index as f32 - 0.5) * self.size
+        coordinate(index, self.size)
     }
+}
+
+/// The middle of a column or row of cells of a size, in units.
+fn coordinate(index: usize, size: f32) -> f32 {
+    (index as f32 - 0.5) * size
 }

@@ -5,12 +5,13 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::cells::Cells;
+use super::front::Front;
 use crate::base::geometry::{distance, fast_min};
-use crate::base::memory::{Refused, ask, lengthen, reserve};
+use crate::base::memory::{Refused, lengthen, reserve};
 use crate::base::work;
-use crate::network::{NONE, Network, River, hydrology};
+use crate::network::{Network, River};
 
-/// A cell that a river passes, and the height of the water there, in units.
+/// A cell that a river passes, and the height of the water there by the river's own profile, in units.
 pub(super) type Step = (u32, f32);
 
 /// A river's path.
@@ -19,8 +20,6 @@ struct Path {
     /// Its first step, at the source, and the one behind its last. Each step touches the next.
     start: u32,
     end: u32,
-    /// The step of another river's path where it joins that; [`NONE`] if it reaches the sea.
-    junction: u32,
 }
 
 impl Path {
@@ -43,25 +42,30 @@ pub(super) struct Channels {
     step_of: Vec<u32>,
 }
 
-/// The least fall from one cell to the next, as a share of a cell's side.
-const LEAST_SLOPE: f32 = 5e-5;
+/// The least fall from one cell to the next, as a share of the height.
+const LEAST_FALL: f32 = 1e-5;
 
 impl Channels {
-    /// Rivers that have not been walked yet. They are as high as given for each vertex, in units, or by the law of rivers.
-    pub fn new(network: &Network, total_discharge: u32, given: Option<&[f32]>) -> Result<Self, Refused> {
-        /// Of elevations, and of what they are made of.
-        const BYTES_A_VERTEX: usize = 20;
+    /// Rivers that have not been walked yet, each vertex as high as given, in units.
+    pub fn new(network: &Network, elevations: Vec<f32>) -> Result<Self, Refused> {
         let vertices = network.vertices.len();
-        let mut this = Self { parents_first: parents_first(network)?, ..Self::default() };
+        let mut this = Self { parents_first: parents_first(network)?, elevations, ..Self::default() };
         reserve(&mut this.paths, network.rivers.len())?;
         lengthen(&mut this.step_of, vertices, 0)?;
-        ask(vertices * BYTES_A_VERTEX)?;
-        work::count(4 * vertices);
-        this.elevations = match given {
-            Some(heights) => heights.to_vec(),
-            None => hydrology::elevations(network, total_discharge),
-        };
+        work::count(vertices);
         Ok(this)
+    }
+
+    /// Rivers that have been walked, each with the steps of its path; none joins another.
+    #[cfg(test)]
+    pub fn of_paths(paths: &[Vec<(usize, f32)>]) -> Self {
+        let mut this = Self { parents_first: (0..paths.len() as u32).collect(), ..Self::default() };
+        for path in paths {
+            let start = this.steps.len() as u32;
+            this.steps.extend(path.iter().map(|&(cell, height)| (cell as u32, height)));
+            this.paths.push(Path { start, end: this.steps.len() as u32 });
+        }
+        this
     }
 
     /// Walks some more rivers from cell to cell. Returns whether there are more.
@@ -74,9 +78,6 @@ impl Channels {
                 return Ok(true);
             }
             self.walk_river(cells, network, river)?;
-        }
-        for (path, river) in self.paths.iter_mut().zip(&network.rivers) {
-            path.junction = self.step_of.get(river.junction as usize).copied().unwrap_or(NONE);
         }
         (self.step_of, self.elevations) = (Vec::new(), Vec::new());
         Ok(false)
@@ -98,83 +99,60 @@ impl Channels {
             None => walk.down_to_the_sea()?,
         }
         let end = self.steps.len() as u32;
-        self.paths.push(Path { start: start as u32, end, junction: NONE });
+        self.paths.push(Path { start: start as u32, end });
         Ok(())
     }
 
-    /// Lowers rivers to a surface, and what is below them with them: a river is nowhere lower than farther down, and none
-    /// lower at its end than the one it joins. Returns by how much, in units, over all cells.
-    pub fn lower(&mut self, surface: &[f32]) -> f32 {
+    /// Makes every river fall from each cell to the next, by next to nothing where it is level. Heights are only ever
+    /// lowered, and stay above the sea. Cells that several rivers pass are those of the one they reach last.
+    pub fn let_fall(&self, cells: &Cells, heights: &mut [f32]) {
         work::count(self.steps.len());
-        let mut lowered = 0.0;
         for &river in self.parents_first.iter().rev() {
-            let path = self.paths[river as usize];
             let mut above = f32::INFINITY;
-            for (cell, height) in &mut self.steps[path.range()] {
-                let least = height.min(surface[*cell as usize]).min(above);
-                lowered += *height - least;
-                (*height, above) = (least, least);
+            for &(cell, _) in self.path(river as usize).iter().filter(|step| cells.is_land(step.0 as usize)) {
+                let height = &mut heights[cell as usize];
+                *height = fast_min(*height, fast_min(above * (1.0 - LEAST_FALL), above.next_down()));
+                above = *height;
             }
-            if let Some((_, height)) = self.steps.get_mut(path.junction as usize) {
-                lowered += (*height - above).max(0.0);
-                *height = height.min(above);
+        }
+    }
+
+    /// Lowers cells of rivers to the lowest of their banks, by the heights of all cells so far. A bank that touches the
+    /// river's next cell does not count: water that runs over it comes back. Returns the sum of all that, in units.
+    pub fn lower_to_banks(&self, cells: &Cells, heights: &[f32], front: &mut Front) -> f32 {
+        work::count(9 * self.steps.len());
+        let mut rivers: Vec<u32> = self.steps.iter().map(|step| step.0).collect();
+        rivers.sort_unstable();
+        let mut lowered = 0.0;
+        for pair in self.paths().flat_map(|path| path.windows(2)) {
+            let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
+            let is_bank = |&beside: &usize| {
+                heights[beside] < heights[cell]
+                    && !cells.touch(beside, next)
+                    && rivers.binary_search(&(beside as u32)).is_err()
+            };
+            let banks = cells.around(cell).into_iter().filter(is_bank).map(|bank| heights[bank]);
+            let lowest = banks.fold(heights[cell], fast_min);
+            if lowest < heights[cell] && cells.is_land(cell) {
+                lowered += heights[cell] - lowest;
+                front.lower(cell, lowest);
             }
         }
         lowered
     }
 
-    /// Notes, for each cell of a river, how high that or the lowest of its banks is, of the heights of all cells. A bank that touches the
-    /// river's next cell does not count: water that runs over it comes back. `surface` has the rivers' cells, and is infinite elsewhere.
-    pub fn note_banks(&self, cells: &Cells, heights: &[f32], surface: &mut [f32]) {
-        work::count(9 * self.steps.len());
-        self.steps.iter().for_each(|&(cell, _)| surface[cell as usize] = heights[cell as usize]);
-        for pair in self.paths.iter().flat_map(|path| self.steps[path.range()].windows(2)) {
-            let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
-            let is_bank = |&beside: &usize| surface[beside] == f32::INFINITY && cells.is_land(beside);
-            let banks = cells.around(cell).into_iter().filter(is_bank).filter(|&bank| !cells.touch(bank, next));
-            surface[cell] = banks.map(|bank| heights[bank]).fold(surface[cell], f32::min);
-        }
-    }
-
-    /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
-    pub fn let_fall(&mut self, cells: &Cells) {
-        work::count(self.steps.len());
-        let least = LEAST_SLOPE * cells.size;
-        for &river in &self.parents_first {
-            let path = self.paths[river as usize];
-            let mut below = self.steps.get(path.junction as usize).map_or(least, |junction| junction.1);
-            let mut upward = self.steps[path.range()].iter_mut().rev();
-            upward.next().into_iter().for_each(|end| end.1 = below);
-            for (_, height) in upward {
-                *height = height.max((below + least).max(below.next_up()));
-                below = *height;
-            }
-        }
-    }
-
-    /// The cells of each river's path, from its source down.
-    pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
-        self.paths.iter().map(|path| self.steps[path.range()].iter().map(|&(cell, _)| cell as usize))
-    }
-
-    /// Each river's cells with the height of the water there, and those of its junction.
-    #[cfg(test)]
-    pub fn rivers(&self) -> impl Iterator<Item = (&[Step], Option<Step>)> + '_ {
-        self.paths.iter().map(|path| (&self.steps[path.range()], self.steps.get(path.junction as usize).copied()))
-    }
-
-    /// How many cells rivers pass, each as often as they do.
-    pub fn count(&self) -> usize {
+    /// The number of steps of all paths.
+    pub fn len(&self) -> usize {
         self.steps.len()
     }
 
-    /// Notes the height of the water in each cell, of several rivers the lowest; infinite where there is none.
-    pub fn note_heights(&self, heights: &mut [f32]) {
-        work::count(heights.len() + self.steps.len());
-        heights.fill(f32::INFINITY);
-        for &(cell, height) in &self.steps {
-            heights[cell as usize] = fast_min(height, heights[cell as usize]);
-        }
+    fn path(&self, river: usize) -> &[Step] {
+        &self.steps[self.paths[river].range()]
+    }
+
+    /// The steps of each river's path, from its source down.
+    pub fn paths(&self) -> impl Iterator<Item = &[Step]> + '_ {
+        self.paths.iter().map(|path| &self.steps[path.range()])
     }
 }
 

@@ -49,7 +49,7 @@ impl Flow {
         let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
         ask(bytes).map_err(refused)?;
         let cells = Cells::new(settings).map_err(refused)?;
-        let channels = walked(&cells, network, settings.total_discharge).map_err(refused)?;
+        let channels = walked(&cells, network).map_err(refused)?;
         Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
     }
 
@@ -106,8 +106,8 @@ pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &G
 }
 
 /// Rivers on their way from cell to cell.
-fn walked(cells: &Cells, network: &Network, total_discharge: u32) -> Result<Channels, Refused> {
-    let mut channels = Channels::new(network, total_discharge, None)?;
+fn walked(cells: &Cells, network: &Network) -> Result<Channels, Refused> {
+    let mut channels = Channels::new(network, vec![0.0; network.vertices.len()])?;
     while channels.walk(cells, network)? {}
     Ok(channels)
 }
@@ -140,7 +140,7 @@ impl Field {
         let mut greatest = vec![NONE; self.heights.len()];
         let discharge = |river: u32| network.rivers.get(river as usize).map_or(0, |river| network.discharge(river));
         for (river, path) in (0..).zip(channels.paths()) {
-            for cell in path.filter(|&cell| self.cells.is_land(cell)) {
+            for cell in path.iter().map(|step| step.0 as usize).filter(|&cell| self.cells.is_land(cell)) {
                 if greatest[cell] == NONE || discharge(river) > discharge(greatest[cell]) {
                     greatest[cell] = river;
                 }
@@ -155,7 +155,7 @@ impl Field {
         let mut discharge = vec![None; self.heights.len()];
         for (river, path) in network.rivers.iter().zip(channels.paths()) {
             let own = Some(network.discharge(river));
-            let mut path = path.peekable();
+            let mut path = path.iter().map(|step| step.0 as usize).peekable();
             while let Some(cell) = path.next() {
                 // Where two rivers pass a cell, the way of one may lead up from there.
                 let lower = path.peek().filter(|&&next| self.heights[next] < self.heights[cell]);

@@ -13,11 +13,13 @@
 mod cells;
 mod channels;
 mod contours;
+mod creep;
 mod draft;
 mod finer;
 mod flow;
+mod front;
 mod grid;
-mod march;
+mod profile;
 mod rills;
 mod settings;
 mod solver;
@@ -38,6 +40,7 @@ pub use grid::Grid;
 pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
+use steepness::Steepness;
 
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;

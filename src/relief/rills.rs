@@ -96,7 +96,7 @@ impl RillCells {
 }
 
 /// The catchment, in square units, up to which rills are equally steep.
-const LEAST_CATCHMENT: f32 = 60.0;
+pub(super) const LEAST_CATCHMENT: f32 = 60.0;
 
 /// The law by which ground is gentler where rills run.
 #[derive(Clone, Copy, Debug)]
@@ -118,7 +118,7 @@ impl Gentleness {
     pub fn factor(self, share: f32) -> f32 {
         const RIDGES: f32 = 0.25;
         const VALLEYS: f32 = 0.67;
-        const CONCAVITY: f32 = 0.8;
+        const CONCAVITY: f32 = 0.67;
         if share == 0.0 {
             return 1.0 + RIDGES * self.rills;
         }

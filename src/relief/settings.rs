@@ -1,5 +1,6 @@
 //! The settings of the relief stage, in domain units.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use fastnoise_lite::FastNoiseLite;
@@ -30,6 +31,8 @@ pub struct ReliefSettings {
     pub mountains: f32,
     /// How far from the coast hillsides become as steep as that, in units.
     pub plains: f32,
+    /// The number of threads that may work on it. The result does not depend on it.
+    pub threads: NonZero<usize>,
     /// How far rills carve the hillsides, from 0 to 1.
     pub rills: f32,
     /// The rills, if they are known.
@@ -49,6 +52,7 @@ impl ReliefSettings {
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(NumberKey::Mountains),
             plains: recipe.number(NumberKey::Plains),
+            threads: NonZero::<usize>::MIN,
             rills: recipe.number(NumberKey::Rills),
             rill_lines: None,
         }

@@ -5,10 +5,13 @@ use glam::Vec2;
 use super::CELL_SIZE;
 use super::cells::Cells;
 use super::rills::{Gentleness, RillCells};
+use super::profile;
 use super::settings::ReliefSettings;
-use crate::base::geometry::{distance, fast_min};
+use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::base::memory::{Refused, lengthen};
+use crate::base::parallel::for_each_row;
 use crate::base::work;
+use crate::domain::Domain;
 use crate::land::Land;
 use crate::network::Network;
 
@@ -17,8 +20,8 @@ use crate::network::Network;
 pub(super) struct Steepness {
     /// By how much each cell rises over a neighbour, in units; anything off land.
     pub rises: Vec<f32>,
-    /// The least distance of each cell from any of some points, as a share of that point's radius; 1 where all are farther.
-    nearness: Vec<f32>,
+    /// The factor for each cell by what lies near it, in the making; 1 where nothing does.
+    factors: Vec<f32>,
 }
 
 /// After so much work, in elementary steps, whatever takes long goes on another time.
@@ -29,32 +32,42 @@ impl Steepness {
     pub fn of_hillsides(settings: &ReliefSettings, cells: &Cells) -> Result<Self, Refused> {
         let ground = Ground::new(settings);
         let mut this = Self::default();
-        lengthen(&mut this.nearness, cells.inland.len(), 1.0)?;
-        lengthen(&mut this.rises, cells.inland.len(), cells.size)?;
+        lengthen(&mut this.factors, cells.inland.len(), 1.0)?;
+        lengthen(&mut this.rises, cells.inland.len(), AT_THE_COAST * cells.size)?;
         work::count(cells.inland.len());
-        for cell in cells.land() {
-            this.rises[cell] = cells.size * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
-        }
+        let border = Border::new(settings);
+        for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
+            for (cell, rise) in (row * cells.columns..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
+                let at = cells.point(cell);
+                *rise = cells.size * slope(settings, cells.inland[cell]) * ground.at(at) * border.calm(at);
+            }
+        });
         Ok(this)
     }
 
     /// Makes ground gentler where rills run, and steeper between them.
     pub fn carve(&mut self, settings: &ReliefSettings, cells: &Cells, rills: &RillCells) {
-        let land = cells.land().count() as f32 * cells.size * cells.size;
-        let gentleness = Gentleness::new(settings.rills, land);
+        let gentleness = Gentleness::new(settings.rills, cells.land_area());
         work::count(3 * self.rises.len());
-        for cell in cells.land() {
-            self.rises[cell] *= gentleness.factor(rills.shares[cell]);
-        }
+        for_each_row(&mut self.rises, cells.columns, settings.threads, |row, rises| {
+            for (cell, rise) in (row * cells.columns..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
+                *rise *= gentleness.factor(rills.shares[cell]);
+            }
+        });
     }
 
-    /// Flood plains: beside a river, hills begin some widths away. Goes on from a vertex; returns the next, as long as there
-    /// are more.
-    pub fn flatten_valleys(&mut self, cells: &Cells, network: &Network, from: usize) -> Option<usize> {
-        /// Of the river's width, and how much of the slope there is at the river.
-        const WIDTHS: f32 = 3.0;
-        const LEAST: f32 = 0.12;
+    /// Flattens flood plains: beside a river, hills begin some widths away. Goes on from a vertex; returns the next, as
+    /// long as there are more.
+    pub fn flatten_valleys(
+        &mut self,
+        settings: &ReliefSettings,
+        cells: &Cells,
+        network: &Network,
+        from: usize,
+    ) -> Option<usize> {
+        const WIDTHS: f32 = 4.5;
         let begun = work::steps();
+        let catchment = cells.land_area() / settings.total_discharge as f32;
         for (i, vertex) in network.vertices.iter().enumerate().skip(from) {
             if work::steps() - begun >= WORK_A_STEP {
                 return Some(i);
@@ -62,15 +75,18 @@ impl Steepness {
             let radius = vertex.width() * WIDTHS;
             // Of the map's own cells: on a finer grid the same rivers have valleys.
             if radius > 1.5 * CELL_SIZE {
-                self.come_near(cells, vertex.at, radius);
+                // A floor gentler than the river would lower the river.
+                let least = profile::share_of_slope(vertex.discharge as f32 * catchment);
+                let factor = |share: f32| least + (1.0 - least) * share * share;
+                self.come_near(cells, vertex.at, radius, |share, before| fast_min(factor(share), before));
             }
         }
-        self.multiply(|share| LEAST + (1.0 - LEAST) * share * share);
+        self.multiply();
         None
     }
 
-    /// Ridges of the recipe stand in steep ground, which makes them divides. Goes on from a piece of them; returns the next, as
-    /// long as there are more.
+    /// Raises the ridges of the recipe: steep ground, which makes them divides. Goes on from a piece of them; returns
+    /// the next, as long as there are more.
     pub fn raise_ridges(&mut self, cells: &Cells, land: &Land, from: usize) -> Option<usize> {
         const RADIUS: f32 = 14.0;
         const MOST: f32 = 3.0;
@@ -81,41 +97,79 @@ impl Steepness {
             }
             let count = (distance(pair[0], pair[1]) / CELL_SIZE).ceil().max(1.0);
             for i in 0..=count as usize {
-                self.come_near(cells, pair[0].lerp(pair[1], i as f32 / count), RADIUS);
+                let factor = |share: f32| MOST + (1.0 - MOST) * share;
+                let at = pair[0].lerp(pair[1], i as f32 / count);
+                self.come_near(cells, at, RADIUS, |share, before| fast_max(factor(share), before));
             }
         }
-        self.multiply(|share| MOST + (1.0 - MOST) * share);
+        self.multiply();
         None
     }
 
-    /// Takes over how near a point is to the cells around it.
-    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32) {
+    /// Changes the factors of the cells around a point, by their distance as a share of the radius and by what they
+    /// were before.
+    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: impl Fn(f32, f32) -> f32) {
         let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
         let (left, right) = (first % cells.columns, last % cells.columns);
         for row in first / cells.columns..=last / cells.columns {
             work::count(right - left + 1);
             for column in left..=right {
                 let cell = row * cells.columns + column;
-                let share = distance(cells.point(cell), at) / radius;
-                self.nearness[cell] = fast_min(share, self.nearness[cell]);
+                let share = fast_min(distance(cells.point(cell), at) / radius, 1.0);
+                self.factors[cell] = change(share, self.factors[cell]);
             }
         }
     }
 
-    /// Multiplies steepness by a function of nearness, which is 1 of 1. All is far again.
-    fn multiply(&mut self, factor: impl Fn(f32) -> f32) {
+    /// Multiplies steepness by the factors, which are 1 again.
+    fn multiply(&mut self) {
         work::count(self.rises.len());
-        for (rise, share) in self.rises.iter_mut().zip(&mut self.nearness) {
-            *rise *= factor(std::mem::replace(share, 1.0));
+        for (rise, factor) in self.rises.iter_mut().zip(&mut self.factors) {
+            *rise *= std::mem::replace(factor, 1.0);
         }
     }
 }
 
+/// The slope at the coast.
+const AT_THE_COAST: f32 = 0.6;
+
 /// The slope at a distance from the sea, before ground and valleys: it grows from next to nothing to that of mountains.
 pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
-    const AT_THE_COAST: f32 = 0.2;
     let way = (inland / settings.plains.max(1.0)).clamp(0.0, 1.0);
     AT_THE_COAST + (settings.mountains - AT_THE_COAST).max(0.0) * way * way * (3.0 - 2.0 * way)
+}
+
+/// The sides of the map at which land runs on. What lies beyond is not known, so all water runs inward there: on usual
+/// slopes the border would be a wall.
+struct Border {
+    domain: Domain,
+    /// In the order of [`Domain::sides`], whether land runs on.
+    runs_on: [bool; 4],
+}
+
+impl Border {
+    fn new(settings: &ReliefSettings) -> Self {
+        let domain = settings.domain;
+        let runs_on = |(side, _)| settings.land.is_some() || !settings.sides.contains(side);
+        Self { domain, runs_on: domain.sides(Vec2::ZERO).map(runs_on) }
+    }
+
+    /// The factor for the steepness at a point.
+    fn calm(&self, at: Vec2) -> f32 {
+        const LEAST: f32 = 0.3;
+        const FAR: f32 = 60.0;
+        let mut nearest = FAR;
+        for ((_, far), runs_on) in self.domain.sides(at).into_iter().zip(self.runs_on) {
+            nearest = if runs_on { fast_min(nearest, far) } else { nearest };
+        }
+        LEAST + (1.0 - LEAST) * smoothstep(nearest / FAR)
+    }
+}
+
+/// Rises smoothly from 0 at 0 to 1 at 1.
+fn smoothstep(share: f32) -> f32 {
+    let share = fast_max(share, 0.0);
+    share * share * (3.0 - 2.0 * share)
 }
 
 /// Steeper and gentler ground, sampled wide apart: it changes little from cell to cell.
@@ -136,7 +190,7 @@ impl Ground {
         let sample = |i: usize| {
             let at = Vec2::new((i % columns) as f32, (i / columns) as f32) * APART;
             // Fractal noise has a deviation of about a third.
-            libm::expf(1.5 * wide.get_noise_2d(at.x, at.y) + 0.7 * fine.get_noise_2d(at.x, at.y))
+            libm::expf(0.9 * wide.get_noise_2d(at.x, at.y) + 0.4 * fine.get_noise_2d(at.x, at.y))
         };
         Self { columns, samples: (0..columns * rows).map(sample).collect() }
     }
@@ -194,6 +248,6 @@ mod tests {
             off += usize::from(factor == 1.0);
         }
         assert!(on > 100 && off > 10_000, "{on} cells of ridges and {off} elsewhere");
-        assert!(raised.nearness.iter().all(|near| *near == 1.0), "whatever comes next finds all far");
+        assert!(raised.factors.iter().all(|near| *near == 1.0), "whatever comes next finds all far");
     }
 }

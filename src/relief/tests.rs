@@ -1,12 +1,16 @@
+use std::num::NonZero;
+
 use proptest::prelude::*;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
-use super::march::{March, Sources};
+use super::channels::Channels;
+use super::front::Front;
 use crate::property::cases;
 
-/// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height.
-fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
+/// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height that wander from
+/// cell to cell.
+fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<Vec<(usize, f32)>>)> {
     (4usize..14, 4usize..14).prop_flat_map(|(columns, rows)| {
         let count = columns * rows;
         let is_rim = move |i: usize| {
@@ -14,27 +18,42 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
         };
         let inland = prop::collection::vec(prop_oneof![5 => 0.1f32..50.0, 1 => -9.0f32..=0.0], count);
         let rises = prop::collection::vec(0.01f32..6.0, count);
-        let rivers = prop::collection::vec((0..count, 0.0f32..9.0), 0..8);
+        let steps = prop::collection::vec((0usize..8, 0.0f32..9.0), 0..9);
+        let rivers = prop::collection::vec((0..count, 0.0f32..9.0, steps), 0..6);
         (inland, rises, rivers).prop_map(move |(mut inland, rises, rivers)| {
             (0..count).filter(|&i| is_rim(i)).for_each(|i| inland[i] = f32::NEG_INFINITY);
             let cells = Cells { columns, rows, size: CELL_SIZE, inland };
-            let rivers = rivers.into_iter().filter(|&(cell, _)| cells.is_land(cell)).collect();
+            let rivers = rivers.into_iter().map(|(start, height, steps)| wander(&cells, start, height, &steps));
+            let rivers = rivers.filter(|path| !path.is_empty()).collect();
             (cells, rises, rivers)
         })
     })
 }
 
-fn marched(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
-    let mut heights = vec![f32::INFINITY; cells.inland.len()];
-    rivers.iter().for_each(|&(cell, river)| heights[cell] = heights[cell].min(river));
-    let sources = Sources { cells, rises, rivers: &heights, rivers_are_final: false };
-    let mut march = March::new(cells.inland.len()).unwrap();
-    // One that has been under way starts again as a fresh one does.
-    for _ in 0..2 {
-        march.restart(&sources);
-        while march.advance(&sources, 3) {}
+/// A path over land from a cell on, with a height for each step.
+fn wander(cells: &Cells, start: usize, height: f32, steps: &[(usize, f32)]) -> Vec<(usize, f32)> {
+    let mut path: Vec<(usize, f32)> = Some((start, height)).filter(|step| cells.is_land(step.0)).into_iter().collect();
+    for &(way, height) in steps {
+        let next = path.last().map(|last| cells.around(last.0)[way]);
+        path.extend(next.filter(|&next| cells.is_land(next)).map(|next| (next, height)));
     }
-    march.heights
+    path
+}
+
+/// A front on tiles with a side of so many cells.
+fn front(cells: &Cells, rises: &[f32], rivers: &[Vec<(usize, f32)>], side: usize) -> Front {
+    let mut front = Front::new(cells, rises, side).unwrap();
+    front.add_coast(cells, rises);
+    front.add_rivers(cells, &Channels::of_paths(rivers));
+    front
+}
+
+/// The heights that it ends with, on one thread in steps of a few entries of its queues, or on several.
+fn solved(mut front: Front, cells: &Cells, threads: usize) -> Vec<f32> {
+    while front.advance(3, NonZero::new(threads).unwrap()) {}
+    let mut heights = vec![f32::INFINITY; cells.inland.len()];
+    front.write(&mut heights);
+    heights
 }
 
 /// The height of a cell by those of four others, as Sethian (1996) has it, written down anew.
@@ -43,34 +62,14 @@ fn upwind([west, east, north, south]: [f32; 4], rise: f32) -> f32 {
     if b - a >= rise { a + rise } else { (a + b + (2.0 * rise * rise - (b - a) * (b - a)).sqrt()) * 0.5 }
 }
 
-/// The same, where the next cell is found by looking at all.
-fn scanned(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
-    let count = cells.inland.len();
-    let (mut height, mut reached) = (vec![f32::INFINITY; count], vec![f32::INFINITY; count]);
-    for cell in cells.land() {
-        if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
-            reached[cell] = rises[cell] * cells.inland[cell].clamp(0.1, 2.0) / 2.0;
-        }
-    }
-    rivers.iter().for_each(|&(cell, river)| reached[cell] = reached[cell].min(river));
-    loop {
-        let open = (0..count).filter(|&cell| height[cell].is_infinite() && reached[cell].is_finite());
-        let Some(next) = open.min_by(|&a, &b| reached[a].total_cmp(&reached[b])) else { return height };
-        height[next] = reached[next];
-        for cell in cells.beside(next).into_iter().filter(|&cell| cells.is_land(cell) && height[cell].is_infinite()) {
-            reached[cell] = reached[cell].min(upwind(cells.beside(cell).map(|beside| height[beside]), rises[cell]));
-        }
-    }
-}
-
-/// The same, where every cell is solved again until none changes.
-fn relaxed(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
+/// The same, where every cell is solved again, and every river falls again, until nothing changes.
+fn relaxed(cells: &Cells, rises: &[f32], rivers: &[Vec<(usize, f32)>]) -> Vec<f32> {
     let mut height = vec![f32::INFINITY; cells.inland.len()];
     let coast = |cell: usize| cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside));
     for cell in cells.land().filter(|&cell| coast(cell)) {
         height[cell] = rises[cell] * cells.inland[cell].clamp(0.1, 2.0) / 2.0;
     }
-    rivers.iter().for_each(|&(cell, river)| height[cell] = height[cell].min(river));
+    rivers.iter().flatten().for_each(|&(cell, river)| height[cell] = height[cell].min(river.max(1e-4)));
     loop {
         let before = height.clone();
         for cell in cells.land() {
@@ -79,6 +78,9 @@ fn relaxed(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
             if solved.is_finite() && solved < height[cell] {
                 height[cell] = solved;
             }
+        }
+        for pair in rivers.iter().flat_map(|path| path.windows(2)) {
+            height[pair[1].0] = height[pair[1].0].min(height[pair[0].0]);
         }
         if height == before {
             return height;
@@ -90,16 +92,27 @@ proptest! {
     #![proptest_config(cases(300))]
 
     #[test]
-    fn march_equals_one_that_scans_for_the_next_cell((cells, rises, rivers) in maps()) {
-        prop_assert_eq!(marched(&cells, &rises, &rivers), scanned(&cells, &rises, &rivers));
+    fn front_agrees_with_relaxation_whatever_its_tiles((cells, rises, rivers) in maps(), side in 1usize..16) {
+        let solved = solved(front(&cells, &rises, &rivers, side), &cells, 1);
+        for (solved, relaxed) in solved.into_iter().zip(relaxed(&cells, &rises, &rivers)) {
+            prop_assert!(solved == relaxed || (solved - relaxed).abs() < 1e-5 * solved, "{} and {}", solved, relaxed);
+        }
+    }
+
+    #[test]
+    fn threads_change_no_bit((cells, rises, rivers) in maps(), side in 1usize..9) {
+        let front = front(&cells, &rises, &rivers, side);
+        let one = solved(front.clone(), &cells, 1);
+        for threads in [2, 3, 8] {
+            prop_assert_eq!(&solved(front.clone(), &cells, threads), &one);
+        }
     }
 
     #[test]
     fn between_neighbours_no_hillside_rises_more_than_it_may((cells, rises, rivers) in maps()) {
         const ROUNDING: f32 = 1.000_01;
-        let height = marched(&cells, &rises, &rivers);
-        let is_river = |cell: usize| rivers.iter().any(|river| river.0 == cell);
-        for cell in cells.land().filter(|&cell| !is_river(cell) && height[cell].is_finite()) {
+        let height = solved(front(&cells, &rises, &rivers, 5), &cells, 1);
+        for cell in cells.land().filter(|&cell| height[cell].is_finite()) {
             let beside = cells.beside(cell);
             for near in beside.into_iter().filter(|&near| cells.is_land(near)) {
                 prop_assert!(height[cell] <= (height[near] + rises[cell]) * ROUNDING);
@@ -115,9 +128,21 @@ proptest! {
     }
 
     #[test]
-    fn march_agrees_with_relaxation((cells, rises, rivers) in maps()) {
-        for (marched, relaxed) in marched(&cells, &rises, &rivers).into_iter().zip(relaxed(&cells, &rises, &rivers)) {
-            prop_assert!(marched == relaxed || (marched - relaxed).abs() < 1e-5 * marched, "{} and {}", marched, relaxed);
+    fn rivers_fall_from_cell_to_cell_and_leave_no_pit((cells, rises, rivers) in maps()) {
+        let channels = Channels::of_paths(&rivers);
+        let mut heights = solved(front(&cells, &rises, &rivers, 5), &cells, 1);
+        channels.let_fall(&cells, &mut heights);
+        let passed = |cell: usize| rivers.iter().flatten().filter(|step| step.0 == cell).count();
+        for pair in rivers.iter().flat_map(|path| path.windows(2)) {
+            let [cell, next] = [pair[0].0, pair[1].0];
+            prop_assert!(passed(cell) > 1 || passed(next) > 1 || heights[next] < heights[cell]);
+        }
+        let ends: Vec<usize> = rivers.iter().map(|path| path[path.len() - 1].0).collect();
+        for cell in cells.land().filter(|cell| heights[*cell].is_finite() && !ends.contains(cell)) {
+            let around = cells.around(cell);
+            let is_coast = cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside));
+            let has_way = around.into_iter().any(|beside| cells.is_land(beside) && heights[beside] < heights[cell]);
+            prop_assert!(has_way || is_coast, "a pit");
         }
     }
 }

@@ -32,7 +32,7 @@ impl SessionDrafts {
         {
             (self.base, self.last) = (None, None);
             let map = session.map()?;
-            let drafts = ReliefDrafts::new(relief, map.network(), map.relief_settings()).ok()?;
+            let drafts = ReliefDrafts::new(relief, map.relief_settings()).ok()?;
             self.base = Some((recipe.clone(), drafts.into()));
             return Some(true);
         }

@@ -1,0 +1,79 @@
+//! Cells in the order of their heights, in steps of equal size. Within a step the latest comes first: a cell may then
+//! come too early, and again once it is lower.
+
+/// A queue of cells.
+#[derive(Clone, Debug)]
+pub(super) struct Buckets {
+    lists: Vec<Vec<u32>>,
+    /// The number of steps in a unit of height.
+    steps_a_unit: f32,
+    /// No list before this one holds a cell.
+    lowest: usize,
+    len: usize,
+}
+
+/// The greatest number of steps. All cells above the last are in it.
+const MOST: usize = 1 << 14;
+
+impl Buckets {
+    /// An empty queue with steps of a height, in units.
+    pub fn new(step: f32) -> Self {
+        Self { lists: Vec::new(), steps_a_unit: 1.0 / step, lowest: 0, len: 0 }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    #[inline]
+    pub fn push(&mut self, height: f32, cell: u32) {
+        let step = self.step(height);
+        if step >= self.lists.len() {
+            self.lists.resize_with(step + 1, Vec::new);
+        }
+        self.lists[step].push(cell);
+        self.lowest = self.lowest.min(step);
+        self.len += 1;
+    }
+
+    /// Removes a cell of the lowest step, and returns it with that step.
+    #[inline]
+    pub fn pop(&mut self) -> Option<(usize, usize)> {
+        if self.len == 0 {
+            self.lowest = 0;
+            return None;
+        }
+        loop {
+            if let Some(cell) = self.lists[self.lowest].pop() {
+                self.len -= 1;
+                return Some((cell as usize, self.lowest));
+            }
+            self.lowest += 1;
+        }
+    }
+
+    /// The step of a height.
+    #[inline]
+    pub fn step(&self, height: f32) -> usize {
+        ((height * self.steps_a_unit) as usize).min(MOST - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_come_by_steps_and_lower_ones_may_come_later() {
+        let mut queue = Buckets::new(0.5);
+        for (cell, height) in [1.2, 0.1, 1e9, 0.4, 0.7].into_iter().enumerate() {
+            queue.push(height, cell as u32);
+        }
+        assert_eq!([queue.pop(), queue.pop(), queue.pop()], [Some((3, 0)), Some((1, 0)), Some((4, 1))]);
+        queue.push(0.2, 7);
+        assert_eq!([queue.pop(), queue.pop(), queue.pop()], [Some((7, 0)), Some((0, 2)), Some((2, MOST - 1))]);
+        assert_eq!(queue.pop(), None);
+        queue.push(0.9, 1);
+        assert_eq!((queue.is_empty(), queue.pop()), (false, Some((1, 1))));
+    }
+}

@@ -1,0 +1,243 @@
+//! The front that moves uphill from the coast and from rivers: the eikonal equation on cells (Sethian 1996), the lowest
+//! first, with one more condition: a river is nowhere higher than upstream. Both only ever lower a cell, so one run
+//! finds the highest surface that satisfies all of them, whatever the order.
+//!
+//! The grid is divided into tiles. In each round every tile in which cells wait is solved by itself, with the heights
+//! around it from the round before; therefore the result does not depend on the number of threads.
+
+mod buckets;
+mod tile;
+
+use std::num::NonZero;
+use std::sync::Mutex;
+
+pub(super) use tile::solved;
+use tile::{CLOSED, Tile};
+
+use super::cells::Cells;
+use super::channels::Channels;
+use crate::base::memory::{Refused, ask};
+use crate::base::work;
+
+/// A front on the cells of a map.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Front {
+    /// The number of columns of the grid, the rim included.
+    columns: usize,
+    tiles: Vec<Tile>,
+    /// The number of tiles in a row.
+    across: usize,
+    /// The tile that is solved next in this round.
+    next: usize,
+    /// The longest side of a tile, in cells.
+    side: usize,
+    /// The number of cells of land.
+    cells: usize,
+}
+
+/// The least height of a river, in sides of a cell.
+const LEAST_HEIGHT: f32 = 5e-5;
+
+/// The height of a step of the queue, in sides of a cell: less than most cells rise.
+const STEP: f32 = 0.1;
+
+impl Front {
+    /// Divides the cells of a map into tiles with sides of at most so many cells; `rises` has the amount by which each cell of land rises above a
+    /// neighbour, in units.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn new(cells: &Cells, rises: &[f32], side: usize) -> Result<Self, Refused> {
+        /// Heights, steepness and ways, and what waits.
+        const BYTES_A_CELL: usize = 24;
+        ask(rises.len() * BYTES_A_CELL)?;
+        work::count(2 * rises.len());
+        let (inner_columns, inner_rows) = (cells.columns - 2, cells.rows - 2);
+        let across = inner_columns.div_ceil(side);
+        let mut tiles = Vec::new();
+        for top in (0..inner_rows).step_by(side) {
+            for left in (0..inner_columns).step_by(side) {
+                let size = ((inner_columns - left).min(side) + 2, (inner_rows - top).min(side) + 2);
+                let mut tile = Tile::new((left, top), size, STEP * cells.size);
+                fill(&mut tile, cells, rises);
+                tiles.push(tile);
+            }
+        }
+        Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land().count() })
+    }
+
+    /// Adds the coast: cells of land beside the sea are as high as their way from it.
+    pub fn add_coast(&mut self, cells: &Cells, rises: &[f32]) {
+        work::count(rises.len() + 4 * self.cells);
+        for cell in cells.land() {
+            if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
+                // The coast runs between the middles. `clamp` would bring a message with numbers, which weighs 8 kB.
+                let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
+                self.lower(cell, rises[cell] * way / cells.size);
+            }
+        }
+    }
+
+    /// Adds rivers: each cell of their paths is at most as high as a path has it, and as the one before.
+    pub fn add_rivers(&mut self, cells: &Cells, channels: &Channels) {
+        // Land is above the sea up to the very mouth.
+        let least = LEAST_HEIGHT * cells.size;
+        let mut ways: Vec<Vec<(u32, u32)>> = vec![Vec::new(); self.tiles.len()];
+        for path in channels.paths() {
+            work::count(6 * path.len());
+            for &(cell, height) in path.iter().filter(|step| cells.is_land(step.0 as usize)) {
+                self.lower(cell as usize, height.max(least));
+            }
+            for pair in path.windows(2) {
+                let [cell, next] = [pair[0].0 as usize, pair[1].0 as usize];
+                if cells.is_land(cell) && cells.is_land(next) && cell != next {
+                    let (tile, local) = self.place(cell);
+                    ways[tile].push((local as u32, self.tiles[tile].local(self.columns, next) as u32));
+                }
+            }
+        }
+        for (tile, ways) in self.tiles.iter_mut().zip(&mut ways).filter(|(_, ways)| !ways.is_empty()) {
+            ways.sort_unstable();
+            ways.dedup();
+            tile.set_ways(ways);
+        }
+    }
+
+    /// Moves on by this many entries of a queue at most or, on more threads than one, by a whole round. Returns `true` if
+    /// there is more to do.
+    pub fn advance(&mut self, entries: usize, threads: NonZero<usize>) -> bool {
+        if threads.get() > 1 {
+            self.solve_all(threads);
+        } else if self.solve_some(entries) {
+            return true;
+        }
+        self.exchange()
+    }
+
+    /// Returns `true` if there is more to do in this round.
+    fn solve_some(&mut self, entries: usize) -> bool {
+        work::count(5 * entries);
+        while let Some(tile) = self.tiles.get_mut(self.next) {
+            let (was_waiting, is_waiting) = (tile.is_waiting(), tile.advance(entries));
+            self.next += usize::from(!is_waiting);
+            if was_waiting {
+                return true;
+            }
+        }
+        self.next = 0;
+        false
+    }
+
+    fn solve_all(&mut self, threads: NonZero<usize>) {
+        let waiting = self.tiles.iter_mut().filter(|tile| tile.is_waiting());
+        let next = Mutex::new(waiting);
+        let work = || {
+            while let Some(tile) = next.lock().ok().and_then(|mut tiles| tiles.next()) {
+                while tile.advance(usize::MAX) {}
+            }
+        };
+        std::thread::scope(|scope| (0..threads.get()).for_each(|_| drop(scope.spawn(work))));
+    }
+
+    /// Passes heights on from tile to tile. Returns `true` if cells wait.
+    fn exchange(&mut self) -> bool {
+        for tile in 0..self.tiles.len() {
+            let ring = self.tiles[tile].ring();
+            work::count(ring.len());
+            for (cell, beside) in ring {
+                self.exchange_cell(tile, cell, beside);
+            }
+        }
+        self.tiles.iter().any(Tile::is_waiting)
+    }
+
+    /// Lets a cell of a tile's ring, and the same cell in its own tile, be as low as the lower of both; `beside` is the
+    /// neighbour of the former within the ring.
+    fn exchange_cell(&mut self, tile: usize, cell: usize, beside: Option<usize>) {
+        let Some((own, local)) = self.place_of_ring(tile, cell) else { return };
+        let (here, there) = (self.tiles[tile].heights[cell], self.tiles[own].heights[local]);
+        if here == there {
+            return;
+        }
+        // Rivers lower cells of the ring, which do not pass that on themselves.
+        self.tiles[own].lower(local, here);
+        self.tiles[tile].lower(cell, there);
+        beside.into_iter().for_each(|beside| self.tiles[tile].solve(beside));
+    }
+
+    /// The tile to which a cell of another tile's ring belongs, and its place there; `None` beyond the map.
+    fn place_of_ring(&self, tile: usize, cell: usize) -> Option<(usize, usize)> {
+        let Tile { left, top, columns, .. } = self.tiles[tile];
+        let (column, row) = (left + cell % columns, top + cell / columns);
+        let global = row * self.columns + column;
+        let last = self.tiles.last()?;
+        let is_inside = (1..last.left + last.columns - 1).contains(&column) && (1..last.top + last.rows - 1).contains(&row);
+        is_inside.then(|| self.place(global))
+    }
+
+    /// The tile of a cell of the map, and the cell's place in it.
+    fn place(&self, cell: usize) -> (usize, usize) {
+        let (column, row) = (cell % self.columns - 1, cell / self.columns - 1);
+        let tile = row / self.side * self.across + column / self.side;
+        (tile, self.tiles[tile].local(self.columns, cell))
+    }
+
+    /// Lowers a cell of the map to a height, if it is higher.
+    pub fn lower(&mut self, cell: usize, height: f32) {
+        let (tile, local) = self.place(cell);
+        self.tiles[tile].lower(local, height);
+    }
+
+    /// Writes the heights of all cells of the map into a list of the cells with their rim; infinite where there is no
+    /// land.
+    pub fn write(&self, heights: &mut [f32]) {
+        work::count(heights.len());
+        for tile in &self.tiles {
+            for row in 1..tile.rows - 1 {
+                let from = (tile.top + row) * self.columns + tile.left + 1;
+                let inner = &tile.heights[row * tile.columns + 1..(row + 1) * tile.columns - 1];
+                heights[from..from + inner.len()].copy_from_slice(inner);
+            }
+        }
+    }
+
+    /// The share of a run that is done, from 0 to 1, roughly. It never decreases.
+    pub fn progress(&self) -> f32 {
+        /// The number of times that a cell passes its height on, on average.
+        const TIMES: f32 = 1.2;
+        let passed: usize = self.tiles.iter().map(|tile| tile.passed).sum();
+        (passed as f32 / (TIMES * self.cells.max(1) as f32)).min(1.0)
+    }
+}
+
+impl Tile {
+    /// The place in this tile of a cell of a grid with so many columns.
+    fn local(&self, columns: usize, cell: usize) -> usize {
+        (cell / columns - self.top) * self.columns + cell % columns - self.left
+    }
+
+    /// The cells of the ring, each with its neighbour within; corners have none.
+    fn ring(&self) -> Vec<(usize, Option<usize>)> {
+        let (columns, last) = (self.columns, (self.rows - 1) * self.columns);
+        let mut ring = Vec::with_capacity(2 * (self.columns + self.rows));
+        ring.extend([0, columns - 1, last, last + columns - 1].map(|corner| (corner, None)));
+        for column in 1..columns - 1 {
+            ring.extend([(column, Some(column + columns)), (last + column, Some(last + column - columns))]);
+        }
+        for row in 1..self.rows - 1 {
+            let (west, east) = (row * columns, (row + 1) * columns - 1);
+            ring.extend([(west, Some(west + 1)), (east, Some(east - 1))]);
+        }
+        ring
+    }
+}
+
+/// Opens the cells of land of a tile, but for its ring.
+fn fill(tile: &mut Tile, cells: &Cells, rises: &[f32]) {
+    for row in 1..tile.rows - 1 {
+        for column in 1..tile.columns - 1 {
+            let cell = (tile.top + row) * cells.columns + tile.left + column;
+            tile.rises[row * tile.columns + column] = if cells.is_land(cell) { rises[cell] } else { CLOSED };
+        }
+    }
+}

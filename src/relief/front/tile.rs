@@ -1,0 +1,143 @@
+//! A tile: a rectangle of cells with a ring of the cells around it, in one piece of memory.
+
+use super::buckets::Buckets;
+
+/// The steepness of cells that the front does not enter: the sea, what lies beyond the map, and the ring.
+pub(super) const CLOSED: f32 = f32::INFINITY;
+
+/// A tile of a front.
+#[derive(Clone, Debug)]
+pub(super) struct Tile {
+    /// The column and row, on the whole grid, of its first cell: a corner of the ring.
+    pub left: usize,
+    pub top: usize,
+    /// The numbers of columns and rows, the ring included.
+    pub columns: usize,
+    pub rows: usize,
+    /// The least heights found so far.
+    pub heights: Vec<f32>,
+    /// The amount by which each cell rises above a neighbour; [`CLOSED`] where the front does not enter.
+    pub rises: Vec<f32>,
+    /// For each cell that a river passes, one more than the index in `next` of the first cell to which the river goes
+    /// on; 0 elsewhere.
+    first: Vec<u32>,
+    /// Cells to which rivers go on; those of one cell follow one another.
+    next: Vec<u32>,
+    queue: Buckets,
+    /// The number of cells that have passed their heights on.
+    pub passed: usize,
+}
+
+/// Marks the last cell to which the rivers of a cell go on.
+const LAST: u32 = 1 << 31;
+
+impl Tile {
+    /// A tile without land, at a place on the grid. Cells wait in steps of this height, in units.
+    pub fn new(place: (usize, usize), size: (usize, usize), step: f32) -> Self {
+        let ((left, top), (columns, rows)) = (place, size);
+        let count = columns * rows;
+        let closed = vec![CLOSED; count];
+        Self {
+            left,
+            top,
+            columns,
+            rows,
+            heights: closed.clone(),
+            rises: closed,
+            first: Vec::new(),
+            next: Vec::new(),
+            queue: Buckets::new(step),
+            passed: 0,
+        }
+    }
+
+    /// Takes the ways of rivers: pairs of a cell and the one to which a river goes on, sorted.
+    pub fn set_ways(&mut self, ways: &[(u32, u32)]) {
+        self.first = vec![0; self.heights.len()];
+        self.next = Vec::with_capacity(ways.len());
+        for (i, &(cell, next)) in ways.iter().enumerate() {
+            if self.first[cell as usize] == 0 {
+                self.first[cell as usize] = i as u32 + 1;
+            }
+            let is_last = ways.get(i + 1).is_none_or(|way| way.0 != cell);
+            self.next.push(if is_last { next | LAST } else { next });
+        }
+    }
+
+    /// Returns `true` if cells wait.
+    pub fn is_waiting(&self) -> bool {
+        !self.queue.is_empty()
+    }
+
+    /// Lowers a cell to a height if it is higher, and has it pass that on.
+    #[inline]
+    pub fn lower(&mut self, cell: usize, height: f32) {
+        if height < self.heights[cell] {
+            self.heights[cell] = height;
+            if self.rises[cell] < CLOSED {
+                self.queue.push(height, cell as u32);
+            }
+        }
+    }
+
+    /// Solves a cell again, after a neighbour in the ring has been lowered.
+    pub fn solve(&mut self, cell: usize) {
+        if self.rises[cell] < CLOSED {
+            let height = solved(&self.heights, self.columns, cell, self.rises[cell]);
+            self.lower(cell, height);
+        }
+    }
+
+    /// Moves the front on by this many entries of the queue at most. Returns `true` if there are more.
+    pub fn advance(&mut self, entries: usize) -> bool {
+        for _ in 0..entries {
+            let Some((cell, step)) = self.queue.pop() else { return false };
+            // One that has been lowered since has had its turn.
+            if self.queue.step(self.heights[cell]) == step {
+                self.pass_on(cell);
+                self.passed += 1;
+            }
+        }
+        self.is_waiting()
+    }
+
+    /// Lowers the neighbours of a cell, and what lies downstream, as far as its own height demands.
+    #[inline]
+    fn pass_on(&mut self, cell: usize) {
+        let height = self.heights[cell];
+        for beside in [cell - 1, cell + 1, cell - self.columns, cell + self.columns] {
+            if self.heights[beside] > height && self.rises[beside] < CLOSED {
+                let new = solved(&self.heights, self.columns, beside, self.rises[beside]);
+                self.lower(beside, new);
+            }
+        }
+        let first = self.first.get(cell).copied().unwrap_or(0);
+        if first > 0 {
+            self.lower_downstream(first as usize - 1, height);
+        }
+    }
+
+    fn lower_downstream(&mut self, mut way: usize, height: f32) {
+        loop {
+            let next = self.next[way];
+            self.lower((next & !LAST) as usize, height);
+            if next & LAST != 0 {
+                return;
+            }
+            way += 1;
+        }
+    }
+}
+
+/// The height of a cell by those of its four neighbours, of which only lower ones count: first-order and upwind.
+#[inline]
+pub(in crate::relief) fn solved(heights: &[f32], columns: usize, cell: usize, rise: f32) -> f32 {
+    let lower = |one: usize, other: usize| if heights[one] < heights[other] { heights[one] } else { heights[other] };
+    let (a, b) = (lower(cell - 1, cell + 1), lower(cell - columns, cell + columns));
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    let apart = high - low;
+    if apart >= rise {
+        return low + rise;
+    }
+    (low + high + (2.0 * rise * rise - apart * apart).sqrt()) * 0.5
+}
