@@ -49,7 +49,8 @@ pub(super) struct Ground {
 
 impl Ground {
     pub fn new(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Self {
-        let strokes = ridges(land);
+        // Where there is relief, a ridge is that.
+        let strokes = if palette.relief.is_none() { ridges(land) } else { Vec::new() };
         let mut mask = Coverage::new(view.width, view.height).filter(|_| !strokes.is_empty());
         mask.iter_mut().for_each(|mask| draw(mask, view, &strokes));
         Self {

@@ -19,7 +19,7 @@ const TIMES: u32 = 4;
 pub(crate) const INDEX: u32 = 5;
 
 /// The difference in height between contours, in units of height: a round number of metres. `highest` is the height
-/// that has the colour of the highest land.
+/// of the highest land.
 pub(crate) fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];

@@ -44,17 +44,18 @@ impl Field {
         (heights.at(down), Vec2::new(east, heights.rise(down)) / CELL_SIZE)
     }
 
-    /// Smooths the values a number of times, each time over √2 units.
+    /// Smooths the values a number of times, each time over √2 units. Beyond its borders the field goes on as steep as it is there, so
+    /// along them values are smoothed in one direction only.
     pub fn smoothed(mut self, times: u32) -> Self {
         let mean = |before: f32, here: f32, after: f32| (before + here + here + after) * 0.25;
+        let mut before = Vec::new();
         for _ in 0..times {
-            let mut before = self.values[..self.columns].to_vec();
-            for row in 0..self.rows {
-                let (upper, lower) = self.values.split_at_mut((row + 1) * self.columns);
-                let upper = &mut upper[row * self.columns..];
-                let last = if lower.is_empty() { upper.to_vec() } else { Vec::new() };
-                let after = if lower.is_empty() { &last } else { &lower[..self.columns] };
-                for ((here, before), &after) in upper.iter_mut().zip(&mut before).zip(after) {
+            before.clear();
+            before.extend_from_slice(&self.values[..self.columns]);
+            for row in 1..self.rows.saturating_sub(1) {
+                let (upper, after) = self.values.split_at_mut((row + 1) * self.columns);
+                let here = &mut upper[row * self.columns..];
+                for ((here, before), &after) in here.iter_mut().zip(&mut before).zip(&*after) {
                     let was = *here;
                     *here = mean(*before, was, after);
                     *before = was;
@@ -64,10 +65,6 @@ impl Field {
                 before.copy_from_slice(row);
                 for (here, around) in row[1..].iter_mut().zip(before.windows(3)) {
                     *here = mean(around[0], around[1], around[2]);
-                }
-                if let [first, second, .., before_last, last] = before[..] {
-                    row[0] = mean(first, first, second);
-                    row[self.columns - 1] = mean(before_last, last, last);
                 }
             }
         }

@@ -23,7 +23,7 @@ const TIMES: u32 = 5;
 /// The distance between strokes of a row, in units.
 const APART: u32 = 3;
 
-/// The strokes of a relief. `highest` is the height that has the colour of the highest land, in units of height.
+/// The strokes of a relief. `highest` is the height of the highest land, in units.
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     let mut strokes = Strokes::new(relief, highest);
     while strokes.advance() {}

@@ -30,7 +30,7 @@ static RELIEF: ReliefLook = ReliefLook {
         strength: 0.34,
         rivers: 0.55,
     }),
-    ..tinted(&[(0.0, PAPER)], 0.82)
+    ..tinted(&[(0.0, PAPER)], ([0x4a, 0x4e, 0x62], 0.3), ([0xff, 0xfa, 0xe8], 0.5))
 };
 
 pub(super) static STYLE: Look = Look {

@@ -1,22 +1,24 @@
 //! The land as satellites see it.
 
 use super::look::{Look, haloed};
-use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, Tints, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, even, tinted};
 
 const TINTED: ReliefLook = tinted(
     &[
         (0.0, [0x3f, 0x5a, 0x34]),
-        (0.12, [0x56, 0x68, 0x3c]),
-        (0.3, [0x7d, 0x7a, 0x4e]),
-        (0.55, [0x97, 0x85, 0x5f]),
-        (0.78, [0xb7, 0xa9, 0x8c]),
-        (0.88, [0xe8, 0xe6, 0xe0]),
+        (180.0, [0x52, 0x66, 0x3b]),
+        (420.0, [0x73, 0x76, 0x4a]),
+        (780.0, [0x8d, 0x80, 0x58]),
+        (1150.0, [0x9c, 0x8a, 0x6a]),
+        (1450.0, [0xb1, 0xa4, 0x8b]),
+        (1700.0, [0xd8, 0xd3, 0xc9]),
+        (2050.0, [0xe8, 0xe6, 0xe0]),
     ],
-    0.3,
+    ([0x10, 0x18, 0x2a], 0.6),
+    ([0xff, 0xf2, 0xcf], 0.3),
 );
 
 static RELIEF: ReliefLook = ReliefLook {
-    tints: Tints { light: [0.2, 1.0], shadow: [0x10, 0x18, 0x26], ..TINTED.tints },
     casing: Casing { colour: [0x2c, 0x4a, 0x2a], strength: 0.55, margin: 2.0, blur: 3.0, gain: 2.0 },
     ..TINTED
 };

@@ -5,7 +5,7 @@ use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, Rel
 
 const LAND: Colour = [0xf1, 0xe4, 0xc3];
 
-const TINTED: ReliefLook = tinted(&[(0.0, LAND)], 0.86);
+const TINTED: ReliefLook = tinted(&[(0.0, LAND)], ([0x5a, 0x4c, 0x4c], 0.26), ([0xff, 0xf6, 0xdc], 0.5));
 
 static RELIEF: ReliefLook = ReliefLook {
     hachures: Some(Hachures { colour: [0x4a, 0x38, 0x28], strength: 0.6 }),
