@@ -153,8 +153,7 @@ impl GroundCache {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();
         };
-        let flat = self.flat.as_ref().and_then(FlatGround::pixels);
-        raised.advance(prepared, view, shares.of_pixels(), flat)
+        raised.advance(prepared, view, shares.of_pixels(), self.flat.as_ref())
     }
 
     /// Lays great rivers and their former beds over flat ground, if the style has any.

@@ -34,6 +34,28 @@ pub(crate) struct Palette {
     pub paper: Option<&'static Paper>,
     /// The look of relief; `None` if the style has none.
     pub relief: Option<&'static ReliefLook>,
+    /// The look of the border of a map whose land runs off it; `None` if the style has none.
+    pub neatline: Option<NeatlineLook>,
+}
+
+/// The look of the border of a map.
+#[derive(Debug)]
+pub(crate) struct NeatlineLook {
+    /// The paper beyond the map.
+    pub paper: Colour,
+    pub line: Colour,
+    /// `true` if pictures and files of the whole map have it; else there is only paper around a map on a larger sheet.
+    pub is_in_files: bool,
+}
+
+/// A border in pictures and files of the whole map.
+pub(super) const fn bordered(paper: Colour, line: Colour) -> Option<NeatlineLook> {
+    Some(NeatlineLook { paper, line, is_in_files: true })
+}
+
+/// A border around a map on a larger sheet alone.
+pub(super) const fn on_a_sheet(paper: Colour, line: Colour) -> Option<NeatlineLook> {
+    Some(NeatlineLook { paper, line, is_in_files: false })
 }
 
 /// The look of great rivers and of their former beds.
@@ -258,6 +280,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         grids: &[],
         paper: None,
         relief: None,
+        neatline: None,
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::beyond;
 use super::coverage::Coverage;
-use super::flat::plain;
+use super::flat::{FlatGround, plain};
 use super::ground::Ground;
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
 use super::relief::{Inks, Prepared, Sheet};
@@ -108,7 +108,7 @@ impl RaisedGround {
 
     /// Prepares a part, or paints some more rows, if any are left. Lays the prepared relief on flat ground (`None` for
     /// plain land), where `land` holds the share of land in each pixel. Returns `true` if there is more.
-    pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], flat: Option<&[[u8; 4]]>) -> bool {
+    pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], ground: Option<&FlatGround>) -> bool {
         let Some(Making { look, rivers, inks }) = &mut self.making else { return false };
         let Some(inks) = inks else {
             *inks = Some(Inks::new(look, rivers, view));
@@ -119,12 +119,16 @@ impl RaisedGround {
         }
         let rows = view.next_rows(self.pixels.len());
         let range = view.range(rows.clone());
+        let flat = ground.and_then(FlatGround::pixels);
         match flat {
             Some(flat) => self.pixels.extend_from_slice(&flat[range.clone()]),
             None => self.pixels.resize(range.end, plain(self.palette)),
         }
         let sheet = Sheet { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
-        prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range]);
+        prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range.clone()]);
+        if let Some((neatline, flat)) = ground.and_then(FlatGround::neatline).zip(flat) {
+            neatline.restore(view, rows.clone(), &flat[range.clone()], &mut self.pixels[range]);
+        }
         self.making.take_if(|_| rows.end == view.height);
         self.making.is_some()
     }

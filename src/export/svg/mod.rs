@@ -12,6 +12,7 @@ mod ground;
 mod labels;
 mod light;
 mod mouths;
+mod neatline;
 pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
@@ -118,6 +119,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         let drawn = Drawn { palette, past: Some(map.past()), times: 1.0, margin: VISIBLE, hairline: 0.0 };
         mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
     }
+    neatline::draw(&mut out, size, land.map(Arc::as_ref), palette);
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())

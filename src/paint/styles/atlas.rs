@@ -1,7 +1,7 @@
 //! An atlas page.
 
 use super::look::{Look, haloed, strokes};
-use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
+use crate::paint::palette::{Casing, Palette, ReliefLook, bordered, even, tinted};
 
 /// Rings in the sea, the nearest first.
 pub(super) const RINGS: &[(f32, f32)] =
@@ -33,6 +33,7 @@ pub(super) static STYLE: Look = Look {
         fade: 150.0,
         rings: RINGS,
         relief: Some(&RELIEF),
+        neatline: bordered([0xf6, 0xf1, 0xe0], [0x5c, 0x6e, 0x70]),
         ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
     },
     labels: haloed([0x17, 0x3e, 0x68], [0xf4, 0xee, 0xd6], 0.5),

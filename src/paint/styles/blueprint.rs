@@ -1,7 +1,7 @@
 //! A blueprint: white lines on blue.
 
 use super::look::{Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, bordered, even, tinted};
 
 const LAND: Colour = [0x13, 0x44, 0x81];
 
@@ -34,6 +34,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
+        neatline: bordered([0x0d, 0x37, 0x6c], [0xbf, 0xe0, 0xff]),
         ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], RIVER)
     },
     labels: haloed(RIVER, LAND, 0.6),

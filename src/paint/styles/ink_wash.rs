@@ -1,7 +1,7 @@
 //! A painting in ink and water.
 
 use super::look::{LabelLook, Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, bordered, even, tinted};
 
 const PAPER: Colour = [0xf5, 0xf1, 0xe8];
 
@@ -31,6 +31,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
+        neatline: bordered(PAPER, [0x6a, 0x68, 0x62]),
         ..even(PAPER, PAPER, [0x6f, 0x93, 0x9e], [0x55, 0x55, 0x52], [0x3c, 0x69, 0x7e])
     },
     labels: LabelLook { mark: [0xa8, 0x32, 0x2a], ..haloed([0x1c, 0x36, 0x44], PAPER, 0.6) },

@@ -2,7 +2,7 @@
 
 use super::atlas::RINGS;
 use super::look::{Look, haloed, strokes};
-use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
+use crate::paint::palette::{Casing, Palette, ReliefLook, bordered, even, tinted};
 
 static RELIEF: ReliefLook = ReliefLook {
     casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
@@ -25,6 +25,7 @@ pub(super) static STYLE: Look = Look {
         fade: 150.0,
         rings: RINGS.split_at(4).0,
         relief: Some(&RELIEF),
+        neatline: bordered([0x06, 0x0c, 0x11], [0x56, 0x78, 0x86]),
         ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
     },
     labels: haloed([0xe8, 0xf5, 0xfc], [0x14, 0x26, 0x28], 0.5),

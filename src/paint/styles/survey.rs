@@ -1,7 +1,7 @@
 //! A sheet of a topographic survey: contours over the faintest of tints and shades.
 
 use super::look::{LabelLook, Look, bodied, haloed};
-use crate::paint::palette::{Casing, Contours, Palette, ReliefLook, even, tinted};
+use crate::paint::palette::{Casing, Contours, Palette, ReliefLook, bordered, even, tinted};
 
 const TINTED: ReliefLook = tinted(
     &[
@@ -26,6 +26,7 @@ pub(super) static STYLE: Look = Look {
     palette: Palette {
         rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
         relief: Some(&RELIEF),
+        neatline: bordered([0xf8, 0xf6, 0xec], [0x4a, 0x44, 0x3c]),
         ..even([0xe2, 0xec, 0xca], [0xcf, 0xe3, 0xec], [0x2f, 0x7c, 0xa8], [0xa0, 0x86, 0x66], [0x2b, 0x7a, 0xb5])
     },
     labels: LabelLook { mark: [0x4a, 0x33, 0x22], ..haloed([0x17, 0x3e, 0x68], [0xf4, 0xf1, 0xdc], 0.6) },
