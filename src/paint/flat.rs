@@ -3,13 +3,13 @@
 
 use super::beyond;
 use super::grid;
-use super::ground::Ground;
+use super::ground::{Ground, ShownCoast};
 use super::neatline::Neatline;
 use super::palette::Palette;
 use super::paper;
 use super::styles::palette;
 use super::view::View;
-use crate::land::{Land, SmoothedDistance};
+use crate::land::Land;
 use crate::recipe::Style;
 
 /// The flat ground, as far as it is painted.
@@ -25,9 +25,9 @@ pub(super) struct FlatGround {
 }
 
 impl FlatGround {
-    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
+    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
         let palette = palette(style);
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, palette));
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, palette));
         let neatline = Neatline::of(view, palette, land);
         let is_even = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
         let is_plain = is_even && neatline.is_none() && !view.shows_beyond();
@@ -50,7 +50,7 @@ impl FlatGround {
     }
 
     /// Paints some more rows, if any are left. Returns `true` if there are more.
-    pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> bool {
+    pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> bool {
         let Some(pixels) = &mut self.pixels else { return false };
         let rows = view.next_rows(pixels.len());
         if rows.is_empty() {

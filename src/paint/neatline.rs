@@ -76,7 +76,13 @@ impl Neatline {
     }
 
     /// Calls `visit` for each pixel of some rows beyond the map, with its number in them and its distance from the map in pixels, from 1.
-    fn for_each(&self, view: &View, rows: Rows, pixels: &mut [[u8; 4]], mut visit: impl FnMut(&mut [u8; 4], usize, i32)) {
+    fn for_each(
+        &self,
+        view: &View,
+        rows: Rows,
+        pixels: &mut [[u8; 4]],
+        mut visit: impl FnMut(&mut [u8; 4], usize, i32),
+    ) {
         let ([[left, top], [right, bottom]], width) = (self.map, view.width as usize);
         // Columns may lie beyond the picture.
         let inside = |column: i32| column.clamp(0, view.width as i32) as usize;

@@ -121,7 +121,11 @@ pub(crate) struct ReliefLook {
 }
 
 /// A relief of tints and light alone. Tints are those at heights in metres.
-pub(super) const fn tinted(stops: &'static [(f32, Colour)], shadow: (Colour, f32), highlight: (Colour, f32)) -> ReliefLook {
+pub(super) const fn tinted(
+    stops: &'static [(f32, Colour)],
+    shadow: (Colour, f32),
+    highlight: (Colour, f32),
+) -> ReliefLook {
     let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
     let tints = Tints { stops, shadow: shadow.0, dark: shadow.1, highlight: highlight.0, bright: highlight.1 };
     ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
@@ -228,7 +232,11 @@ impl Tints {
 
     /// A tint in a light from -1, the darkest, over 0, that on flat land, to 1.
     pub fn lit(&self, tint: Colour, light: f32) -> Colour {
-        if light < 0.0 { mix(tint, self.shadow, -light * self.dark) } else { mix(tint, self.highlight, light * self.bright) }
+        if light < 0.0 {
+            mix(tint, self.shadow, -light * self.dark)
+        } else {
+            mix(tint, self.highlight, light * self.bright)
+        }
     }
 }
 

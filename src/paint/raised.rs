@@ -5,13 +5,13 @@ use std::sync::Arc;
 use super::beyond;
 use super::coverage::Coverage;
 use super::flat::{FlatGround, plain};
-use super::ground::Ground;
+use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
 use super::relief::{Inks, Prepared, Sheet};
 use super::rivers::{Exaggerated, Rivers, Widening, draw_network};
 use super::styles::palette;
 use super::view::View;
-use crate::land::{Land, SmoothedDistance};
+use crate::land::Land;
 use crate::relief::Relief;
 
 /// The share of land in each pixel, in 255ths, from north to south as far as it is known.
@@ -23,8 +23,8 @@ pub(super) struct LandShares {
 }
 
 impl LandShares {
-    pub fn new(view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, &LAND_ONLY));
+    pub fn new(view: &View, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, &LAND_ONLY));
         let mut shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
         if coast.is_none() && view.shows_beyond() {
             beyond::for_each(view, 0..view.height, &mut shares, |share, _| *share = 0);
@@ -33,7 +33,7 @@ impl LandShares {
     }
 
     /// Works out some more rows, if any are left. Returns `true` if there are more.
-    pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
+    pub fn advance(&mut self, view: &View, shown: Option<ShownCoast<'_>>) -> bool {
         let (Some(coast), Some(shown)) = (&mut self.coast, shown) else { return false };
         let (rows, mut pixels) = (view.next_rows(self.shares.len()), Vec::new());
         coast.paint(view, shown, rows.clone(), &mut pixels);

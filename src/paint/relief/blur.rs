@@ -83,14 +83,16 @@ mod tests {
         let (columns, rows, radius) = (40, 31, 4);
         let slope: Vec<f32> =
             (0..columns * rows).map(|i| (i % columns) as f32 * 3.0 - (i / columns) as f32 * 2.0).collect();
-        let off = blurred(slope.clone(), columns, radius).iter().zip(&slope).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        let off =
+            blurred(slope.clone(), columns, radius).iter().zip(&slope).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         assert!(off < 1e-3, "{off}");
         let mut spike = vec![0.0; columns * rows];
         spike[15 * columns + 20] = 100.0;
         let spread = blurred(spike, columns, radius);
         assert!((spread.iter().sum::<f32>() - 100.0).abs() < 1e-2);
         let deviation = |at: usize| spread[at] * (at % columns) as f32 - spread[at] * 20.0;
-        let squared: f32 = (0..columns * rows).map(|at| deviation(at) * ((at % columns) as f32 - 20.0)).sum::<f32>() / 100.0;
+        let squared: f32 =
+            (0..columns * rows).map(|at| deviation(at) * ((at % columns) as f32 - 20.0)).sum::<f32>() / 100.0;
         assert!((squared - (radius * (radius + 1)) as f32).abs() < 0.01, "{squared}");
     }
 

@@ -1,7 +1,9 @@
 //! A blueprint: white lines on blue.
 
 use super::look::{Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, bordered, even, tinted};
+use crate::paint::palette::{
+    BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, bordered, even, tinted,
+};
 
 const LAND: Colour = [0x13, 0x44, 0x81];
 
