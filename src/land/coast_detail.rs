@@ -60,10 +60,11 @@ impl CoastDetail {
         Some(Self { hash: seed.item_hash(Purpose::CoastDetail), octaves, free })
     }
 
-    /// How far a place is moved inland, given its distance from the coast, and the gradient of that, for each unit.
-    pub fn shift(&self, at: Vec2, distance: f32) -> (f32, Vec2) {
-        let way = 1.0 - (distance.abs() / REACH).min(1.0);
-        let share = smooth(way) * self.free.at(at);
+    /// How far a place is moved inland, given its distance from the coast and how steeply that rises, and the gradient of that, for each
+    /// unit. Between two coasts distances hardly rise, and any move would make specks of land and water.
+    pub fn shift(&self, at: Vec2, distance: f32, slope: f32) -> (f32, Vec2) {
+        let way = (1.0 - distance.abs() / REACH).max(0.0);
+        let share = smooth(way) * smooth(slope.min(1.0)) * self.free.at(at);
         if share <= 0.0 {
             return (0.0, Vec2::ZERO);
         }
@@ -242,7 +243,7 @@ mod tests {
         }
         let mean = |per_unit: f32| {
             let detail = detail(per_unit, &[]).unwrap();
-            places().map(|at| detail.shift(at, 0.0).0.abs()).sum::<f32>() / 40_000.0
+            places().map(|at| detail.shift(at, 0.0, 1.0).0.abs()).sum::<f32>() / 40_000.0
         };
         let [small, large, largest] = [2.2, 3.3, 6.7].map(mean);
         assert!(0.0 < small && small < large && large < largest, "{small} {large} {largest}");
@@ -258,10 +259,12 @@ mod tests {
         let detail = detail(6.7, &[line.clone()]).unwrap();
         for (at, half) in line.into_iter().filter(|(at, _)| at.distance(shore) < 4.0) {
             for aside in (-10..=10).map(|i| Vec2::new(-0.4, 0.9).normalize() * (i as f32 * 0.1 * half)) {
-                assert_eq!(detail.shift(at + aside, 0.0), (0.0, Vec2::ZERO), "{}", at + aside);
+                assert_eq!(detail.shift(at + aside, 0.0, 1.0), (0.0, Vec2::ZERO), "{}", at + aside);
             }
         }
-        assert!(places().all(|at| detail.shift(at, REACH).0 == 0.0 && detail.shift(at, -REACH - 1.0).0 == 0.0));
+        assert!(
+            places().all(|at| detail.shift(at, REACH, 1.0).0 == 0.0 && detail.shift(at, -REACH - 1.0, 1.0).0 == 0.0)
+        );
     }
 
     #[test]
@@ -269,10 +272,10 @@ mod tests {
         let detail = detail(6.7, &[]).unwrap();
         for at in places().step_by(17) {
             const STEP: f32 = 0.01;
-            let height = |at: Vec2| detail.shift(at, 0.0).0;
+            let height = |at: Vec2| detail.shift(at, 0.0, 1.0).0;
             let [east, south] =
                 [Vec2::X, Vec2::Y].map(|way| (height(at + way * STEP) - height(at - way * STEP)) / (2.0 * STEP));
-            let rise = detail.shift(at, 0.0).1;
+            let rise = detail.shift(at, 0.0, 1.0).1;
             assert!((rise - Vec2::new(east, south)).length() < 0.05, "{at}: {rise}, not {east}, {south}");
         }
     }

@@ -249,9 +249,10 @@ impl Shades {
         let (heights, south) = (Parabola::of(across.around(stretch.column)), across.rise(stretch.column));
         pixels.extend((0..stretch.count).map(|i| {
             let t = stretch.first + i as f32 * self.step;
-            let smooth = heights.at(t);
-            let (more, steeper) = detail.shift(Vec2::new(shown.smooth.x_of(stretch.column, t), y), smooth);
-            let (height, rise) = (smooth + more, Vec2::new(heights.rise(t), south.at(t)) + steeper * self.spacing);
+            let (smooth, rise) = (heights.at(t), Vec2::new(heights.rise(t), south.at(t)));
+            let at = Vec2::new(shown.smooth.x_of(stretch.column, t), y);
+            let (more, steeper) = detail.shift(at, smooth, rise.length() / self.spacing);
+            let (height, rise) = (smooth + more, rise + steeper * self.spacing);
             // Where detail is steep, heights far from that of the coast are near its line.
             let off = height * self.spacing / rise.length().max(0.01);
             if off.abs() < self.margin {
