@@ -33,8 +33,8 @@ const STANDING: f32 = 0.12;
 const STANDING_HEIGHT: f32 = 2.5;
 
 /// Factors for what is darker and for what is lighter than flat land: a slope cannot be as much lighter as it can be darker.
-const DARKER: f32 = 3.2;
-const LIGHTER: f32 = 5.0;
+const DARKER: f32 = 3.4;
+const LIGHTER: f32 = 4.2;
 
 /// The light on each cell, from -1 in the deepest shadow over 0 on flat land to 1. `exaggeration` is that of slopes.
 pub(crate) fn light_of(relief: &Relief, exaggeration: f32) -> Vec<f32> {
@@ -91,8 +91,8 @@ fn lit(rise: Vec2) -> f32 {
 /// 1965).
 fn contrast(metres: f32) -> f32 {
     const LOW: f32 = 0.8;
-    const HIGH: f32 = 1.15;
-    const ABOVE: f32 = 1500.0;
+    const HIGH: f32 = 1.3;
+    const ABOVE: f32 = 1200.0;
     LOW + (HIGH - LOW) * (metres / ABOVE).min(1.0)
 }
 
