@@ -36,8 +36,8 @@ impl GroundCache {
     pub const BYTES_A_PIXEL: usize = 4 + 4 + 1 + 2 + 1 + 2 + 1;
 
     /// The further memory of a relief, for pictures of any size: heights, light and contours of 250,000 cells, and
-    /// their ingredients.
-    pub const BYTES: usize = 6_000_000;
+    /// their ingredients; and where the detail of a coast is free to move.
+    pub const BYTES: usize = 10_000_000;
 
     /// The pixels, and the number of the river colour in each, which is empty if rivers have only one colour. `None`
     /// for plain land.

@@ -101,3 +101,58 @@ fn toned(light: f32) -> f32 {
     let light = light * if light < 0.0 { DARKER } else { LIGHTER };
     light / (1.0 + light * light).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::relief::CELL_SIZE;
+
+    /// The light on a square map with these heights, in units, and the number of its columns.
+    fn light(exaggeration: f32, height: impl Fn(Vec2) -> f32) -> (Vec<f32>, usize) {
+        let domain = Domain::with_aspect(1.0);
+        let columns = (domain.size.x / CELL_SIZE).ceil() as usize;
+        let at = |cell: usize| Vec2::new((cell % columns) as f32, (cell / columns) as f32) * CELL_SIZE;
+        let heights = (0..columns * columns).map(|cell| height(at(cell))).collect();
+        let relief = Relief::of_heights(&domain, heights).unwrap();
+        (light_of(&relief, exaggeration), columns)
+    }
+
+    #[test]
+    fn a_slope_has_no_rim_where_it_runs_off_the_map() {
+        let (light, columns) = light(0.45, |at| 200.0 + at.x * 0.2 - at.y * 0.1);
+        let middle = light[columns * columns / 2];
+        assert!(middle.abs() > 0.05, "{middle}");
+        for (cell, light) in light.into_iter().enumerate() {
+            assert!((light - middle).abs() < 0.01, "{light} in cell {cell}, {middle} in the middle");
+        }
+    }
+
+    #[test]
+    fn light_falls_from_the_north_west_and_is_bounded() {
+        let ridge = |at: Vec2| (300.0 - (at.x + at.y - 1000.0).abs() * 0.5).max(0.0) + 1.0;
+        for exaggeration in [0.45, 1.0, 50.0] {
+            let (light, columns) = light(exaggeration, ridge);
+            let at = |x: usize, y: usize| light[y / 2 * columns + x / 2];
+            assert!(at(400, 400) > 0.2 && at(600, 600) < -0.2, "{} and {}", at(400, 400), at(600, 600));
+            assert!(light.iter().all(|light| (-1.0..=1.0).contains(light)));
+        }
+        assert!(self::light(0.0, ridge).0.iter().all(|light| light.abs() < 1e-3), "no shade, no light");
+    }
+
+    #[test]
+    fn a_valley_is_darker_than_its_crest_whichever_way_it_runs() {
+        // Valleys along the light, which does not tell their sides apart.
+        let waves = |at: Vec2| 100.0 + 4.0 * libm::sinf((at.x - at.y) * 0.1);
+        let (light, columns) = light(0.45, waves);
+        let mean = |is_high: bool| {
+            let cells = (0..light.len()).filter(|cell| {
+                let at = Vec2::new((cell % columns) as f32, (cell / columns) as f32) * CELL_SIZE;
+                (waves(at) > 103.5 && is_high) || (waves(at) < 96.5 && !is_high)
+            });
+            let (sum, count) = cells.fold((0.0, 0.0), |(sum, count), cell| (sum + light[cell], count + 1.0));
+            sum / count
+        };
+        assert!(mean(true) > mean(false) + 0.1, "{} and {}", mean(true), mean(false));
+    }
+}
