@@ -340,7 +340,7 @@ mod tests {
     #[test]
     fn picture_that_there_is_no_memory_for_is_refused() {
         let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
-        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 12 });
+        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 16 });
         assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
     }
 

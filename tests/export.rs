@@ -380,7 +380,7 @@ fn land_that_runs_off_the_map_has_a_neatline_in_svg() {
         ("land=rectangle&style=orbit", false),
     ] {
         let session = finished(&format!("{link}&attractors=500&trim=0"));
-        let svg = export::svg::svg(&session.map().unwrap()).unwrap();
+        let svg = svg::svg(&session.map().unwrap()).unwrap();
         assert_eq!(svg.contains("<g id=\"neatline\""), has_line, "{link}");
     }
 }
