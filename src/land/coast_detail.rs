@@ -256,7 +256,7 @@ mod tests {
         let land = Land::of(&recipe).unwrap();
         let shore = land.regions()[0].shores[0].at;
         let line: Vec<_> = (-40..40).map(|i| (shore + Vec2::new(i as f32 * 0.9, i as f32 * 0.4), 1.7)).collect();
-        let detail = detail(6.7, &[line.clone()]).unwrap();
+        let detail = detail(6.7, std::slice::from_ref(&line)).unwrap();
         for (at, half) in line.into_iter().filter(|(at, _)| at.distance(shore) < 4.0) {
             for aside in (-10..=10).map(|i| Vec2::new(-0.4, 0.9).normalize() * (i as f32 * 0.1 * half)) {
                 assert_eq!(detail.shift(at + aside, 0.0, 1.0), (0.0, Vec2::ZERO), "{}", at + aside);

@@ -9,7 +9,7 @@ use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
-use crate::relief::{CELL_SIZE, METRES, Relief};
+use crate::relief::{METRES, Relief};
 
 /// The number of times that heights are smoothed first: on valley floors lines would be sharper than any surveyor draws
 /// them.
@@ -53,7 +53,7 @@ impl ContourLines {
         Self {
             look,
             levels: Some(levels(relief, highest)),
-            places: places(view, relief.columns()),
+            places: places(view, relief.grid()),
             lines: [line(0, 1.0), line(1, INDEX as f32)],
             covered: Vec::new(),
             found: 0,
@@ -90,7 +90,7 @@ impl ContourLines {
         let Some(field) = &self.levels else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
         let (heights, rises) = (field.line(at, false), field.line(at, true));
-        let (cell_px, range) = (CELL_SIZE * sheet.view.scale, sheet.view.range(y..y + 1));
+        let (cell_px, range) = (field.grid.cell_size * sheet.view.scale, sheet.view.range(y..y + 1));
         for ((i, &land), &Place { column, along }) in range.clone().zip(&sheet.land[range]).zip(&self.places) {
             let height = heights[column].at(along);
             let level = (height + 0.5) as i32;

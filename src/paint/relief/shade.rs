@@ -31,13 +31,12 @@ struct Surface {
 impl Shading {
     /// Computes the light on a relief.
     pub fn new(relief: &Relief, exaggeration: f32, view: &View) -> Self {
-        let (columns, rows) = (relief.columns(), relief.rows());
-        let light = Field { columns, rows, values: light_of(relief, exaggeration) };
+        let light = Field { grid: relief.grid(), values: light_of(relief, exaggeration) };
         let height = Field::of(relief, |height| Tints::place_of(height * METRES));
         Self {
             lit_with: exaggeration,
             surface: Some(Surface { height, light }),
-            places: places(view, relief.columns()),
+            places: places(view, relief.grid()),
             numbers: Vec::with_capacity(view.pixels()),
         }
     }
