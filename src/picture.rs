@@ -8,6 +8,7 @@ use tiny_skia::Pixmap;
 
 #[cfg(feature = "names")]
 use crate::annotate::builder::AnnotationBuilder;
+use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::map::{Map, MapId};
@@ -120,7 +121,7 @@ impl Picture {
             map.past(),
             map.rounds(),
             map.shown_relief(),
-            map.recipe(),
+            (map.recipe(), true),
             map.land().map(Arc::as_ref),
         )
     }
@@ -146,7 +147,7 @@ impl Picture {
             return Painted::Part;
         }
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
-            return self.paint_rivers(network, past, rounds, session.relief(), recipe, land);
+            return self.paint_rivers(network, past, rounds, session.relief(), (recipe, session.is_finished()), land);
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -167,13 +168,14 @@ impl Picture {
         past: &PastCourses,
         rounds: u32,
         relief: Option<&Arc<Relief>>,
-        recipe: &Recipe,
+        (recipe, is_finished): (&Recipe, bool),
         land: Option<&Land>,
     ) -> Painted {
         let annotation = self.annotation.as_ref().map(|(_, annotation)| annotation);
         let relief = relief.map(|relief| (relief, recipe.number(NumberKey::Shade)));
         let (courses, style) = (recipe.get(), recipe.get());
-        self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, annotation, style })
+        let coast = is_finished.then(|| (Seed::from_text(recipe.seed()), recipe.number(NumberKey::Roughness)));
+        self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, coast, annotation, style })
     }
 
     /// Returns `true` if the session is finished, its recipe wants an annotation, and this picture does not have that annotation
@@ -338,7 +340,7 @@ mod tests {
     #[test]
     fn picture_that_there_is_no_memory_for_is_refused() {
         let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
-        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 12 });
+        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 16 });
         assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
     }
 

@@ -369,3 +369,18 @@ fn svg_has_the_light_and_shadow_of_the_picture() {
 }
 
 tiers!(svg_has_the_light_and_shadow_of_the_picture);
+
+#[test]
+fn land_that_runs_off_the_map_has_a_neatline_in_svg() {
+    for (link, has_line) in [
+        ("land=rectangle&style=atlas", true),
+        ("land=continent&style=parchment", true),
+        ("land=island&style=atlas", false),
+        ("land=rectangle&style=ink", false),
+        ("land=rectangle&style=orbit", false),
+    ] {
+        let session = finished(&format!("{link}&attractors=500&trim=0"));
+        let svg = svg::svg(&session.map().unwrap()).unwrap();
+        assert_eq!(svg.contains("<g id=\"neatline\""), has_line, "{link}");
+    }
+}

@@ -108,6 +108,23 @@ fn a_growing_tree_is_painted_in_a_frame_as_it_is_at_once() {
 }
 
 #[test]
+fn a_land_that_runs_off_the_map_ends_at_a_line_on_paper() {
+    for style in STYLES.into_iter().filter(|style| *style != "skeleton") {
+        let session = finished(&format!("{SMALL}&aspect=1&land=rectangle&style={style}"));
+        // The map lies in the middle, from pixel 200 to 600.
+        let pixels = painted(&session, [800, 800], [-0.5, -0.5, 2.0]);
+        let at = |x: usize, y: usize| &pixels[(y * 800 + x) * 4..][..3];
+        let lines: Vec<_> = [(400, 199), (199, 400), (400, 600), (600, 400)].map(|(x, y)| at(x, y)).to_vec();
+        // Paper has a grain.
+        let apart = |one: &[u8], other: &[u8]| one.iter().zip(other).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+        assert!(lines.iter().all(|line| apart(line, lines[0]) < 40), "{style}: {lines:?}");
+        for (line, paper) in lines.iter().zip([at(400, 150), at(150, 400), at(400, 650), at(650, 400)]) {
+            assert!(apart(line, paper) > 40, "{style}: {line:?} on {paper:?}");
+        }
+    }
+}
+
+#[test]
 fn beyond_an_island_map_there_is_sea_without_a_seam_and_beyond_land_the_map_ends() {
     for (land, is_sea) in [("island", true), ("rectangle", false)] {
         let session = finished(&format!("{SMALL}&aspect=1&land={land}&sea=0.7&style=ink"));

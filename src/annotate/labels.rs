@@ -1,5 +1,7 @@
 //! The labels of a map: its names, and what they are placed by.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use crate::annotate::glyph::initials;
@@ -15,6 +17,8 @@ use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region, Run};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
+use crate::paint::neatline::margin_of;
+use crate::paint::palette_of;
 use crate::recipe::choice::Shown;
 use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
@@ -44,13 +48,14 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
+    let within = on_map(map);
     let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, |land| area(land));
     let shown = share_shown(&map.domain(), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
     let side = shown.sqrt();
     Some(Input {
-        frame: [frame[0] + margin, frame[1] - margin],
+        frame: [(frame[0] + margin).max(within[0]), (frame[1] - margin).min(within[1])],
         least_em,
         label_size: recipe.number(NumberKey::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
         most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
@@ -68,6 +73,13 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
         coast: land.map(|land| land.coast_distance()),
     })
+}
+
+/// The part of the plane that labels may be in, its two corners: a map with a neatline; anything around another.
+pub(super) fn on_map(map: &Map) -> [Vec2; 2] {
+    let (size, palette) = (map.domain().size, palette_of(map.recipe().get()));
+    let margin = margin_of(palette, size, map.land().map(Arc::as_ref));
+    if margin > 0.0 { [Vec2::splat(margin), size - margin] } else { [Vec2::MIN, Vec2::MAX] }
 }
 
 /// How much of a map is seen in a frame.

@@ -1,6 +1,8 @@
 //! The woods and hills of a map, and what they are placed by.
 
-use crate::annotate::labels::{heights, ridges, total_discharge};
+use glam::Vec2;
+
+use crate::annotate::labels::{heights, on_map, ridges, total_discharge};
 use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stream, Stroke};
 use crate::base::memory;
 use crate::base::random::Seed;
@@ -36,7 +38,7 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
         coast: land.map(|land| land.coast_distance()),
         heights: map.shown_relief().map(|relief| heights(relief)),
-        letters: boxes(labels),
+        letters: boxes(labels).into_iter().chain(margins(map)).collect(),
     })
 }
 
@@ -53,6 +55,25 @@ fn streams(network: &Network) -> Vec<Stream> {
         parent: river.parent,
     };
     network.rivers.iter().map(stream).collect()
+}
+
+/// The boxes of the margin, if the map has one.
+fn margins(map: &Map) -> Vec<Box> {
+    let (size, [least, most]) = (map.domain().size, on_map(map));
+    if least.min_element() <= 0.0 {
+        return Vec::new();
+    }
+    let between = |from: Vec2, to: Vec2| {
+        let half = (to - from) * 0.5;
+        Box { middle: from + half, along: Vec2::new(half.x, 0.0), down: Vec2::new(0.0, half.y) }
+    };
+    let (east, south) = (Vec2::new(size.x, least.y), Vec2::new(least.x, size.y));
+    vec![
+        between(Vec2::ZERO, east),
+        between(Vec2::ZERO, south),
+        between(Vec2::new(0.0, most.y), size),
+        between(Vec2::new(most.x, 0.0), size),
+    ]
 }
 
 /// The boxes of all letters, of what is cleared for them, and of the symbols of spot heights.

@@ -43,6 +43,8 @@ pub enum Purpose {
     Trimming = 11,
     /// The strike and slope of the country.
     Country = 12,
+    /// Detail of coasts in large pictures.
+    CoastDetail = 13,
 }
 
 impl Seed {

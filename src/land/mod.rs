@@ -10,6 +10,7 @@
 //! any size, and rivers end at it.
 
 mod cell;
+mod coast_detail;
 mod coast_distance;
 mod contours;
 mod grid;
@@ -24,6 +25,7 @@ pub mod trace;
 mod walk;
 
 pub use cell::{CELL_SIZE, Cell};
+pub(crate) use coast_detail::{CoastDetail, REACH};
 pub use coast_distance::CoastDistance;
 pub(crate) use outline::{divided, in_units};
 pub use queries::Land;

@@ -116,6 +116,11 @@ impl SmoothedDistance {
         Across { row, t, rows, heights }
     }
 
+    /// The x of a place at a distance beyond a column, in intervals.
+    pub(crate) fn x_of(&self, column: usize, beyond: f32) -> f32 {
+        (column as f32 - self.margin as f32 + beyond) * self.spacing
+    }
+
     /// The nearest column to an x, and the distance beyond it in intervals, from -0.5 to 0.5.
     pub(crate) fn column(&self, x: f32) -> (usize, f32) {
         nearest(x / self.spacing + self.margin as f32, self.columns)

@@ -3,12 +3,13 @@
 
 use super::beyond;
 use super::grid;
-use super::ground::Ground;
+use super::ground::{Ground, ShownCoast};
+use super::neatline::Neatline;
 use super::palette::Palette;
 use super::paper;
 use super::styles::palette;
 use super::view::View;
-use crate::land::{Land, SmoothedDistance};
+use crate::land::Land;
 use crate::recipe::Style;
 
 /// The flat ground, as far as it is painted.
@@ -17,21 +18,30 @@ pub(super) struct FlatGround {
     pub style: Style,
     /// The painter of land and sea; `None` if there is no sea, and once everything is painted.
     coast: Option<Ground>,
+    /// The end of a land that runs off the map, if it is seen.
+    neatline: Option<Neatline>,
     /// `None` if everything is plain land.
     pixels: Option<Vec<[u8; 4]>>,
 }
 
 impl FlatGround {
-    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
+    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
         let palette = palette(style);
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, palette));
-        let is_plain = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty() && !view.shows_beyond();
-        Self { style, coast, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, palette));
+        let neatline = Neatline::of(view, palette, land);
+        let is_even = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
+        let is_plain = is_even && neatline.is_none() && !view.shows_beyond();
+        Self { style, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
     /// The pixels; `None` if everything is plain land.
     pub fn pixels(&self) -> Option<&[[u8; 4]]> {
         self.pixels.as_deref()
+    }
+
+    /// The end of a land that runs off the map, if it is seen.
+    pub fn neatline(&self) -> Option<Neatline> {
+        self.neatline
     }
 
     /// Returns `true` if all of it is painted.
@@ -40,7 +50,7 @@ impl FlatGround {
     }
 
     /// Paints some more rows, if any are left. Returns `true` if there are more.
-    pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> bool {
+    pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> bool {
         let Some(pixels) = &mut self.pixels else { return false };
         let rows = view.next_rows(pixels.len());
         if rows.is_empty() {
@@ -51,8 +61,10 @@ impl FlatGround {
             (Some(coast), Some(shown)) => coast.paint(view, shown, rows.clone(), pixels),
             _ => pixels.resize(range.end, plain(palette)),
         }
-        if view.shows_beyond() {
-            beyond::lay(view, land, palette, rows.clone(), &mut pixels[range.clone()]);
+        match &self.neatline {
+            Some(neatline) => neatline.lay(view, rows.clone(), &mut pixels[range.clone()]),
+            None if view.shows_beyond() => beyond::lay(view, land, palette, rows.clone(), &mut pixels[range.clone()]),
+            None => {}
         }
         if let Some(paper) = palette.paper {
             paper::lay(view, paper, rows.clone(), &mut pixels[range]);

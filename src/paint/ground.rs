@@ -7,11 +7,27 @@ use super::coverage::{Coverage, Covered};
 use super::palette::{Colour, Palette, mix};
 use super::ridges::ridges;
 use super::view::{Rows, View};
-use crate::land::{Across, Land, Parabola, SmoothedDistance};
+use crate::land::{Across, CoastDetail, Land, Parabola, REACH, SmoothedDistance};
 
-/// The widths of lines, in units.
+/// The widths of lines, in units, in files and in pictures whose pixels are not small.
 pub(crate) const RING_WIDTH: f32 = 1.1;
 pub(crate) const COAST_WIDTH: f32 = 1.8;
+
+/// The share of these widths that lines have with so many pixels to a unit: in print they would be as thick as a marker pen's, so they
+/// grow with the root of the size.
+pub(super) fn thinned(scale: f32) -> f32 {
+    /// A picture of some 2,000 pixels.
+    const FULL: f32 = 1.65;
+    (FULL / scale).min(1.0).sqrt()
+}
+
+/// A coast as pictures show it.
+#[derive(Clone, Copy)]
+pub(super) struct ShownCoast<'a> {
+    pub smooth: &'a SmoothedDistance,
+    /// What there is between its corners; `None` if pixels are too large for that.
+    pub detail: Option<&'a CoastDetail>,
+}
 
 /// The fourth channel of a ground's pixels on the line of the coast, where land begins but rivers have ended. It rises from
 /// 0 at sea over this value to 255 on land.
@@ -49,7 +65,8 @@ pub(super) struct Ground {
 
 impl Ground {
     pub fn new(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Self {
-        let strokes = ridges(land);
+        // Where there is relief, a ridge is that.
+        let strokes = if palette.relief.is_none() { ridges(land) } else { Vec::new() };
         let mut mask = Coverage::new(view.width, view.height).filter(|_| !strokes.is_empty());
         mask.iter_mut().for_each(|mask| draw(mask, view, &strokes));
         Self {
@@ -62,10 +79,11 @@ impl Ground {
     }
 
     /// Paints the next rows, which follow the ones already painted.
-    pub fn paint(&mut self, view: &View, shown: &SmoothedDistance, rows: Rows, pixels: &mut Vec<[u8; 4]>) {
+    pub fn paint(&mut self, view: &View, shown: ShownCoast<'_>, rows: Rows, pixels: &mut Vec<[u8; 4]>) {
         let first = pixels.len();
         for y in rows.clone() {
-            let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
+            let at = view.point(Vec2::splat(y as f32 + 0.5)).y;
+            let across = shown.smooth.across(at);
             // Several rows lie between the same corners.
             if self.spanned.replace(across.row) != Some(across.row) {
                 self.spans = self.shades.spans(&self.stretches, shown, across.row);
@@ -73,8 +91,11 @@ impl Ground {
             for span in &self.spans {
                 match span {
                     Span::Even(colour, count) => pixels.resize(pixels.len() + count, *colour),
-                    Span::Uneven(stretch, false) => self.shades.tint(stretch, &across, pixels),
-                    Span::Uneven(stretch, true) => self.shades.draw_lines(stretch, &across, pixels),
+                    Span::Uneven(stretch, Holds::Tints) => self.shades.tint(stretch, &across, pixels),
+                    Span::Uneven(stretch, Holds::Lines) => self.shades.draw_lines(stretch, &across, pixels),
+                    Span::Uneven(stretch, Holds::Detail) => {
+                        self.shades.draw_detail(stretch, &across, shown, at, pixels)
+                    }
                 }
             }
         }
@@ -113,8 +134,17 @@ fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
 enum Span {
     /// A number of pixels of one colour, as in most of a picture, far from any coast.
     Even([u8; 4], usize),
-    /// A stretch whose colours have to be looked up, and whether a line comes near.
-    Uneven(Stretch, bool),
+    /// A stretch whose colours have to be looked up.
+    Uneven(Stretch, Holds),
+}
+
+/// What a stretch holds besides tints.
+#[derive(Clone, Copy, Debug)]
+enum Holds {
+    Tints,
+    Lines,
+    /// Detail of a coast, and lines.
+    Detail,
 }
 
 /// A table of the colours along the coast, by distance from it.
@@ -137,7 +167,8 @@ struct Shades {
 impl Shades {
     fn new(scale: f32, palette: &Palette, spacing: f32) -> Self {
         const PER_PIXEL: f32 = 16.0;
-        let past = (COAST_WIDTH + 2.0 / scale).max(RING_WIDTH);
+        let coast_width = COAST_WIDTH * thinned(scale);
+        let past = (coast_width + 2.0 / scale).max(RING_WIDTH);
         let outermost = palette.rings.last().map_or(0.0, |ring| ring.0);
         let first = -palette.fade.max(outermost + past);
         let last = palette.fade.max(past);
@@ -149,7 +180,7 @@ impl Shades {
         Self {
             colours,
             rings: palette.rings,
-            margin: COAST_WIDTH * 0.5 + 0.75 / scale,
+            margin: coast_width * 0.5 + 0.75 / scale,
             step,
             spacing,
             first,
@@ -159,19 +190,27 @@ impl Shades {
     }
 
     /// The spans of all rows nearest to one row of corners.
-    fn spans(&self, stretches: &[Stretch], shown: &SmoothedDistance, row: usize) -> Vec<Span> {
+    fn spans(&self, stretches: &[Stretch], shown: ShownCoast<'_>, row: usize) -> Vec<Span> {
         let mut spans = Vec::new();
         for stretch in stretches {
             // No point between these heights is lower or higher than all of them.
-            let around = shown.around(row, stretch.column);
+            let around = shown.smooth.around(row, stretch.column);
             let (least, most) = around.fold((f32::MAX, f32::MIN), |(least, most), at| (least.min(at), most.max(at)));
             match (self.even(least, most), spans.last_mut()) {
                 (Some(colour), Some(Span::Even(same, count))) if colour == *same => *count += stretch.count,
                 (Some(colour), _) => spans.push(Span::Even(colour, stretch.count)),
-                (None, _) => spans.push(Span::Uneven(*stretch, self.line_near(least, most).is_some())),
+                (None, _) => spans.push(Span::Uneven(*stretch, self.holds(least, most, shown.detail.is_some()))),
             }
         }
         spans
+    }
+
+    /// What there is between two heights, on a coast with or without detail.
+    fn holds(&self, least: f32, most: f32, has_detail: bool) -> Holds {
+        if has_detail && least < REACH && most > -REACH {
+            return Holds::Detail;
+        }
+        if self.line_near(least, most).is_some() { Holds::Lines } else { Holds::Tints }
     }
 
     /// Adds the pixels of a stretch that no line comes near.
@@ -194,6 +233,32 @@ impl Shades {
             let height = heights.at(t);
             let apart = |line: f32| line + self.apart(height - line, Vec2::new(heights.rise(t), south.at(t)));
             self.at(self.line_near(height, height).map_or(height, apart))
+        }));
+    }
+
+    /// Adds the pixels of a stretch along a coast with detail, at a y in units.
+    fn draw_detail(
+        &self,
+        stretch: &Stretch,
+        across: &Across<'_>,
+        shown: ShownCoast<'_>,
+        y: f32,
+        pixels: &mut Vec<[u8; 4]>,
+    ) {
+        let Some(detail) = shown.detail else { return };
+        let (heights, south) = (Parabola::of(across.around(stretch.column)), across.rise(stretch.column));
+        pixels.extend((0..stretch.count).map(|i| {
+            let t = stretch.first + i as f32 * self.step;
+            let (smooth, rise) = (heights.at(t), Vec2::new(heights.rise(t), south.at(t)));
+            let at = Vec2::new(shown.smooth.x_of(stretch.column, t), y);
+            let (more, steeper) = detail.shift(at, smooth, rise.length() / self.spacing);
+            let (height, rise) = (smooth + more, rise + steeper * self.spacing);
+            // Where detail is steep, heights far from that of the coast are near its line.
+            let off = height * self.spacing / rise.length().max(0.01);
+            if off.abs() < self.margin {
+                return self.at(off);
+            }
+            self.at(self.line_near(height, height).map_or(height, |line| line + self.apart(height - line, rise)))
         }));
     }
 
@@ -227,18 +292,19 @@ impl Shades {
 
 /// The colour at a distance from the coast, in units and positive on land, and the fourth channel there.
 fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
+    let [coast_width, ring_width] = [COAST_WIDTH, RING_WIDTH].map(|width| width * thinned(scale));
     let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
     let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
     let inside = |distance: f32| (distance * scale + 0.5).clamp(0.0, 1.0);
     let mut colour = mix(water, land, inside(distance));
     for (at, strength) in palette.rings {
-        colour = mix(colour, palette.coast, line(scale, distance + at, RING_WIDTH) * strength);
+        colour = mix(colour, palette.coast, line(scale, distance + at, ring_width) * strength);
     }
-    let [r, g, b] = mix(colour, palette.coast, line(scale, distance, COAST_WIDTH));
+    let [r, g, b] = mix(colour, palette.coast, line(scale, distance, coast_width));
     // Rivers reach a pixel into the line of the coast, so that no land shows between the two.
-    let seen = inside(distance - COAST_WIDTH * 0.5 + 0.75 / scale);
+    let seen = inside(distance - coast_width * 0.5 + 0.75 / scale);
     let (coast, rest) = (f32::from(ON_COAST), f32::from(255 - ON_COAST));
-    [r, g, b, (inside(distance + COAST_WIDTH * 0.5) * coast + seen * rest + 0.5) as u8]
+    [r, g, b, (inside(distance + coast_width * 0.5) * coast + seen * rest + 0.5) as u8]
 }
 
 /// The share of the farther colour, given the share of the way over which it sets in. It ends without an edge.
@@ -294,7 +360,8 @@ mod tests {
             let shown = SmoothedDistance::of(&coast_distance);
             let land = Land::new(&domain, coast_distance, Vec::new());
             let mut pixels = Vec::new();
-            Ground::new(&view, &land, &shown, palette(Style::Skeleton)).paint(&view, &shown, 0..1000, &mut pixels);
+            let coast = ShownCoast { smooth: &shown, detail: None };
+            Ground::new(&view, &land, &shown, palette(Style::Skeleton)).paint(&view, coast, 0..1000, &mut pixels);
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))

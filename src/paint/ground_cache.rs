@@ -5,18 +5,21 @@
 use super::beds::GroundWithBeds;
 use super::beyond;
 use super::flat::FlatGround;
+use super::ground::ShownCoast;
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
 use super::rivers::{Exaggerated, Rivers};
 use super::styles::palette;
 use super::view::View;
-use crate::land::{Land, SmoothedDistance};
+use crate::land::{CoastDetail, Land, SmoothedDistance};
 use crate::recipe::Style;
 
 /// The parts of a picture other than its rivers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct GroundCache {
     shown: Option<SmoothedDistance>,
+    /// The detail of the coast beside finished rivers; `None` if there is none, or if it is not known yet whether there is.
+    detail: Option<Option<CoastDetail>>,
     shares: Option<LandShares>,
     flat: Option<FlatGround>,
     prepared: Option<Prepared>,
@@ -33,8 +36,8 @@ impl GroundCache {
     pub const BYTES_A_PIXEL: usize = 4 + 4 + 1 + 2 + 1 + 2 + 1;
 
     /// The further memory of a relief, for pictures of any size: heights, light and contours of 250,000 cells, and
-    /// their ingredients.
-    pub const BYTES: usize = 6_000_000;
+    /// their ingredients; and where the detail of a coast is free to move.
+    pub const BYTES: usize = 10_000_000;
 
     /// The pixels, and the number of the river colour in each, which is empty if rivers have only one colour. `None`
     /// for plain land.
@@ -95,6 +98,7 @@ impl GroundCache {
     /// Drops everything that depends on rivers, because others come next.
     pub fn forget_rivers(&mut self) {
         (self.raised, self.beds) = (None, None);
+        self.forget_detail();
     }
 
     /// Drops everything that depends on rivers or on a relief.
@@ -110,9 +114,32 @@ impl GroundCache {
 
     /// Makes a part of the ground, if any is missing. Returns `true` if there is more.
     pub fn advance(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
+        self.detail_coast(view, rivers);
         self.advance_flat(view, rivers.land, rivers.style)
             || self.advance_relief(view, rivers)
             || self.advance_beds(view, rivers)
+    }
+
+    /// Finds out what detail the coast has beside finished rivers, unless that is known.
+    fn detail_coast(&mut self, view: &View, rivers: &Rivers<'_>) {
+        if self.detail.is_some() {
+            return;
+        }
+        let line = |river| rivers.network.middle(river).iter().map(|place| (place.at, place.half)).collect();
+        let lines = rivers.network.rivers.iter().map(line);
+        let coast = rivers.land.zip(rivers.coast);
+        let detail = coast.and_then(|(land, coast)| CoastDetail::of(land, view.domain(), coast, view.scale, lines));
+        if detail.is_some() {
+            (self.flat, self.shares, self.raised) = (None, None, None);
+        }
+        self.detail = rivers.coast.map(|_| detail);
+    }
+
+    /// Drops the detail of the coast, and what is painted with it.
+    fn forget_detail(&mut self) {
+        if self.detail.take().flatten().is_some() {
+            (self.flat, self.shares) = (None, None);
+        }
     }
 
     fn advance_flat(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
@@ -123,11 +150,11 @@ impl GroundCache {
             });
         }
         if self.flat.as_ref().is_none_or(|flat| flat.style != style) {
-            self.forget_rivers();
+            (self.raised, self.beds) = (None, None);
             // Drops the old ground first: both at once would need too much memory.
             self.flat = None;
         }
-        let shown = self.shown.as_ref();
+        let shown = shown_coast(&self.shown, &self.detail);
         let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, style, land, shown));
         flat.advance(view, land, shown)
     }
@@ -138,7 +165,7 @@ impl GroundCache {
             self.raised = None;
             return false;
         };
-        let shown = self.shown.as_ref();
+        let shown = shown_coast(&self.shown, &self.detail);
         let shares = self.shares.get_or_insert_with(|| LandShares::new(view, rivers.land, shown));
         if shares.advance(view, shown) {
             return true;
@@ -153,8 +180,7 @@ impl GroundCache {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();
         };
-        let flat = self.flat.as_ref().and_then(FlatGround::pixels);
-        raised.advance(prepared, view, shares.of_pixels(), flat)
+        raised.advance(prepared, view, shares.of_pixels(), self.flat.as_ref())
     }
 
     /// Lays great rivers and their former beds over flat ground, if the style has any.
@@ -163,4 +189,13 @@ impl GroundCache {
         let Some((look, flat)) = palette(rivers.style).beds.zip(flat) else { return false };
         self.beds.get_or_insert_default().advance(look, view, rivers, flat)
     }
+}
+
+/// The coast as it is shown; `None` if there is no sea.
+fn shown_coast<'a>(
+    smooth: &'a Option<SmoothedDistance>,
+    detail: &'a Option<Option<CoastDetail>>,
+) -> Option<ShownCoast<'a>> {
+    let detail = detail.as_ref().and_then(Option::as_ref);
+    smooth.as_ref().map(|smooth| ShownCoast { smooth, detail })
 }

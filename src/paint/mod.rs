@@ -19,6 +19,7 @@ pub(crate) mod ground;
 mod ground_cache;
 mod ink;
 pub(crate) mod mouths;
+pub(crate) mod neatline;
 mod painter;
 pub(crate) mod palette;
 mod paper;

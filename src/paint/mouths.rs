@@ -28,6 +28,8 @@ pub(crate) struct Tongue {
     along: Vec2,
     /// Half its width at the coast, in units.
     half: f32,
+    /// Half the width of the line of the coast, in units.
+    half_coast: f32,
     /// How far it reaches inland from the point of the coast, and how far beyond it, in units.
     pub reach: f32,
     beyond: f32,
@@ -51,14 +53,14 @@ impl Tongue {
 
     /// How far the line of the coast bends into a bank at a place in it, from 0 in its middle to 1 at the sea, in units.
     fn aside(&self, across: f32) -> f32 {
-        let (radius, way) = (self.half.min(COAST_WIDTH * 0.5), across.clamp(0.0, 1.0));
+        let (radius, way) = (self.half.min(self.half_coast), across.clamp(0.0, 1.0));
         radius * (1.0 - (1.0 - way * way).sqrt())
     }
 
     /// Its line to the end, with its whole width.
     pub fn whole_line(&self) -> Vec<Place> {
         const STEPS: u8 = 4;
-        let edge = self.along * (COAST_WIDTH * 0.5);
+        let edge = self.along * self.half_coast;
         let opened = (1..=STEPS).map(|step| f32::from(step) / f32::from(STEPS));
         let opened = opened.map(|way| Place { at: self.at() + edge * way, half: self.half + self.aside(way) });
         let end = Place { at: self.at() + self.along * self.beyond, half: self.half + self.aside(1.0) };
@@ -83,6 +85,8 @@ pub(crate) struct Drawn<'a> {
     pub margin: f32,
     /// The least width of the line that is left along a bank, in units: as much as can be seen.
     pub hairline: f32,
+    /// The width of the line of the coast, in units.
+    pub coast_width: f32,
 }
 
 impl Drawn<'_> {
@@ -120,7 +124,8 @@ impl Drawn<'_> {
         }
         let seaward = -direction(rise);
         let along = direction(direction(end.at - mouth.at) + seaward);
-        let beyond = COAST_WIDTH * 0.5 + BEYOND + half;
+        let half_coast = self.coast_width * 0.5;
+        let beyond = half_coast + BEYOND + half;
         let reach = REACH + WIDTHS * 2.0 * mouth.half;
         let inner = |place: &Place| Place { half: self.half(place, is_great).max(0.0), ..*place };
         let mut line = vec![Place { at: mouth.at + seaward * height, half }, inner(mouth)];
@@ -134,7 +139,7 @@ impl Drawn<'_> {
             }
         }
         line.reverse();
-        Some(Tongue { line, along, half, reach, beyond, gives_way: !is_great })
+        Some(Tongue { line, along, half, half_coast, reach, beyond, gives_way: !is_great })
     }
 
     /// Half the width of the sea between the banks at a place of a river.
@@ -186,18 +191,18 @@ impl TonguePainter<'_> {
         let (at, scale) = (self.view.point(pixel), self.view.scale);
         let ashore = off_coast(self.shown, at);
         let mut covered = f32::from(between);
-        if ashore > COAST_WIDTH * 0.5 {
+        if ashore > tongue.half_coast {
             let seen = if tongue.gives_way { self.rivers.mask().data()[i] } else { u8::MAX };
             covered = covered.min(f32::from(seen));
         } else if ashore < 0.0 {
             let off = at - tongue.at();
-            let half = tongue.half + tongue.aside(-2.0 * ashore / COAST_WIDTH);
+            let half = tongue.half + tongue.aside(-ashore / tongue.half_coast);
             let opened = (half - off.perp_dot(tongue.along).abs()) * scale + 0.5;
             let is_here = off.length_squared() < (half + COAST_WIDTH) * (half + COAST_WIDTH);
             covered = covered.max(if is_here { opened.clamp(0.0, 1.0) * 255.0 } else { 0.0 });
         }
         // The line of the coast ends three quarters of a pixel beyond its edge, and there the tongue does.
-        let inside = ((ashore + COAST_WIDTH * 0.5) * scale + 1.25).clamp(0.0, 1.0);
+        let inside = ((ashore + tongue.half_coast) * scale + 1.25).clamp(0.0, 1.0);
         (Tongue::share(distance(at, tongue.at()) / tongue.reach) * inside * covered + 0.5) as u8
     }
 }
@@ -252,7 +257,14 @@ mod tests {
         let river = River { start: 0, end: 30, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 0 };
         let network =
             Network { vertices: (0..30).rev().map(vertex).collect(), rivers: vec![river], ..Network::default() };
-        let drawn = Drawn { palette: palette(style), past: None, times: 1.0, margin: 0.0, hairline: 0.0 };
+        let drawn = Drawn {
+            palette: palette(style),
+            past: None,
+            times: 1.0,
+            margin: 0.0,
+            hairline: 0.0,
+            coast_width: COAST_WIDTH,
+        };
         drawn.tongues(&network, &SmoothedDistance::of(&coast)).pop()
     }
 

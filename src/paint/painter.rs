@@ -13,6 +13,7 @@ use super::annotation::masks::{self, AnnotationMasks};
 use super::coverage::{Coverage, Rect};
 use super::cut_out;
 use super::flow::Flow;
+use super::ground::{COAST_WIDTH, thinned};
 use super::ground_cache::GroundCache;
 use super::mouths::{self, Drawn, SeaShares, TonguePainter};
 use super::palette::Lines;
@@ -282,6 +283,7 @@ impl Painter {
             times,
             margin: VISIBLE_PX / self.view.scale,
             hairline: HAIRLINE_PX / self.view.scale,
+            coast_width: COAST_WIDTH * thinned(self.view.scale),
         };
         let tongues = drawn.tongues(network, shown);
         let painter = TonguePainter { view: &self.view, courses, shown, rivers: &self.coverage };

@@ -34,6 +34,28 @@ pub(crate) struct Palette {
     pub paper: Option<&'static Paper>,
     /// The look of relief; `None` if the style has none.
     pub relief: Option<&'static ReliefLook>,
+    /// The look of the border of a map whose land runs off it; `None` if the style has none.
+    pub neatline: Option<NeatlineLook>,
+}
+
+/// The look of the border of a map.
+#[derive(Debug)]
+pub(crate) struct NeatlineLook {
+    /// The paper beyond the map.
+    pub paper: Colour,
+    pub line: Colour,
+    /// `true` if pictures and files of the whole map have it; else there is only paper around a map on a larger sheet.
+    pub is_in_files: bool,
+}
+
+/// A border in pictures and files of the whole map.
+pub(super) const fn bordered(paper: Colour, line: Colour) -> Option<NeatlineLook> {
+    Some(NeatlineLook { paper, line, is_in_files: true })
+}
+
+/// A border around a map on a larger sheet alone.
+pub(super) const fn on_a_sheet(paper: Colour, line: Colour) -> Option<NeatlineLook> {
+    Some(NeatlineLook { paper, line, is_in_files: false })
 }
 
 /// The look of great rivers and of their former beds.
@@ -98,10 +120,14 @@ pub(crate) struct ReliefLook {
     pub casing: Casing,
 }
 
-/// A relief of tints and light alone.
-pub(super) const fn tinted(stops: &'static [(f32, Colour)], darkest: f32) -> ReliefLook {
+/// A relief of tints and light alone. Tints are those at heights in metres.
+pub(super) const fn tinted(
+    stops: &'static [(f32, Colour)],
+    shadow: (Colour, f32),
+    highlight: (Colour, f32),
+) -> ReliefLook {
     let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
-    let tints = Tints { stops, light: [darkest, 1.0], most: f32::MAX, shadow: [0; 3] };
+    let tints = Tints { stops, shadow: shadow.0, dark: shadow.1, highlight: highlight.0, bright: highlight.1 };
     ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
 }
 
@@ -115,14 +141,14 @@ impl ReliefLook {
 /// Colours by height and light.
 #[derive(Debug)]
 pub(crate) struct Tints {
-    /// Colours by height, as shares of the greatest height; the first share is 0.
+    /// Colours by height, in metres over the sea; the first height is 0.
     pub stops: &'static [(f32, Colour)],
-    /// The factors for colours without light and with as much light as on flat land.
-    pub light: [f32; 2],
-    /// The greatest factor.
-    pub most: f32,
-    /// The colour that remains at a factor of 0.
+    /// The colour of shadow, and its share in the darkest: a wash that lets the tint through.
     pub shadow: Colour,
+    pub dark: f32,
+    /// The colour of full light, and its share there.
+    pub highlight: Colour,
+    pub bright: f32,
 }
 
 /// Lines of equal height.
@@ -182,18 +208,35 @@ pub(crate) struct Casing {
 }
 
 impl Tints {
-    /// The colour at a height.
-    pub fn at(&self, height: f32) -> Colour {
-        let above = self.stops.iter().position(|stop| stop.0 >= height).unwrap_or(self.stops.len() - 1);
+    /// The height above which colours do not change any more, in metres.
+    const HIGHEST: f32 = 3200.0;
+
+    /// The place of a height on a scale from 0 at the sea to 1 at [`Tints::HIGHEST`] metres and above, which is the finer the lower it
+    /// is: lowland has more tints.
+    pub fn place_of(metres: f32) -> f32 {
+        (metres / Self::HIGHEST).clamp(0.0, 1.0).sqrt()
+    }
+
+    /// The height at such a place, in metres.
+    pub fn metres_at(place: f32) -> f32 {
+        place * place * Self::HIGHEST
+    }
+
+    /// The colour of flat land at a height in metres.
+    pub fn at(&self, metres: f32) -> Colour {
+        let above = self.stops.iter().position(|stop| stop.0 >= metres).unwrap_or(self.stops.len() - 1);
         let ((from, low), (to, high)) = (self.stops[above.saturating_sub(1)], self.stops[above]);
-        let share = if to > from { ((height - from) / (to - from)).min(1.0) } else { 0.0 };
+        let share = if to > from { ((metres - from) / (to - from)).min(1.0) } else { 0.0 };
         mix(low, high, share)
     }
 
-    /// The factor for colours in a light, which is a share of the light on flat land.
-    pub fn factor(&self, light: f32) -> f32 {
-        let [none, full] = self.light;
-        (none + (full - none) * light).min(self.most)
+    /// A tint in a light from -1, the darkest, over 0, that on flat land, to 1.
+    pub fn lit(&self, tint: Colour, light: f32) -> Colour {
+        if light < 0.0 {
+            mix(tint, self.shadow, -light * self.dark)
+        } else {
+            mix(tint, self.highlight, light * self.bright)
+        }
     }
 }
 
@@ -245,6 +288,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         grids: &[],
         paper: None,
         relief: None,
+        neatline: None,
     }
 }
 

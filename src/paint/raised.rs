@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use super::beyond;
 use super::coverage::Coverage;
-use super::flat::plain;
-use super::ground::Ground;
+use super::flat::{FlatGround, plain};
+use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
 use super::relief::{Inks, Prepared, Sheet};
 use super::rivers::{Exaggerated, Rivers, Widening, draw_network};
 use super::styles::palette;
 use super::view::View;
-use crate::land::{Land, SmoothedDistance};
+use crate::land::Land;
 use crate::relief::Relief;
 
 /// The share of land in each pixel, in 255ths, from north to south as far as it is known.
@@ -23,8 +23,8 @@ pub(super) struct LandShares {
 }
 
 impl LandShares {
-    pub fn new(view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, &LAND_ONLY));
+    pub fn new(view: &View, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, &LAND_ONLY));
         let mut shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
         if coast.is_none() && view.shows_beyond() {
             beyond::for_each(view, 0..view.height, &mut shares, |share, _| *share = 0);
@@ -33,7 +33,7 @@ impl LandShares {
     }
 
     /// Works out some more rows, if any are left. Returns `true` if there are more.
-    pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
+    pub fn advance(&mut self, view: &View, shown: Option<ShownCoast<'_>>) -> bool {
         let (Some(coast), Some(shown)) = (&mut self.coast, shown) else { return false };
         let (rows, mut pixels) = (view.next_rows(self.shares.len()), Vec::new());
         coast.paint(view, shown, rows.clone(), &mut pixels);
@@ -108,7 +108,7 @@ impl RaisedGround {
 
     /// Prepares a part, or paints some more rows, if any are left. Lays the prepared relief on flat ground (`None` for
     /// plain land), where `land` holds the share of land in each pixel. Returns `true` if there is more.
-    pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], flat: Option<&[[u8; 4]]>) -> bool {
+    pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], ground: Option<&FlatGround>) -> bool {
         let Some(Making { look, rivers, inks }) = &mut self.making else { return false };
         let Some(inks) = inks else {
             *inks = Some(Inks::new(look, rivers, view));
@@ -119,12 +119,16 @@ impl RaisedGround {
         }
         let rows = view.next_rows(self.pixels.len());
         let range = view.range(rows.clone());
+        let flat = ground.and_then(FlatGround::pixels);
         match flat {
             Some(flat) => self.pixels.extend_from_slice(&flat[range.clone()]),
             None => self.pixels.resize(range.end, plain(self.palette)),
         }
         let sheet = Sheet { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
-        prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range]);
+        prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range.clone()]);
+        if let Some((neatline, flat)) = ground.and_then(FlatGround::neatline).zip(flat) {
+            neatline.restore(view, rows.clone(), &flat[range.clone()], &mut self.pixels[range]);
+        }
         self.making.take_if(|_| rows.end == view.height);
         self.making.is_some()
     }

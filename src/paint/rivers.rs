@@ -11,6 +11,7 @@ use super::palette::Lines;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
+use crate::base::random::Seed;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::{CourseShape, Style};
@@ -34,6 +35,9 @@ pub struct Rivers<'a> {
     pub land: Option<&'a Land>,
     /// The relief and the exaggeration of its slopes; `None` while there is none.
     pub relief: Option<Exaggerated<'a>>,
+    /// The seed and the roughness of the coast, which in large pictures has more detail beside finished rivers; `None` while they are
+    /// not finished.
+    pub coast: Option<(Seed, f32)>,
     /// The annotation to lay over them.
     pub annotation: Option<&'a Arc<AnnotationMasks>>,
     /// The style.

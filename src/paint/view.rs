@@ -167,6 +167,11 @@ impl View {
         self.is_framed() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
     }
 
+    /// The sides of the domain, in units.
+    pub(super) fn domain(&self) -> Vec2 {
+        self.domain
+    }
+
     /// The point of the domain nearest to a point beyond it; `None` for a point within.
     pub(super) fn border_near(&self, point: Vec2) -> Option<Vec2> {
         let nearest = point.max(Vec2::ZERO).min(self.domain);

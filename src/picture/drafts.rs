@@ -77,7 +77,7 @@ impl Picture {
         let relief = Some((&relief, recipe.number(NumberKey::Shade)));
         let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
-        let rivers = Rivers { network, past, rounds, courses, land, relief, annotation: None, style };
+        let rivers = Rivers { network, past, rounds, courses, land, relief, coast: None, annotation: None, style };
         Some(self.painter.paint_rivers(&rivers))
     }
 
@@ -101,7 +101,8 @@ impl Picture {
         let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
         let land = Some(&*land);
-        let rivers = Rivers { network, past, rounds, courses, land, relief: None, annotation: None, style };
+        let rivers =
+            Rivers { network, past, rounds, courses, land, relief: None, coast: None, annotation: None, style };
         Some(self.painter.paint_rivers(&rivers))
     }
 }

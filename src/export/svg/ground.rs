@@ -8,10 +8,10 @@ use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
-use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, mix};
+use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
 use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
-use crate::relief::Relief;
+use crate::relief::{METRES, Relief};
 
 /// A relief with its display options.
 pub(super) struct Raised<'a> {
@@ -58,7 +58,9 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         tints(out, relief, palette);
         out.text("</g>\n");
     }
-    ridges(out, land, palette);
+    if palette.relief.is_none() {
+        ridges(out, land, palette);
+    }
     out.text("</g>\n");
     grid(out, size, palette);
 }
@@ -86,20 +88,22 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
 
 /// Draws heights in colours, each laid over the one below, and the style's other views of the relief.
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
-    const STEPS: u32 = 16;
+    /// The number of steps up to the height above which tints do not change.
+    const STEPS: u32 = 20;
     let Some((Raised { relief, exaggeration, basins }, look)) = relief.zip(palette.relief) else { return };
-    let highest = highest(relief);
+    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * METRES;
     let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
-    for step in 0..steps {
-        let share = step as f32 / STEPS as f32;
-        let colour = look.tints.at(share + 0.5 / STEPS as f32);
-        fill(out, colour, &path_of(relief.rings_above(share * highest), 2));
+    let metres = |step: f32| Tints::metres_at(step / STEPS as f32);
+    for step in (0..steps).map(|step| step as f32).take_while(|&step| metres(step) < top) {
+        let rings = relief.rings_above(metres(step) / METRES);
+        fill(out, look.tints.at(metres(step + 0.5)), &path_of(rings, 2));
     }
     // Light falls on the colours of basins as it does on those of heights.
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
         basin_shapes(out, basins, look);
     }
     light(out, relief, exaggeration, look);
+    let highest = highest(relief);
     if let Some(lines) = &look.contours {
         contours(out, relief, interval(highest), lines);
     }

@@ -12,6 +12,7 @@ mod ground;
 mod labels;
 mod light;
 mod mouths;
+mod neatline;
 pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
@@ -30,6 +31,7 @@ use super::{ExportError, rivers};
 use crate::map::Map;
 use crate::network::Banks;
 use crate::network::{NONE, Network, River};
+use crate::paint::ground::COAST_WIDTH;
 use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
@@ -115,9 +117,17 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     out.text("</g>\n");
     if let Some(land) = land {
         ground::coast(&mut out, palette);
-        let drawn = Drawn { palette, past: Some(map.past()), times: 1.0, margin: VISIBLE, hairline: 0.0 };
+        let drawn = Drawn {
+            palette,
+            past: Some(map.past()),
+            times: 1.0,
+            margin: VISIBLE,
+            hairline: 0.0,
+            coast_width: COAST_WIDTH,
+        };
         mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
     }
+    neatline::draw(&mut out, size, land.map(Arc::as_ref), palette);
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())

@@ -12,13 +12,12 @@ use crate::land::{beside, nearest};
 use crate::network::{Network, River};
 use crate::paint::palette::{BasinColours, Colour, mix};
 use crate::paint::view::{Rows, View};
-use crate::relief::{CELL_SIZE, Relief};
+use crate::relief::{Grid, Relief};
 
 /// The basins of a map in numbered colours, from 1. The number 0 is land that drains to the sea without a river.
 #[derive(Clone, Debug)]
 pub(crate) struct Basins {
-    columns: usize,
-    rows: usize,
+    grid: Grid,
     /// The number of each cell's colour. Cells off the coast have that of the nearest land.
     pub cells: Vec<u8>,
     /// `true` for cells with neighbours of another colour.
@@ -45,17 +44,19 @@ impl Basins {
         follow_the_water(relief, false, &mut basins);
         let colour_of = coloured(&neighbours(relief, &basins), colours);
         let colours = |basins: &[u32]| basins.iter().map(|&basin| colour_of[basin as usize]).collect();
-        let (columns, rows, cells): (_, _, Vec<u8>) = (relief.columns(), relief.rows(), colours(&basins));
+        let (grid, cells): (_, Vec<u8>) = (relief.grid(), colours(&basins));
+        let Grid { columns, rows, .. } = grid;
         let is_mixed = |cell: usize| around(columns, rows, cell).iter().any(|&near| cells[near] != cells[cell]);
-        Self { columns, rows, is_mixed: (0..cells.len()).map(is_mixed).collect(), cells, rivers: colours(&of_rivers) }
+        Self { grid, is_mixed: (0..cells.len()).map(is_mixed).collect(), cells, rivers: colours(&of_rivers) }
     }
 
     /// The rings around everything with a numbered colour, in units. They continue at sea.
     pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
         let values = self.cells.iter().map(|&cell| f32::from(u8::from(cell == number))).collect();
-        let field = Field { columns: self.columns, rows: self.rows, values }.smoothed(1);
-        let size = Vec2::new(self.columns as f32, self.rows as f32) * CELL_SIZE;
-        let rings = rings(self.columns, field.values, 0.0);
+        let field = Field { grid: self.grid, values }.smoothed(1);
+        let Grid { cell_size, columns, rows } = self.grid;
+        let size = Vec2::new(columns as f32, rows as f32) * cell_size;
+        let rings = rings(columns, field.values, 0.0);
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 
@@ -64,10 +65,10 @@ impl Basins {
     fn greatest(&self, [row, column]: [usize; 2], [down, along]: [f32; 2]) -> (u8, f32) {
         let weights = |t: f32| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
         let (across, along) = (weights(down), weights(along));
-        let (rows, columns) = (beside(row, self.rows), beside(column, self.columns));
+        let (rows, columns) = (beside(row, self.grid.rows), beside(column, self.grid.columns));
         let (mut shares, mut count) = ([(0, 0.0); 9], 0);
         for i in 0..9 {
-            let number = self.cells[rows[i / 3] * self.columns + columns[i % 3]];
+            let number = self.cells[rows[i / 3] * self.grid.columns + columns[i % 3]];
             let known = shares[..count].iter().position(|share| share.0 == number);
             count += usize::from(known.is_none());
             let share = &mut shares[known.unwrap_or(count - 1)];
@@ -90,7 +91,7 @@ pub(super) struct BasinPixels {
 
 impl BasinPixels {
     pub fn new(basins: Basins, view: &View) -> Self {
-        let places = places(view, basins.columns);
+        let places = places(view, basins.grid);
         Self { basins, places, numbers: Vec::with_capacity(view.pixels()), near_divides: Vec::new() }
     }
 
@@ -117,11 +118,13 @@ impl BasinPixels {
 
     /// Looks up the pixels of a row.
     fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
-        let (basins, full) = (&self.basins, full_share(sheet.view.scale));
-        let (row, down) = nearest(sheet.view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, basins.rows);
+        let basins = &self.basins;
+        let Grid { cell_size, columns, rows } = basins.grid;
+        let full = full_share(sheet.view.scale, cell_size);
+        let (row, down) = nearest(sheet.view.point(Vec2::splat(y as f32 + 0.5)).y / cell_size - 0.5, rows);
         let range = sheet.view.range(y..y + 1);
         for ((i, &land), &Place { column, along }) in range.clone().zip(&sheet.land[range]).zip(&self.places) {
-            let cell = row * basins.columns + column;
+            let cell = row * columns + column;
             self.numbers.push(basins.cells[cell]);
             if land > 0 && basins.is_mixed[cell] {
                 let (number, share) = basins.greatest([row, column], [down, along]);
@@ -133,24 +136,24 @@ impl BasinPixels {
 }
 
 /// The share of a colour at which the gap along its border ends.
-fn full_share(scale: f32) -> f32 {
+fn full_share(scale: f32, cell_size: f32) -> f32 {
     /// Half the width of the gap in units, and its minimum in pixels.
     const HALF: f32 = 1.0;
     const HALF_PX: f32 = 0.7;
-    let cells = (HALF.max(HALF_PX / scale) / CELL_SIZE).min(0.5);
+    let cells = (HALF.max(HALF_PX / scale) / cell_size).min(0.5);
     0.5 + 0.75 * cells - cells * cells * cells / 3.0
 }
 
 /// Marks the cells that a river covers.
 fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &mut [u32]) {
-    let course = network.course(river);
+    let (course, cell_size) = (network.course(river), relief.cell_size());
     for (from, to) in course.clone().zip(course.skip(1)) {
-        let count = (distance(from.at, to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
-        let reach = (to.width() * 0.5 / CELL_SIZE).ceil() as i32;
+        let count = (distance(from.at, to.at) / (0.5 * cell_size)).ceil().max(1.0);
+        let reach = (to.width() * 0.5 / cell_size).ceil() as i32;
         for at in (0..=count as usize).map(|i| from.at.lerp(to.at, i as f32 / count)) {
             for y in -reach..=reach {
                 for x in -reach..=reach {
-                    basins[relief.cell(at + Vec2::new(x as f32, y as f32) * CELL_SIZE)] = basin;
+                    basins[relief.cell(at + Vec2::new(x as f32, y as f32) * cell_size)] = basin;
                 }
             }
         }
@@ -188,16 +191,17 @@ fn next(relief: &Relief, cell: usize) -> Option<usize> {
 
 /// Gives strips of land without a basin to the basins beside them: only wider areas are worth their own colour.
 fn fill_strips(relief: &Relief, basins: &mut [u32]) {
-    const CELLS: u32 = 4;
+    const HALF: f32 = 8.0;
+    let cells = (HALF / relief.cell_size()) as u32;
     let rest: Vec<usize> = (0..basins.len()).filter(|&cell| basins[cell] == 0).collect();
     // Alternates between neighbours with and without corners, so that areas grow nearly round.
     let near = |turn: u32, cell: usize| {
         let around = around(relief.columns(), relief.rows(), cell).into_iter().enumerate();
         around.filter(move |(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2)).map(|(_, near)| near)
     };
-    for turn in 0..2 * CELLS {
+    for turn in 0..2 * cells {
         // First basins take land, then the remaining land takes some of it back.
-        let is_back = turn >= CELLS;
+        let is_back = turn >= cells;
         let is_wanted = |basin: u32| if is_back { basin == 0 } else { basin != 0 && basin != UNKNOWN };
         let wanted = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| is_wanted(basin));
         let open = rest.iter().filter(|&&cell| (basins[cell] != 0) == is_back);

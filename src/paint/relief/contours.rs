@@ -9,7 +9,7 @@ use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
-use crate::relief::{CELL_SIZE, METRES, Relief};
+use crate::relief::{METRES, Relief};
 
 /// The number of times that heights are smoothed first: on valley floors lines would be sharper than any surveyor draws
 /// them.
@@ -19,7 +19,7 @@ const TIMES: u32 = 4;
 pub(crate) const INDEX: u32 = 5;
 
 /// The difference in height between contours, in units of height: a round number of metres. `highest` is the height
-/// that has the colour of the highest land.
+/// of the highest land.
 pub(crate) fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
@@ -53,7 +53,7 @@ impl ContourLines {
         Self {
             look,
             levels: Some(levels(relief, highest)),
-            places: places(view, relief.columns()),
+            places: places(view, relief.grid()),
             lines: [line(0, 1.0), line(1, INDEX as f32)],
             covered: Vec::new(),
             found: 0,
@@ -90,7 +90,7 @@ impl ContourLines {
         let Some(field) = &self.levels else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
         let (heights, rises) = (field.line(at, false), field.line(at, true));
-        let (cell_px, range) = (CELL_SIZE * sheet.view.scale, sheet.view.range(y..y + 1));
+        let (cell_px, range) = (field.grid.cell_size * sheet.view.scale, sheet.view.range(y..y + 1));
         for ((i, &land), &Place { column, along }) in range.clone().zip(&sheet.land[range]).zip(&self.places) {
             let height = heights[column].at(along);
             let level = (height + 0.5) as i32;

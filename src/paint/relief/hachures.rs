@@ -6,7 +6,7 @@ use glam::Vec2;
 use super::Sheet;
 use super::field::Field;
 use crate::paint::coverage::Coverage;
-use crate::paint::ground::{draw, lay_mask};
+use crate::paint::ground::{draw, lay_mask, thinned};
 use crate::paint::palette::Hachures;
 use crate::paint::view::{Rows, View};
 use crate::relief::Relief;
@@ -23,7 +23,7 @@ const TIMES: u32 = 5;
 /// The distance between strokes of a row, in units.
 const APART: u32 = 3;
 
-/// The strokes of a relief. `highest` is the height that has the colour of the highest land, in units of height.
+/// The strokes of a relief. `highest` is the height of the highest land, in units.
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     let mut strokes = Strokes::new(relief, highest);
     while strokes.advance() {}
@@ -80,7 +80,10 @@ impl StrokeMask {
         const MANY: usize = 6000;
         let some = strokes.drawn[self.drawn..].iter().take(MANY);
         self.drawn += some.len();
-        some.for_each(|[from, middle, to]| draw(&mut self.mask, view, &[[*from, *middle], [*middle, *to]]));
+        // In print, strokes are finer.
+        let thinned = thinned(view.scale).sqrt();
+        let pen = |stroke: &Stroke| stroke.map(|(at, half)| (at, half * thinned));
+        some.map(pen).for_each(|[from, middle, to]| draw(&mut self.mask, view, &[[from, middle], [middle, to]]));
         self.drawn < strokes.drawn.len()
     }
 }
@@ -107,10 +110,10 @@ impl HachureRows {
     /// Draws the rows that pass between a cell and the next one, in both directions, unless they are already drawn.
     fn draw_from(&mut self, cell: usize, strokes: &mut Vec<Stroke>) {
         let (here, next) = (self.field.values[cell], self.field.values[cell + 1]);
-        let is_last = (cell + 1).is_multiple_of(self.field.columns);
+        let is_last = (cell + 1).is_multiple_of(self.field.grid.columns);
         for row in (here.min(next).max(0.0) as u32 + 1..=here.max(next) as u32).filter(|_| !is_last) {
             if self.marks[cell] & (1 << (row % 32)) == 0 {
-                let start = self.field.middle(cell) + Vec2::X;
+                let start = self.field.middle(cell) + Vec2::X * (0.5 * self.field.grid.cell_size);
                 [1.0, -1.0].into_iter().for_each(|side| self.walk(start, row, side, strokes));
             }
         }

@@ -2,10 +2,12 @@
 //! casings of rivers.
 
 mod basins;
+mod blur;
 mod casing;
 mod contours;
 mod field;
 mod hachures;
+mod light;
 mod shade;
 
 use std::sync::Arc;
@@ -23,7 +25,7 @@ use crate::relief::Relief;
 pub(crate) use basins::Basins;
 pub(crate) use contours::{INDEX, interval};
 pub(crate) use hachures::{Stroke, strokes};
-pub(crate) use shade::light_of;
+pub(crate) use light::light_of;
 
 /// The ground that relief is laid on.
 pub(super) struct Sheet<'a> {
@@ -58,7 +60,7 @@ impl Sheet<'_> {
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     relief: Arc<Relief>,
-    /// The height that has the colour of the highest land, in units of height.
+    /// The height of the highest land, but for its peaks, in units of height.
     highest: f32,
     shading: Option<Shading>,
     contours: Option<ContourLines>,
@@ -82,7 +84,7 @@ impl Prepared {
     pub fn prepare(&mut self, look: &'static ReliefLook, exaggeration: f32, network: &Network, view: &View) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
         if !self.shading.as_ref().is_some_and(|shading| shading.is_lit_with(exaggeration)) {
-            self.shading = Some(Shading::new(relief, highest, exaggeration, view));
+            self.shading = Some(Shading::new(relief, exaggeration, view));
         } else if let Some(look) = &look.contours
             && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
         {
@@ -152,8 +154,7 @@ impl Inks {
     }
 }
 
-/// The height that has the colour of the highest land, in units of height. A hundredth of the land or less lies above
-/// it.
+/// The height of the highest land, in units of height, but for a hundredth of the land or less, which lies above it.
 pub(crate) fn highest(relief: &Relief) -> f32 {
     const SHARE: f32 = 0.99;
     relief.quantile(SHARE).max(f32::MIN_POSITIVE)

@@ -1,20 +1,13 @@
 //! Hypsometric tints, lighter where light falls and darker elsewhere.
 
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 use super::Sheet;
 use super::field::{Field, Place, places};
-use crate::base::sort::quantile;
-use crate::land::beside;
-use crate::paint::palette::{Colour, Tints, mix};
+use super::light::light_of;
+use crate::paint::palette::{Colour, Tints};
 use crate::paint::view::{Rows, View};
-use crate::relief::{CELL_SIZE, Relief};
-
-/// Three lights: from the north-west at 45° above the horizon with a share of 0.55, from the west at 50° with 0.25 and
-/// from the north at 55° with 0.2. The strongest light is the lowest, and ridges of all directions have a dark side
-/// (after Imhof 1965). Each vector points to its light and is as long as its share.
-const LIGHTS: [Vec3; 3] =
-    [Vec3::new(-0.275, -0.275, 0.388_909), Vec3::new(-0.160_697, 0.0, 0.191_511), Vec3::new(0.0, -0.114_715, 0.163_83)];
+use crate::relief::{METRES, Relief};
 
 /// The height and the light of land in each pixel of a picture, from north to south as far as they have been looked up.
 #[derive(Clone, Debug)]
@@ -28,7 +21,7 @@ pub(super) struct Shading {
     numbers: Vec<u16>,
 }
 
-/// The height of each cell as a share of the greatest height, and its light as a share of that on flat land.
+/// The height of each cell as `Tints::place_of` has it, and its light, from -1 to 1.
 #[derive(Clone, Debug)]
 struct Surface {
     height: Field,
@@ -36,16 +29,14 @@ struct Surface {
 }
 
 impl Shading {
-    /// Computes the light on a relief. `highest` is the height that has the colour of the highest land, in units of
-    /// height.
-    pub fn new(relief: &Relief, highest: f32, exaggeration: f32, view: &View) -> Self {
-        let mut light = Field::of(relief, |_| 0.0);
-        light_of(relief, exaggeration, &mut light.values);
-        let height = Field::of(relief, |height| height.max(0.0) / highest);
+    /// Computes the light on a relief.
+    pub fn new(relief: &Relief, exaggeration: f32, view: &View) -> Self {
+        let light = Field { grid: relief.grid(), values: light_of(relief, exaggeration) };
+        let height = Field::of(relief, |height| Tints::place_of(height * METRES));
         Self {
             lit_with: exaggeration,
             surface: Some(Surface { height, light }),
-            places: places(view, relief.columns()),
+            places: places(view, relief.grid()),
             numbers: Vec::with_capacity(view.pixels()),
         }
     }
@@ -82,80 +73,90 @@ impl Shading {
     }
 }
 
-/// Computes the light on each cell, as a share of the light on flat land.
-pub(crate) fn light_of(relief: &Relief, exaggeration: f32, light: &mut [f32]) {
-    let (columns, rows) = (relief.columns(), relief.rows());
-    let height = |cell: usize| relief.heights()[cell].max(0.0);
-    for row in 0..rows {
-        let [north, _, south] = beside(row, rows).map(|row| row * columns);
-        for column in 0..columns {
-            let [west, _, east] = beside(column, columns);
-            let here = row * columns;
-            let rise =
-                Vec2::new(height(here + east) - height(here + west), height(south + column) - height(north + column));
-            light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)));
-        }
-    }
-    let land = relief.heights().iter().zip(light.iter()).filter(|(height, _)| **height > 0.0);
-    let some: Vec<f32> = land.map(|(_, light)| *light).step_by(7).collect();
-    let usual = quantile(&some, 0.5).max(0.05);
-    light.iter_mut().for_each(|light| *light /= usual);
-}
-
-/// The light on a slope.
-fn lit(rise: Vec2) -> f32 {
-    let normal = (-rise).extend(1.0);
-    let length = (rise.length_squared() + 1.0).sqrt();
-    LIGHTS.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
-}
-
 /// The colours of all heights and lights, by number.
 #[derive(Clone, Debug)]
 pub(super) struct Colours(Vec<Colour>);
 
 const HEIGHTS: usize = 128;
-const LIGHT_STEPS: usize = 128;
-/// The greatest light in the table, as a share of that on flat land.
-const MOST_LIGHT: f32 = 2.0;
+/// An odd number, so that one of them is flat land's.
+const LIGHT_STEPS: usize = 127;
 
 impl Colours {
     pub fn new(tints: &Tints) -> Self {
         let colour = |i: usize| {
-            let height = (i / LIGHT_STEPS) as f32 / (HEIGHTS - 1) as f32;
-            let light = (i % LIGHT_STEPS) as f32 / (LIGHT_STEPS - 1) as f32 * MOST_LIGHT;
-            mix(tints.shadow, tints.at(height), tints.factor(light))
+            let place = (i / LIGHT_STEPS) as f32 / (HEIGHTS - 1) as f32;
+            let light = (i % LIGHT_STEPS) as f32 / (LIGHT_STEPS / 2) as f32 - 1.0;
+            tints.lit(tints.at(Tints::metres_at(place)), light)
         };
         Self((0..HEIGHTS * LIGHT_STEPS).map(colour).collect())
     }
 }
 
-/// The number of the colour of a height and a light: the height as a share of the greatest, the light as a share of
-/// that on flat land.
+/// The number of the colour at the place of a height (`Tints::place_of`), in a light from -1 to 1.
 #[inline]
-fn number(height: f32, light: f32) -> u16 {
+fn number(place: f32, light: f32) -> u16 {
     const MOST_HEIGHT: i32 = HEIGHTS as i32 - 1;
     const LIGHTEST: i32 = LIGHT_STEPS as i32 - 1;
-    let height = ((height * MOST_HEIGHT as f32 + 0.5) as i32).clamp(0, MOST_HEIGHT);
-    let light = ((light * (LIGHTEST as f32 / MOST_LIGHT) + 0.5) as i32).clamp(0, LIGHTEST);
+    let height = ((place * MOST_HEIGHT as f32 + 0.5) as i32).clamp(0, MOST_HEIGHT);
+    let light = (((light + 1.0) * (LIGHTEST / 2) as f32 + 0.5) as i32).clamp(0, LIGHTEST);
     (height * LIGHT_STEPS as i32 + light) as u16
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::paint::palette::mix;
     use crate::paint::styles::palette;
-    use crate::recipe::Style;
+    use crate::recipe::{Choice, Style};
+
+    fn all_tints() -> impl Iterator<Item = (Style, &'static Tints)> {
+        Style::ALL.iter().filter_map(|&style| Some((style, &palette(style).relief?.tints)))
+    }
+
+    /// The colour in the table of a height in metres and a light.
+    fn colour(colours: &Colours, metres: f32, light: f32) -> Colour {
+        colours.0[usize::from(number(Tints::place_of(metres), light))]
+    }
 
     #[test]
-    fn a_wash_is_ink_where_it_is_dark_and_never_lighter_than_its_paper() {
+    fn a_wash_is_mostly_ink_where_it_is_dark_and_never_lighter_than_its_paper() {
         let tints = &palette(Style::InkWash).relief.unwrap().tints;
         let colours = Colours::new(tints);
-        for height in [0.0, 0.4, 1.0] {
-            let [dark, flat, light] = [0.0, 1.0, MOST_LIGHT].map(|light| colours.0[usize::from(number(height, light))]);
-            let paper = tints.at((height * (HEIGHTS - 1) as f32).round() / (HEIGHTS - 1) as f32);
-            assert_eq!((flat, light), (paper, paper), "at {height}");
-            let off = |i: usize| dark[i].abs_diff(tints.shadow[i]);
-            assert!((0..3).all(|i| off(i) < 24), "{dark:?} at {height}");
+        for metres in [0.0, 500.0, 2500.0] {
+            let [dark, flat, light] = [-1.0, 0.0, 1.0].map(|light| colour(&colours, metres, light));
+            assert_eq!(flat, light, "at {metres}");
+            let halfway = mix(flat, tints.shadow, 0.5);
+            assert!((0..3).all(|i| (tints.shadow[i]..halfway[i]).contains(&dark[i])), "{dark:?} at {metres}");
+        }
+    }
+
+    #[test]
+    fn flat_land_has_the_tint_of_its_metres() {
+        for (style, tints) in all_tints() {
+            let colours = Colours::new(tints);
+            for metres in (0..4000).step_by(7).map(|metres| metres as f32) {
+                let (tint, flat) = (tints.at(metres), colour(&colours, metres, 0.0));
+                let off = (0..3).map(|i| tint[i].abs_diff(flat[i])).max().unwrap();
+                assert!(off <= 4, "{style:?}: {flat:?} for {tint:?} at {metres} m");
+            }
+        }
+    }
+
+    #[test]
+    fn light_adds_a_share_of_the_highlight_and_never_hides_the_tint() {
+        for (style, tints) in all_tints() {
+            let colours = Colours::new(tints);
+            assert!(tints.bright <= 0.6, "{style:?}: heights are told apart in full light");
+            for (place, i) in (0..HEIGHTS * LIGHT_STEPS).step_by(LIGHT_STEPS).zip(0..) {
+                let tint = tints.at(Tints::metres_at(i as f32 / (HEIGHTS - 1) as f32));
+                let highlight = mix(tint, tints.highlight, tints.bright);
+                for pixel in &colours.0[place..place + LIGHT_STEPS] {
+                    let most = |part: usize| tint[part].max(highlight[part]);
+                    assert!((0..3).all(|part| pixel[part] <= most(part)), "{style:?}: {pixel:?} over {highlight:?}");
+                }
+            }
+            // Paper white is left to paper.
+            assert!(tints.highlight[2] < 0xf0, "{style:?}: the highlight is warm");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! River systems in colours on paper, their basins in tints of the same colours.
 
 use super::look::{Look, bare, strokes};
-use crate::paint::palette::{BasinColours, Colour, Palette, ReliefLook, even, tinted};
+use crate::paint::palette::{BasinColours, Colour, Palette, ReliefLook, bordered, even, tinted};
 
 const PAPER: Colour = [0xf6, 0xf1, 0xe4];
 
@@ -30,12 +30,13 @@ static RELIEF: ReliefLook = ReliefLook {
         strength: 0.34,
         rivers: 0.55,
     }),
-    ..tinted(&[(0.0, PAPER)], 0.82)
+    ..tinted(&[(0.0, PAPER)], ([0x4a, 0x4e, 0x62], 0.3), ([0xff, 0xfa, 0xe8], 0.5))
 };
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
         relief: Some(&RELIEF),
+        neatline: bordered(PAPER, [0xa8, 0x93, 0x78]),
         ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58])
     },
     labels: bare([0x3a, 0x33, 0x2b], PAPER),

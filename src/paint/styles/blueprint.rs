@@ -1,11 +1,17 @@
 //! A blueprint: white lines on blue.
 
 use super::look::{Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
+use crate::paint::palette::{
+    BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, bordered, even, tinted,
+};
 
 const LAND: Colour = [0x13, 0x44, 0x81];
 
-const TINTED: ReliefLook = tinted(&[(0.0, LAND), (1.0, [0x20, 0x5a, 0x9c])], 0.85);
+const TINTED: ReliefLook = tinted(
+    &[(0.0, LAND), (800.0, [0x19, 0x4e, 0x8e]), (2400.0, [0x24, 0x60, 0xa2])],
+    ([0x06, 0x20, 0x48], 0.4),
+    ([0x8c, 0xb4, 0xdc], 0.2),
+);
 
 static RELIEF: ReliefLook = ReliefLook {
     contours: Some(Contours { colour: [0xbf, 0xe0, 0xff], widths: [0.4, 0.9], strengths: [0.3, 0.5] }),
@@ -30,6 +36,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
+        neatline: bordered([0x0d, 0x37, 0x6c], [0xbf, 0xe0, 0xff]),
         ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], RIVER)
     },
     labels: haloed(RIVER, LAND, 0.6),

@@ -1,15 +1,20 @@
 //! A painting in ink and water.
 
 use super::look::{LabelLook, Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, Tints, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, bordered, even, tinted};
 
 const PAPER: Colour = [0xf5, 0xf1, 0xe8];
 
-const TINTED: ReliefLook = tinted(&[(0.0, PAPER), (0.3, [0xee, 0xea, 0xe1]), (1.0, [0xc4, 0xc3, 0xbf])], 0.0);
+const INK: Colour = [0x23, 0x27, 0x2b];
+
+const TINTED: ReliefLook = tinted(
+    &[(0.0, PAPER), (500.0, [0xee, 0xea, 0xe1]), (1800.0, [0xcc, 0xcb, 0xc7]), (2800.0, [0xbc, 0xbc, 0xba])],
+    (INK, 0.72),
+    (PAPER, 0.0),
+);
 
 static RELIEF: ReliefLook = ReliefLook {
-    tints: Tints { light: [0.1, 1.03], most: 1.0, shadow: [0x23, 0x27, 0x2b], ..TINTED.tints },
-    hachures: Some(Hachures { colour: [0x23, 0x27, 0x2b], strength: 0.3 }),
+    hachures: Some(Hachures { colour: INK, strength: 0.3 }),
     casing: Casing { colour: PAPER, strength: 0.8, margin: 2.0, blur: 2.0, gain: 1.5 },
     ..TINTED
 };
@@ -26,6 +31,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
+        neatline: bordered(PAPER, [0x6a, 0x68, 0x62]),
         ..even(PAPER, PAPER, [0x6f, 0x93, 0x9e], [0x55, 0x55, 0x52], [0x3c, 0x69, 0x7e])
     },
     labels: LabelLook { mark: [0xa8, 0x32, 0x2a], ..haloed([0x1c, 0x36, 0x44], PAPER, 0.6) },

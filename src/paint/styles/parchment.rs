@@ -1,11 +1,11 @@
 //! An engraving on old paper.
 
 use super::look::{Look, bodied, haloed};
-use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Colour, Hachures, Palette, Paper, ReliefLook, bordered, even, tinted};
 
 const LAND: Colour = [0xf1, 0xe4, 0xc3];
 
-const TINTED: ReliefLook = tinted(&[(0.0, LAND)], 0.86);
+const TINTED: ReliefLook = tinted(&[(0.0, LAND)], ([0x5a, 0x4c, 0x4c], 0.26), ([0xff, 0xf6, 0xdc], 0.5));
 
 static RELIEF: ReliefLook = ReliefLook {
     hachures: Some(Hachures { colour: [0x4a, 0x38, 0x28], strength: 0.6 }),
@@ -35,6 +35,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
+        neatline: bordered([0xea, 0xd9, 0xb0], [0x5a, 0x46, 0x32]),
         ..even(LAND, [0xdf, 0xcb, 0x9d], [0x4a, 0x38, 0x28], [0x6e, 0x5a, 0x40], [0x4a, 0x5a, 0x5c])
     },
     labels: haloed([0x2f, 0x3a, 0x3f], LAND, 0.6),

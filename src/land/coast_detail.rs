@@ -1,0 +1,282 @@
+//! Detail of coasts that is finer than the lattice of their distances: noise that moves the line of the coast a little, for pictures
+//! whose pixels are small enough to show it.
+//!
+//! It depends on the seed and on the place alone, so any part of a map at any size has the same coast. An octave fades in as pixels get
+//! smaller than its wavelength; the amplitude of an octave is a share of its wavelength. Near rivers nothing moves, so no mouth is cut
+//! off from its sea.
+
+use glam::Vec2;
+
+use super::Land;
+use crate::base::random::{ItemHash, Purpose, Seed};
+use crate::base::work;
+
+/// The farthest from the coast that is shown that anything moves, in units.
+pub(crate) const REACH: f32 = 2.8;
+
+/// The wavelength of the broadest octave, in units: half the shortest wave that the lattice of coast distances holds.
+const BROADEST: f32 = 4.2;
+/// The number of octaves, each of half the wavelength of the one before.
+const OCTAVES: u32 = 5;
+/// The size of a wave at which it begins to show and at which all of it does, in pixels.
+const FIRST_SEEN: f32 = 7.0;
+const ALL_SEEN: f32 = 13.0;
+
+/// A coast's detail at one size of pixels.
+#[derive(Clone, Debug)]
+pub(crate) struct CoastDetail {
+    hash: ItemHash,
+    octaves: Vec<Octave>,
+    free: Free,
+}
+
+/// Noise of one wavelength.
+#[derive(Clone, Copy, Debug)]
+struct Octave {
+    number: u32,
+    /// The number of squares of its lattice in a unit.
+    per_unit: f32,
+    amplitude: f32,
+}
+
+impl CoastDetail {
+    /// The detail that a coast shows with so many pixels to a unit, on a map of this size. `roughness` is that of the recipe, from 0 to 1; `lines` are those of all rivers,
+    /// place by place with half the width, in units. `None` if pixels are too large for any.
+    pub fn of(
+        land: &Land,
+        size: Vec2,
+        (seed, roughness): (Seed, f32),
+        per_unit: f32,
+        lines: impl Iterator<Item = Vec<(Vec2, f32)>>,
+    ) -> Option<Self> {
+        let octaves = octaves(roughness, per_unit);
+        if octaves.is_empty() {
+            return None;
+        }
+        let mut free = Free::on(size);
+        for line in lines {
+            line.windows(2).filter(|ends| is_near(land, ends[0])).for_each(|ends| free.keep_off([ends[0], ends[1]]));
+        }
+        Some(Self { hash: seed.item_hash(Purpose::CoastDetail), octaves, free })
+    }
+
+    /// How far a place is moved inland, given its distance from the coast and how steeply that rises, and the gradient of that, for each
+    /// unit. Between two coasts distances hardly rise, and any move would make specks of land and water.
+    pub fn shift(&self, at: Vec2, distance: f32, slope: f32) -> (f32, Vec2) {
+        let way = (1.0 - distance.abs() / REACH).max(0.0);
+        let share = smooth(way) * smooth(slope.min(1.0)) * self.free.at(at);
+        if share <= 0.0 {
+            return (0.0, Vec2::ZERO);
+        }
+        let share = share * self.hardness(at);
+        self.octaves.iter().fold((0.0, Vec2::ZERO), |(height, rise), octave| {
+            let amplitude = octave.amplitude * share;
+            let (more, steeper) = noise(self.hash, octave.number, at * octave.per_unit);
+            (height + more * amplitude, rise + steeper * (amplitude * octave.per_unit))
+        })
+    }
+
+    /// The strength of detail on the rock at a place, from soft to hard: beaches are smooth, cliffs rough.
+    fn hardness(&self, at: Vec2) -> f32 {
+        const SOFT: f32 = 0.25;
+        const HARD: f32 = 1.25;
+        let hard = (noise(self.hash, HARDNESS, at * HARD_STRETCHES).0 * 0.8 + 0.5).clamp(0.0, 1.0);
+        SOFT + (HARD - SOFT) * hard
+    }
+}
+
+/// The number of the noise that tells hard stretches from soft ones, and the number of its squares in a unit.
+const HARDNESS: u32 = 99;
+const HARD_STRETCHES: f32 = 1.0 / 45.0;
+
+/// The octaves that can be seen.
+fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
+    /// The amplitude as a share of the wavelength, for smooth and for rough coasts.
+    const SMOOTH: f32 = 0.04;
+    const ROUGH: f32 = 0.24;
+    /// What it falls to with each octave: a coast of steep small waves looks like foam.
+    const LESS: f32 = 0.8;
+    let share = SMOOTH + (ROUGH - SMOOTH) * roughness.clamp(0.0, 1.0);
+    let octave = |number: u32| {
+        let wavelength = BROADEST / (1 << number) as f32;
+        let seen = smooth(((wavelength * per_unit - FIRST_SEEN) / (ALL_SEEN - FIRST_SEEN)).clamp(0.0, 1.0));
+        // Gradient noise has its crests about two squares apart.
+        Octave { number, per_unit: 2.0 / wavelength, amplitude: wavelength * share * seen }
+    };
+    let lessened = |octave: Octave| Octave {
+        amplitude: octave.amplitude * (0..octave.number).fold(1.0, |less, _| less * LESS),
+        ..octave
+    };
+    (0..OCTAVES).map(octave).map(lessened).filter(|octave| octave.amplitude > 0.0).collect()
+}
+
+/// Returns `true` if a place of a river is so near to the coast that its banks may reach what moves.
+fn is_near(land: &Land, (at, half): (Vec2, f32)) -> bool {
+    land.coast_distance().height(at).abs() < half + REACH + FAR
+}
+
+fn smooth(way: f32) -> f32 {
+    way * way * (3.0 - 2.0 * way)
+}
+
+/// Gradient noise (Perlin 1985, with the fade of 2002), from about -1 to 1, and its gradient.
+fn noise(hash: ItemHash, octave: u32, at: Vec2) -> (f32, Vec2) {
+    let corner = at.floor();
+    let within = at - corner;
+    let [west, north] = [corner.x, corner.y].map(|x| x as i32);
+    let dot = |east: i32, south: i32| {
+        let slope =
+            SLOPES[(hash.bits([(west + east) as u32, (north + south) as u32, octave]) >> 29) as usize % SLOPES.len()];
+        (slope.dot(within - Vec2::new(east as f32, south as f32)), slope)
+    };
+    let [(a, slope_a), (b, slope_b), (c, slope_c), (d, slope_d)] = [dot(0, 0), dot(1, 0), dot(0, 1), dot(1, 1)];
+    let fade = within * within * within * (within * (within * 6.0 - 15.0) + 10.0);
+    let steep = within * within * (within * (within - 2.0) + 1.0) * 30.0;
+    let height = a + fade.x * (b - a) + fade.y * (c - a) + fade.x * fade.y * (a - b - c + d);
+    let mixed = slope_a
+        + (slope_b - slope_a) * fade.x
+        + (slope_c - slope_a) * fade.y
+        + (slope_a - slope_b - slope_c + slope_d) * (fade.x * fade.y);
+    let twist = a - b - c + d;
+    let turned = Vec2::new(b - a + fade.y * twist, c - a + fade.x * twist) * steep;
+    (height * GAIN, (mixed + turned) * GAIN)
+}
+
+/// Brings the noise to a range of about -1 to 1.
+const GAIN: f32 = 1.4;
+
+/// The slopes at the corners of the noise's lattice.
+const SLOPES: [Vec2; 8] = {
+    const HALF: f32 = std::f32::consts::FRAC_1_SQRT_2;
+    [
+        Vec2::new(1.0, 0.0),
+        Vec2::new(HALF, HALF),
+        Vec2::new(0.0, 1.0),
+        Vec2::new(-HALF, HALF),
+        Vec2::new(-1.0, 0.0),
+        Vec2::new(-HALF, -HALF),
+        Vec2::new(0.0, -1.0),
+        Vec2::new(HALF, -HALF),
+    ]
+};
+
+/// The distance of a bank up to which nothing moves, and the one from which on everything does, in units. The first is more than the
+/// diagonal of a cell, so there is none between four corners that are free.
+const NEAR: f32 = 1.5;
+const FAR: f32 = 4.5;
+
+/// How free the coast is to move, on a lattice with a corner at every unit, in 255ths: not at all near rivers.
+#[derive(Clone, Debug)]
+struct Free {
+    columns: usize,
+    shares: Vec<u8>,
+}
+
+impl Free {
+    fn on(size: Vec2) -> Self {
+        let [columns, rows] = size.to_array().map(|length| length as usize + 2);
+        Self { columns, shares: vec![u8::MAX; columns * rows] }
+    }
+
+    /// Holds the surroundings of a piece of a river.
+    fn keep_off(&mut self, [(from, half_from), (to, half_to)]: [(Vec2, f32); 2]) {
+        let along = to - from;
+        let reach = half_from.max(half_to) + FAR;
+        let [[left, right], [top, bottom]] = [0, 1].map(|axis| {
+            let (least, most) = (from.min(to)[axis] - reach, from.max(to)[axis] + reach);
+            // A conversion turns negative numbers into 0.
+            [least.ceil() as usize, (most.floor() + 1.0) as usize]
+        });
+        let (right, bottom) = (right.min(self.columns), bottom.min(self.shares.len() / self.columns));
+        work::count(bottom.saturating_sub(top) * right.saturating_sub(left));
+        for (row, column) in (top..bottom).flat_map(|row| (left..right).map(move |column| (row, column))) {
+            let off = Vec2::new(column as f32, row as f32) - from;
+            let way = (off.dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+            let away = (off - along * way).length() - (half_from + (half_to - half_from) * way);
+            let free = smooth(((away - NEAR) / (FAR - NEAR)).clamp(0.0, 1.0));
+            let share = &mut self.shares[row * self.columns + column];
+            *share = (*share).min((free * 255.0) as u8);
+        }
+    }
+
+    /// The share at a place, from 0 to 1. Beyond the map it is that at its border.
+    fn at(&self, at: Vec2) -> f32 {
+        let last = Vec2::new(self.columns as f32 - 2.0, (self.shares.len() / self.columns) as f32 - 2.0);
+        let at = at.max(Vec2::ZERO).min(last);
+        let (column, row) = (at.x as usize, at.y as usize);
+        let within = at - at.floor();
+        let share = |down: usize, across: usize| f32::from(self.shares[(row + down) * self.columns + column + across]);
+        let [north, south] = [0, 1].map(|down| share(down, 0) + (share(down, 1) - share(down, 0)) * within.x);
+        (north + (south - north) * within.y) / 255.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::recipe::link;
+
+    const ROUGHNESS: f32 = 0.5;
+
+    fn detail(per_unit: f32, lines: &[Vec<(Vec2, f32)>]) -> Option<CoastDetail> {
+        let recipe = link::read("land=island&aspect=1.5").unwrap();
+        let land = Land::of(&recipe).unwrap();
+        CoastDetail::of(
+            &land,
+            Domain::of(&recipe).size,
+            (Seed::from_text("kauri"), ROUGHNESS),
+            per_unit,
+            lines.iter().cloned(),
+        )
+    }
+
+    /// Places all over a square in which nothing is moved by a river.
+    fn places() -> impl Iterator<Item = Vec2> {
+        (0..40_000).map(|i| Vec2::new((i % 200) as f32 * 0.731, (i / 200) as f32 * 0.917) + 300.0)
+    }
+
+    #[test]
+    fn coarse_pixels_show_none_and_finer_ones_more_and_more() {
+        for width in [200.0, 1024.0, 1440.0, 1920.0] {
+            assert!(detail(width / 1224.7, &[]).is_none(), "{width} pixels");
+        }
+        let mean = |per_unit: f32| {
+            let detail = detail(per_unit, &[]).unwrap();
+            places().map(|at| detail.shift(at, 0.0, 1.0).0.abs()).sum::<f32>() / 40_000.0
+        };
+        let [small, large, largest] = [2.2, 3.3, 6.7].map(mean);
+        assert!(0.0 < small && small < large && large < largest, "{small} {large} {largest}");
+        assert!((0.05..0.3).contains(&largest), "{largest}");
+    }
+
+    #[test]
+    fn nothing_moves_on_a_river_or_far_from_the_coast() {
+        let recipe = link::read("land=island&aspect=1.5").unwrap();
+        let land = Land::of(&recipe).unwrap();
+        let shore = land.regions()[0].shores[0].at;
+        let line: Vec<_> = (-40..40).map(|i| (shore + Vec2::new(i as f32 * 0.9, i as f32 * 0.4), 1.7)).collect();
+        let detail = detail(6.7, std::slice::from_ref(&line)).unwrap();
+        for (at, half) in line.into_iter().filter(|(at, _)| at.distance(shore) < 4.0) {
+            for aside in (-10..=10).map(|i| Vec2::new(-0.4, 0.9).normalize() * (i as f32 * 0.1 * half)) {
+                assert_eq!(detail.shift(at + aside, 0.0, 1.0), (0.0, Vec2::ZERO), "{}", at + aside);
+            }
+        }
+        assert!(
+            places().all(|at| detail.shift(at, REACH, 1.0).0 == 0.0 && detail.shift(at, -REACH - 1.0, 1.0).0 == 0.0)
+        );
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_heights() {
+        let detail = detail(6.7, &[]).unwrap();
+        for at in places().step_by(17) {
+            const STEP: f32 = 0.01;
+            let height = |at: Vec2| detail.shift(at, 0.0, 1.0).0;
+            let [east, south] =
+                [Vec2::X, Vec2::Y].map(|way| (height(at + way * STEP) - height(at - way * STEP)) / (2.0 * STEP));
+            let rise = detail.shift(at, 0.0, 1.0).1;
+            assert!((rise - Vec2::new(east, south)).length() < 0.05, "{at}: {rise}, not {east}, {south}");
+        }
+    }
+}
