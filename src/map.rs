@@ -9,6 +9,7 @@ mod read;
 mod tests;
 mod write;
 
+use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -18,7 +19,7 @@ use crate::land::Land;
 use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Recipe, Style};
-use crate::relief::{Relief, ReliefError, ReliefSettings, Rills};
+use crate::relief::{Grid, Relief, ReliefError, ReliefSettings, Rills};
 use crate::tree::{Hydrology, Tree};
 
 /// A finished map.
@@ -44,6 +45,12 @@ pub struct Map {
     pub(crate) past: Arc<PastCourses>,
     pub(crate) relief: Option<Arc<Relief>>,
 }
+
+/// The number of pixels on a side of a cell of a relief for pictures.
+const PIXELS_A_CELL: u32 = 2;
+
+/// The cell size, as a share of that of the map's own relief, from which another one is worth solving.
+const FINER: f32 = 0.75;
 
 /// Identifies a map. Maps of one program with the same id have the same land, rivers and names; they may differ in
 /// style, and in whether their relief has been made.
@@ -146,6 +153,24 @@ impl Map {
     /// Fails if there is not enough memory.
     pub fn with_relief(self) -> Result<Self, ReliefError> {
         Ok(Self { relief: Some(self.make_relief()?), ..self })
+    }
+
+    /// The shown relief on a grid fine enough for a picture with so many pixels on its longer side: two to a cell, up to
+    /// [`Grid::MOST`] cells. `None` if the style shows no relief, or if the map's own is about as fine. The result does
+    /// not depend on the number of threads.
+    pub(crate) fn relief_for_picture(
+        &self,
+        pixels: u32,
+        threads: NonZero<usize>,
+    ) -> Option<Result<Relief, ReliefError>> {
+        let own = self.shown_relief()?;
+        let mut settings = self.relief_settings();
+        let grid = Grid::with_longer_side(&settings.domain, (pixels / PIXELS_A_CELL).min(Grid::MOST))?;
+        if grid.cell_size > FINER * settings.grid.cell_size {
+            return None;
+        }
+        (settings.grid, settings.threads) = (grid, threads);
+        Some(own.on_grid_of(&self.network, settings))
     }
 
     /// The settings by which the rivers were made from the tree.

@@ -2,6 +2,7 @@
 
 mod drafts;
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use tiny_skia::Pixmap;
@@ -15,7 +16,7 @@ use crate::map::{Map, MapId};
 use crate::network::{Network, PastCourses};
 use crate::paint::{AnnotationMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{NumberKey, Recipe, Style};
-use crate::relief::Relief;
+use crate::relief::{Relief, ReliefError};
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
 
@@ -43,6 +44,8 @@ pub struct Picture {
     /// The annotation laid over a finished map, and the map and style that it belongs to.
     annotation: Option<(AnnotationKey, Arc<AnnotationMasks>)>,
     drafts: SessionDrafts,
+    /// The relief on a finer grid than its map's own, for a large picture.
+    finer: Option<(MapId, Arc<Relief>)>,
     /// The next annotation, while it is being made.
     #[cfg(feature = "names")]
     builder: Option<(AnnotationKey, AnnotationBuilder)>,
@@ -63,6 +66,7 @@ impl Picture {
             rivers_of: None,
             annotation: None,
             drafts: SessionDrafts::default(),
+            finer: None,
             #[cfg(feature = "names")]
             builder: None,
             #[cfg(feature = "names")]
@@ -120,7 +124,7 @@ impl Picture {
             map.network(),
             map.past(),
             map.rounds(),
-            map.shown_relief(),
+            self.finer_or(map.id(), map.shown_relief().cloned()).as_ref(),
             (map.recipe(), true),
             map.land().map(Arc::as_ref),
         )
@@ -147,7 +151,8 @@ impl Picture {
             return Painted::Part;
         }
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
-            return self.paint_rivers(network, past, rounds, session.relief(), (recipe, session.is_finished()), land);
+            let relief = self.finer_or(session.map_id(), session.relief().cloned());
+            return self.paint_rivers(network, past, rounds, relief.as_ref(), (recipe, session.is_finished()), land);
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -160,6 +165,24 @@ impl Picture {
             land,
             style: recipe.get(),
         }))
+    }
+
+    /// Solves the relief of a map again for this picture, if its pixels are much smaller than the cells of the map's own
+    /// relief, so that the ground of large pictures is as sharp as their lines. The next paint of that map, or of the
+    /// session that made it, shows it. The result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn refine(&mut self, map: &Map, threads: NonZero<usize>) -> Result<(), ReliefError> {
+        let longer = self.pixmap().width().max(self.pixmap().height());
+        let finer = map.relief_for_picture(longer, threads).transpose()?;
+        self.finer = finer.map(|relief| (map.id(), Arc::new(relief)));
+        Ok(())
+    }
+
+    fn finer_or(&self, map: MapId, own: Option<Arc<Relief>>) -> Option<Arc<Relief>> {
+        let finer = self.finer.as_ref().filter(|(of, _)| *of == map).map(|(_, relief)| relief.clone());
+        own.map(|own| finer.unwrap_or(own))
     }
 
     fn paint_rivers(

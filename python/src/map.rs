@@ -1,5 +1,6 @@
 //! A grown map, as Python holds it. No other file knows how the library keeps one.
 
+use std::num::NonZero;
 use std::sync::{PoisonError, RwLock, RwLockReadGuard};
 
 use pyo3::prelude::*;
@@ -7,7 +8,7 @@ use pyo3::types::{PyBytes, PyDict};
 use riverseed::paint::{Painted, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::session::{Session, Summary};
+use riverseed::session::{Session, SessionError, Summary};
 
 use crate::failure::{Done, Failure};
 use crate::file::{self, Options};
@@ -55,6 +56,7 @@ impl Map {
             Ok(Picture::new(width, height)?.with_ratio(ratio))
         })?;
         let map = self.map()?;
+        py.detach(|| picture.refine(&map, NonZero::<usize>::MIN).map_err(SessionError::from)).map_err(Failure::from)?;
         steps::run(py, || Ok(picture.paint_map_part(&map) == Painted::Part))?;
         Ok(picture)
     }

@@ -1,5 +1,6 @@
 //! Rasters: values of each cell of the relief, for programs that make landscapes from them.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use glam::Vec2;
@@ -112,6 +113,14 @@ impl Rasters {
     /// # Errors
     /// Fails if rasters of this map cannot have that size, or if there is not enough memory: about 100 bytes per pixel.
     pub fn with_size(map: &Map, size: u32) -> Result<Self, ExportError> {
+        Self::with_size_on(map, size, NonZero::<usize>::MIN)
+    }
+
+    /// Makes rasters like [`Rasters::with_size`] on a number of threads; the result does not depend on it.
+    ///
+    /// # Errors
+    /// Fails like [`Rasters::with_size`].
+    pub fn with_size_on(map: &Map, size: u32, threads: NonZero<usize>) -> Result<Self, ExportError> {
         let network = rivers(map, BYTES_A_VERTEX)?;
         let mut settings = map.relief_settings();
         let grid = Self::grid(&settings.domain, size)?;
@@ -119,7 +128,7 @@ impl Rasters {
         if grid == settings.grid {
             return Self::of(map, network, own, &settings);
         }
-        settings.grid = grid;
+        (settings.grid, settings.threads) = (grid, threads);
         let finer = own.on_grid_of(network, settings.clone())?;
         Self::of(map, network, finer.into(), &settings)
     }

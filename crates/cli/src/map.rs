@@ -1,6 +1,7 @@
 //! A finished map with its files. It is grown once for all forms that are requested.
 
 use std::io::{self, Write};
+use std::num::NonZero;
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
@@ -30,6 +31,8 @@ pub struct Options {
     pub raster_size: Option<u32>,
     has_svg_text: bool,
     pub has_attractors: bool,
+    /// The number of threads for one map. Files do not depend on it.
+    threads: NonZero<usize>,
 }
 
 impl Options {
@@ -56,7 +59,12 @@ impl Options {
             Rasters::grid(&Domain::of(recipe), size).map_err(Failure::RasterSize)?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
-        Ok(Self { size, ratio: ratio.unwrap_or(1.0), raster_size, has_svg_text, has_attractors })
+        Ok(Self { size, ratio: ratio.unwrap_or(1.0), raster_size, has_svg_text, has_attractors, threads: NonZero::<usize>::MIN })
+    }
+
+    /// The same options with a number of threads for one map.
+    pub fn on_threads(self, threads: NonZero<usize>) -> Self {
+        Self { threads, ..self }
     }
 
     /// The longest requested side of the contents of some forms, in pixels.
@@ -107,11 +115,12 @@ impl Files {
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
         let map = session.finish()?;
         let attractors = options.has_attractors.then(|| session.growth().scattered());
-        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&map, options.raster_size));
+        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&map, options));
         let rasters = rasters.transpose()?;
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
             memory::ask_for_picture(&map, picture)?;
+            picture.refine(&map, options.threads).map_err(io::Error::other)?;
             picture.paint_map(&map);
         }
         progress.set_message("writing");
@@ -152,7 +161,8 @@ fn picture(recipe: &Recipe, options: Options) -> Result<Picture, PaintError> {
     Ok(Picture::new(width, height)?.with_ratio(options.ratio))
 }
 
-fn rasters(map: &Map, size: Option<u32>) -> io::Result<Rasters> {
-    let rasters = size.map_or_else(|| Rasters::new(map), |size| Rasters::with_size(map, size));
+fn rasters(map: &Map, options: Options) -> io::Result<Rasters> {
+    let sized = |size| Rasters::with_size_on(map, size, options.threads);
+    let rasters = options.raster_size.map_or_else(|| Rasters::new(map), sized);
     rasters.map_err(io::Error::other)
 }

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
@@ -26,7 +27,10 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     order.say_what_is_idle(&forms.iter().map(|form| form.is_picture()).collect::<Vec<_>>());
     match matches.get_one::<OsString>("seeds") {
         Some(seeds) => batch::render(matches, seeds, &order, &wanted, options),
-        None => render_one(order, &wanted, &forms, options),
+        None => {
+            let threads = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+            render_one(order, &wanted, &forms, options.on_threads(threads))
+        }
     }
 }
 

@@ -17,6 +17,7 @@ export async function paint(river: SteeredRiver, core: MakerCore, course: Course
     river.takeAnnotation(await askMapForFile(river, means, (map) => map.masks(width, height, 1, new Float32Array())));
     await course.pause();
   }
+  river.refine();
   await inSteps(
     course,
     () => river.paint(),

@@ -1,9 +1,14 @@
 //! The page's demands on a picture: a part of the map, no ground, how far it is; and a copy of the river for another picture.
 
+use std::num::NonZero;
+
 use wasm_bindgen::prelude::*;
 
 use crate::make::river::{River, session_error};
 use riverseed::paint::Framing;
+
+/// Wasm has no threads here.
+const ONE: NonZero<usize> = NonZero::<usize>::MIN;
 
 #[wasm_bindgen]
 impl River {
@@ -22,6 +27,14 @@ impl River {
         if let Some(picture) = &mut self.picture {
             picture.frame(&self.session, Framing::of(framing));
         }
+    }
+
+    /// Solves the relief of the finished map again if the picture's pixels are much smaller than the relief's cells, so
+    /// that the ground of large pictures is sharp; the next `paint` shows it. Throws an Error if there is not enough
+    /// memory.
+    pub fn refine(&mut self) -> Result<(), JsValue> {
+        let refined = self.picture.as_mut().zip(self.session.map()).map(|(picture, map)| picture.refine(&map, ONE));
+        refined.unwrap_or(Ok(())).map_err(|error| session_error(&error.into()))
     }
 
     /// The share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
