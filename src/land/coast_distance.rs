@@ -85,27 +85,49 @@ impl CoastDistance {
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, the
-    /// function is called only where the coast may pass; elsewhere only the sign of the height matters.
+    /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, from one
+    /// lattice to that with half the spacing, the function is called only where the coast may pass; elsewhere only the
+    /// sign of the height matters.
     fn sampled(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        /// The distance between corners of the coarse lattice, in units.
+        /// The distance between corners of the coarsest lattice, in units.
         const FAR: f32 = 16.0;
-        /// The coast may pass where the height differs from the level by less than this, in units.
-        const NEAR: f32 = 24.0;
-        let stride = (FAR / spacing) as usize;
-        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, FAR));
-        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, FAR))).collect();
-        let level = sort::quantile(&of_squares(domain, FAR, &coarse, across), share);
-        coarse.iter_mut().for_each(|height| *height -= level);
-        let between = |i: usize| [i / stride, i.div_ceil(stride)];
-        let sample = |i: usize| {
-            let ([west, east], rows) = (between(i % columns), between(i / columns).map(|row| row * across));
-            let first = coarse[rows[0] + west];
-            let is_alike = |height: f32| height.abs() > NEAR && (height > 0.0) == (first > 0.0);
-            let is_alike = rows.iter().all(|row| is_alike(coarse[row + west]) && is_alike(coarse[row + east]));
-            if is_alike { first } else { height(corner(i, columns, spacing)) - level }
+        let mut lattice = Self::with_heights(domain, FAR, |at, _| height(at));
+        let level = sort::quantile(&of_squares(domain, FAR, &lattice.heights, lattice.columns), share);
+        lattice.heights.iter_mut().for_each(|height| *height -= level);
+        while lattice.spacing > spacing {
+            let spacing = (lattice.spacing / 2.0).max(spacing);
+            lattice = Self::with_heights(domain, spacing, |at, [column, row]| {
+                let stride = (lattice.spacing / spacing) as usize;
+                lattice.certain(stride, [column, row]).unwrap_or_else(|| height(at) - level)
+            });
+        }
+        lattice
+    }
+
+    /// A lattice with a height for each place and its column and row.
+    fn with_heights(domain: &Domain, spacing: f32, height: impl Fn(Vec2, [usize; 2]) -> f32) -> Self {
+        let (columns, rows) = Self::corners(domain, spacing);
+        let heights = (0..columns * rows).map(|i| height(corner(i, columns, spacing), [i % columns, i / columns]));
+        Self { heights: heights.collect(), columns, rows, spacing }
+    }
+
+    /// The height at a corner of a lattice with more corners, `stride` in an interval of this one. It is known if both
+    /// have that corner, and if the coast passes far off. Then only its sign counts.
+    fn certain(&self, stride: usize, at: [usize; 2]) -> Option<f32> {
+        /// The coast may pass where the height differs from the level by less than this, in spacings.
+        const NEAR: f32 = 1.1;
+        let [west, north] = at.map(|i| i / stride);
+        let [east, south] = at.map(|i| i.div_ceil(stride));
+        let first = self.heights[north * self.columns + west];
+        if [west, north] == [east, south] {
+            return Some(first);
+        }
+        let is_alike = |column: usize, row: usize| {
+            let height = self.heights[row * self.columns + column];
+            height.abs() > NEAR * self.spacing && (height > 0.0) == (first > 0.0)
         };
-        Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
+        let is_far = is_alike(west, north) && is_alike(east, north) && is_alike(west, south) && is_alike(east, south);
+        is_far.then_some(first)
     }
 
     /// Turns islets into sea and ponds into land. The map has no room for rivers on islets, and rivers of the land

@@ -1,0 +1,156 @@
+//! Forms: the height of the land of a shape, from spines, the distance from sides, noise and the frame.
+
+use glam::Vec2;
+
+use super::drafts::{self, Wanted};
+use super::kinds::Shape;
+use super::layout::{self, Dice};
+use super::rock::{Amplitudes, Relief, Rock};
+use super::sides::Coasts;
+use super::spine::{Spine, highest};
+use crate::base::random::Purpose;
+use crate::recipe::LandKind;
+
+/// The ingredients of a shape's height.
+pub(super) struct Form<'a> {
+    shape: &'a Shape,
+    spines: Vec<Spine>,
+    coasts: Option<Coasts>,
+    rock: Rock,
+    amplitudes: Amplitudes,
+}
+
+impl<'a> Form<'a> {
+    /// The form of a shape. An island's is the best of several drafts, which depends neither on the share of the sea nor
+    /// on roughness: they change a coast a little, but never for another one.
+    pub fn of(shape: &'a Shape) -> Self {
+        let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, ..shape.clone() };
+        let drafted = Form::drafted(&usual);
+        let Form { spines, coasts, .. } = drafted;
+        let coasts = coasts.map(|_| Coasts::new(shape, &mut dice_of(shape, 0)));
+        Form { shape, spines, coasts, rock: Rock::new(shape), amplitudes: amplitudes(shape.kind) }
+    }
+
+    fn drafted(shape: &Shape) -> Form<'_> {
+        let (rock, amplitudes) = (Rock::new(shape), amplitudes(shape.kind));
+        let coasts = matches!(shape.kind, LandKind::Continent | LandKind::Valley);
+        let coasts = coasts.then(|| Coasts::new(shape, &mut dice_of(shape, 0)));
+        let mut form = Form { shape, spines: Vec::new(), coasts, rock, amplitudes };
+        if let Some(wanted) = wanted(shape.kind) {
+            let is_lake = shape.kind == LandKind::Basin;
+            let (sign, sea) = if is_lake { (-1.0, 1.0 - shape.sea) } else { (1.0, shape.sea) };
+            let points = drafts::points(&shape.domain);
+            let reliefs: Vec<Relief> = points.iter().map(|&at| form.rock.at(at, &form.amplitudes)).collect();
+            let number = drafts::best(&shape.domain, sea, &wanted, |number| {
+                let spines = spines(shape, number);
+                points.iter().zip(&reliefs).map(|(&at, relief)| sign * form.with(&spines, at, relief)).collect()
+            });
+            form.spines = spines(shape, number);
+        } else {
+            form.spines = spines(shape, 0);
+        }
+        form
+    }
+
+    /// The height of a point, in units.
+    pub fn height(&self, point: Vec2) -> f32 {
+        self.with(&self.spines, point, &self.rock.at(point, &self.amplitudes))
+    }
+
+    fn with(&self, spines: &[Spine], point: Vec2, relief: &Relief) -> f32 {
+        let span = self.shape.span();
+        // Straits between islands are narrow.
+        let round = if self.shape.kind == LandKind::Archipelago { 0.012 } else { 0.05 } * span;
+        let spines = || highest(spines, relief.at, round);
+        match self.shape.kind {
+            LandKind::Rectangle | LandKind::Drawn => span,
+            LandKind::Archipelago => {
+                // The sea bed is steep there, or noise would join islands.
+                let land = spines();
+                let land = if land < 0.0 { 2.5 * land } else { land };
+                land + relief.rise - self.moat(point, relief.rise / span, relief.stray)
+            }
+            LandKind::Island => spines() + relief.rise - self.moat(point, relief.rise / span, relief.stray),
+            LandKind::Basin => self.moat(point, relief.rise / span, relief.stray) - spines() - relief.rise,
+            LandKind::Continent | LandKind::Valley => {
+                self.coasts.as_ref().map_or(span, |coasts| coasts.height(relief.at)) + relief.rise
+            }
+        }
+    }
+
+    /// Lowers the height towards the border of the domain, so that the border cuts neither land surrounded by sea nor a
+    /// lake surrounded by land. The drop begins at a margin, which varies by itself and with the coast (`bend`), so
+    /// that it straightens no coast, and ends in a wall. The more land there is, the nearer both lie to the border.
+    fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
+        let Shape { kind, domain, sea, .. } = self.shape;
+        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.4);
+        let room = 0.5 * (1.0 - within.sqrt());
+        // Land that fills the map keeps its coast from the frame by a moat that is wide in places.
+        let full = ((0.6 - (1.0 - within)) / 0.4).clamp(0.0, 1.0);
+        let width = (0.6 + 0.3 * full) * room;
+        let margin = room * (0.25 + 0.15 * full + (0.7 + 0.3 * full) * stray - (0.8 + 2.2 * full) * bend).max(0.0);
+        let inside = point.min(domain.size - point) / self.shape.span();
+        let near = (1.0 - (inside - margin) / width).max(Vec2::ZERO).length_squared();
+        let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);
+        (near * near * 2.0 * room + wall) * self.shape.span()
+    }
+}
+
+fn dice_of(shape: &Shape, draft: u32) -> Dice {
+    Dice::new(shape.seed.item_hash(Purpose::Land), draft)
+}
+
+/// The spines of a draft.
+fn spines(shape: &Shape, draft: u32) -> Vec<Spine> {
+    let mut dice = dice_of(shape, draft);
+    let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
+    let area = |share: f32| share * size.x * size.y;
+    match shape.kind {
+        LandKind::Island => layout::island(&mut dice, size, area(1.0 - usual)),
+        LandKind::Basin => layout::lake(&mut dice, size, area(usual)),
+        LandKind::Archipelago => layout::archipelago(&mut dice, size, area(1.0 - usual)),
+        _ => Vec::new(),
+    }
+}
+
+/// The ranges of measures of a kind of land: those of real islands, from Madagascar to Skye.
+fn wanted(kind: LandKind) -> Option<Wanted> {
+    match kind {
+        LandKind::Island => Some(Wanted {
+            boxed: [0.32, 0.64],
+            coast: [1.5, 2.8],
+            share: [0.72, 0.99],
+            count: [2, 20],
+            counted: 2,
+            straight: 0.4,
+        }),
+        LandKind::Archipelago => Some(Wanted {
+            boxed: [0.2, 0.75],
+            coast: [1.0, 3.6],
+            share: [0.1, 0.62],
+            count: [6, 40],
+            counted: 2,
+            straight: 0.9,
+        }),
+        LandKind::Basin => Some(Wanted {
+            boxed: [0.25, 0.62],
+            coast: [1.6, 3.2],
+            share: [0.8, 1.0],
+            count: [1, 1],
+            counted: 25,
+            straight: 0.4,
+        }),
+        _ => None,
+    }
+}
+
+/// How far noise moves the coasts of a kind of land.
+fn amplitudes(kind: LandKind) -> Amplitudes {
+    match kind {
+        LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },
+        LandKind::Continent => Amplitudes { warp: 130.0, broad: 200.0, spurs: 70.0, fine: 30.0 },
+        LandKind::Valley => Amplitudes { warp: 100.0, broad: 110.0, spurs: 50.0, fine: 30.0 },
+        LandKind::Basin => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
+        _ => Amplitudes { warp: 120.0, broad: 150.0, spurs: 70.0, fine: 30.0 },
+    }
+}
