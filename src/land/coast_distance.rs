@@ -95,10 +95,8 @@ impl CoastDistance {
         let level = sort::quantile(&of_squares(domain, FAR, &lattice.heights, lattice.columns), share);
         lattice.heights.iter_mut().for_each(|height| *height -= level);
         while lattice.spacing > spacing {
-            let spacing = (lattice.spacing / 2.0).max(spacing);
-            lattice = Self::with_heights(domain, spacing, |at, [column, row]| {
-                let stride = (lattice.spacing / spacing) as usize;
-                lattice.certain(stride, [column, row]).unwrap_or_else(|| height(at) - level)
+            lattice = Self::with_heights(domain, lattice.spacing / 2.0, |at, place| {
+                lattice.certain(place).unwrap_or_else(|| height(at) - level)
             });
         }
         lattice
@@ -107,17 +105,21 @@ impl CoastDistance {
     /// A lattice with a height for each place and its column and row.
     fn with_heights(domain: &Domain, spacing: f32, height: impl Fn(Vec2, [usize; 2]) -> f32) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
-        let heights = (0..columns * rows).map(|i| height(corner(i, columns, spacing), [i % columns, i / columns]));
-        Self { heights: heights.collect(), columns, rows, spacing }
+        let mut heights = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            let at = |column: usize| Vec2::new(column as f32, row as f32) * spacing;
+            heights.extend((0..columns).map(|column| height(at(column), [column, row])));
+        }
+        Self { heights, columns, rows, spacing }
     }
 
-    /// The height at a corner of a lattice with more corners, `stride` in an interval of this one. It is known if both
-    /// have that corner, and if the coast passes far off. Then only its sign counts.
-    fn certain(&self, stride: usize, at: [usize; 2]) -> Option<f32> {
+    /// The height at a corner of the lattice with half the spacing. It is known if this lattice has that corner, and if
+    /// the coast passes far off. Then only its sign counts.
+    fn certain(&self, at: [usize; 2]) -> Option<f32> {
         /// The coast may pass where the height differs from the level by less than this, in spacings.
         const NEAR: f32 = 1.1;
-        let [west, north] = at.map(|i| i / stride);
-        let [east, south] = at.map(|i| i.div_ceil(stride));
+        let [west, north] = at.map(|i| i / 2);
+        let [east, south] = at.map(|i| i.div_ceil(2));
         let first = self.heights[north * self.columns + west];
         if [west, north] == [east, south] {
             return Some(first);
@@ -134,7 +136,7 @@ impl CoastDistance {
     /// around a pond run through it. Ponds are waters of less than a hundredth of the domain, but the largest water
     /// always stays.
     fn remove_islets_and_ponds(&mut self) {
-        const ISLET: f32 = 400.0;
+        const ISLET: f32 = 200.0;
         const LEVELLED: f32 = 1.0;
         let (islet, pond) = ((ISLET / (self.spacing * self.spacing)) as u32, self.heights.len() as u32 / 100);
         for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < islet).flat_map(|land| &land.runs)

@@ -13,7 +13,7 @@ use crate::domain::Domain;
 /// The most drafts that are looked at.
 pub(super) const MOST: u32 = 6;
 /// The distance between the points at which a draft is looked at, in units.
-const SPACING: f32 = 20.0;
+const SPACING: f32 = 22.0;
 
 /// The points at which drafts are looked at, row by row.
 pub(super) fn points(domain: &Domain) -> Vec<Vec2> {

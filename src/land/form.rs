@@ -7,49 +7,45 @@ use super::kinds::Shape;
 use super::layout::{self, Dice};
 use super::rock::{Amplitudes, Relief, Rock};
 use super::sides::Coasts;
-use super::spine::{Spine, highest};
+use super::spine::Spines;
 use crate::base::random::Purpose;
 use crate::recipe::LandKind;
 
 /// The ingredients of a shape's height.
 pub(super) struct Form<'a> {
     shape: &'a Shape,
-    spines: Vec<Spine>,
+    spines: Spines,
     coasts: Option<Coasts>,
     rock: Rock,
     amplitudes: Amplitudes,
 }
 
 impl<'a> Form<'a> {
-    /// The form of a shape. An island's is the best of several drafts, which depends neither on the share of the sea nor
-    /// on roughness: they change a coast a little, but never for another one.
+    /// Makes the form of a shape. Where layouts are drafted, neither the share of the sea nor roughness decides which
+    /// draft is taken: they change a coast a little, but never for another one.
     pub fn of(shape: &'a Shape) -> Self {
         let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, ..shape.clone() };
-        let drafted = Form::drafted(&usual);
-        let Form { spines, coasts, .. } = drafted;
-        let coasts = coasts.map(|_| Coasts::new(shape, &mut dice_of(shape, 0)));
-        Form { shape, spines, coasts, rock: Rock::new(shape), amplitudes: amplitudes(shape.kind) }
+        let draft = wanted(shape.kind).map_or(0, |wanted| Form::with_draft(&usual, 0).best_draft(&wanted));
+        Self::with_draft(shape, draft)
     }
 
-    fn drafted(shape: &Shape) -> Form<'_> {
+    fn with_draft(shape: &'a Shape, draft: u32) -> Self {
+        let coasts = matches!(shape.kind, LandKind::Continent | LandKind::Valley).then(|| Coasts::new(shape));
         let (rock, amplitudes) = (Rock::new(shape), amplitudes(shape.kind));
-        let coasts = matches!(shape.kind, LandKind::Continent | LandKind::Valley);
-        let coasts = coasts.then(|| Coasts::new(shape, &mut dice_of(shape, 0)));
-        let mut form = Form { shape, spines: Vec::new(), coasts, rock, amplitudes };
-        if let Some(wanted) = wanted(shape.kind) {
-            let is_lake = shape.kind == LandKind::Basin;
-            let (sign, sea) = if is_lake { (-1.0, 1.0 - shape.sea) } else { (1.0, shape.sea) };
-            let points = drafts::points(&shape.domain);
-            let reliefs: Vec<Relief> = points.iter().map(|&at| form.rock.at(at, &form.amplitudes)).collect();
-            let number = drafts::best(&shape.domain, sea, &wanted, |number| {
-                let spines = spines(shape, number);
-                points.iter().zip(&reliefs).map(|(&at, relief)| sign * form.with(&spines, at, relief)).collect()
-            });
-            form.spines = spines(shape, number);
-        } else {
-            form.spines = spines(shape, 0);
-        }
-        form
+        Self { shape, spines: spines(shape, draft), coasts, rock, amplitudes }
+    }
+
+    fn best_draft(&self, wanted: &Wanted) -> u32 {
+        let Shape { domain, sea, kind, .. } = self.shape;
+        let (sign, sea) = if *kind == LandKind::Basin { (-1.0, 1.0 - sea) } else { (1.0, *sea) };
+        let points = drafts::points(domain);
+        // All drafts lie on the same rock, and points are too far apart for its detail.
+        let broad = Amplitudes { fine: 0.0, ..self.amplitudes };
+        let reliefs: Vec<Relief> = points.iter().map(|&at| self.rock.at(at, &broad)).collect();
+        drafts::best(domain, sea, wanted, |draft| {
+            let spines = spines(self.shape, draft);
+            points.iter().zip(&reliefs).map(|(&at, relief)| sign * self.with(&spines, at, relief)).collect()
+        })
     }
 
     /// The height of a point, in units.
@@ -57,23 +53,22 @@ impl<'a> Form<'a> {
         self.with(&self.spines, point, &self.rock.at(point, &self.amplitudes))
     }
 
-    fn with(&self, spines: &[Spine], point: Vec2, relief: &Relief) -> f32 {
-        let span = self.shape.span();
-        // Straits between islands are narrow.
-        let round = if self.shape.kind == LandKind::Archipelago { 0.012 } else { 0.05 } * span;
-        let spines = || highest(spines, relief.at, round);
+    /// The height of a point with other spines and the relief at the point.
+    fn with(&self, spines: &Spines, point: Vec2, relief: &Relief) -> f32 {
+        /// How much steeper the sea bed of an archipelago is than its land, or noise would join islands.
+        const STEEP: f32 = 2.5;
+        let moat = || self.moat(point, relief.rise / self.shape.span(), relief.stray);
+        let spines = || spines.height(relief.at);
         match self.shape.kind {
-            LandKind::Rectangle | LandKind::Drawn => span,
+            LandKind::Rectangle | LandKind::Drawn => self.shape.span(),
+            LandKind::Island => spines() + relief.rise - moat(),
             LandKind::Archipelago => {
-                // The sea bed is steep there, or noise would join islands.
-                let land = spines();
-                let land = if land < 0.0 { 2.5 * land } else { land };
-                land + relief.rise - self.moat(point, relief.rise / span, relief.stray)
+                let height = spines();
+                height.max(0.0) + STEEP * height.min(0.0) + relief.rise - moat()
             }
-            LandKind::Island => spines() + relief.rise - self.moat(point, relief.rise / span, relief.stray),
-            LandKind::Basin => self.moat(point, relief.rise / span, relief.stray) - spines() - relief.rise,
+            LandKind::Basin => moat() - spines() - relief.rise,
             LandKind::Continent | LandKind::Valley => {
-                self.coasts.as_ref().map_or(span, |coasts| coasts.height(relief.at)) + relief.rise
+                self.coasts.as_ref().map_or(0.0, |coasts| coasts.height(relief.at)) + relief.rise
             }
         }
     }
@@ -96,21 +91,20 @@ impl<'a> Form<'a> {
     }
 }
 
-fn dice_of(shape: &Shape, draft: u32) -> Dice {
-    Dice::new(shape.seed.item_hash(Purpose::Land), draft)
-}
-
 /// The spines of a draft.
-fn spines(shape: &Shape, draft: u32) -> Vec<Spine> {
-    let mut dice = dice_of(shape, draft);
+fn spines(shape: &Shape, draft: u32) -> Spines {
+    let mut dice = Dice::new(shape.seed.item_hash(Purpose::Land), draft);
     let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
     let area = |share: f32| share * size.x * size.y;
-    match shape.kind {
+    let spines = match shape.kind {
         LandKind::Island => layout::island(&mut dice, size, area(1.0 - usual)),
         LandKind::Basin => layout::lake(&mut dice, size, area(usual)),
         LandKind::Archipelago => layout::archipelago(&mut dice, size, area(1.0 - usual)),
         _ => Vec::new(),
-    }
+    };
+    // Straits between the islands of an archipelago are narrow.
+    let round = if shape.kind == LandKind::Archipelago { 0.012 } else { 0.05 };
+    Spines::new(&spines, size, round * shape.span())
 }
 
 /// The ranges of measures of a kind of land: those of real islands, from Madagascar to Skye.
@@ -118,7 +112,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
     match kind {
         LandKind::Island => Some(Wanted {
             boxed: [0.32, 0.64],
-            coast: [1.5, 2.8],
+            coast: [1.4, 2.3],
             share: [0.72, 0.99],
             count: [2, 20],
             counted: 2,
@@ -151,6 +145,6 @@ fn amplitudes(kind: LandKind) -> Amplitudes {
         LandKind::Continent => Amplitudes { warp: 130.0, broad: 200.0, spurs: 70.0, fine: 30.0 },
         LandKind::Valley => Amplitudes { warp: 100.0, broad: 110.0, spurs: 50.0, fine: 30.0 },
         LandKind::Basin => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
-        _ => Amplitudes { warp: 120.0, broad: 150.0, spurs: 70.0, fine: 30.0 },
+        _ => Amplitudes { warp: 120.0, broad: 125.0, spurs: 70.0, fine: 30.0 },
     }
 }

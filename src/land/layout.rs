@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::spine::{Spine, highest};
+use super::spine::Spine;
 use crate::base::geometry::{direction, distance, length};
 use crate::base::random::ItemHash;
 use crate::base::trigonometry::sine_and_cosine;
@@ -359,6 +359,7 @@ fn stray(dice: &mut Dice, arcs: &[Curve], spines: &[Spine], size: Vec2) -> Optio
     let at = arc.at(t) + way.perp() * dice.either(0.02, 0.2) * size.min_element();
     let width = 10.0 + 26.0 * dice.between(0.0, 1.0) * dice.between(0.0, 1.0);
     let half = turned(way, dice.either(0.0, 0.7)) * (width * dice.between(0.4, 2.2));
-    let has_room = highest(spines, at, 1.0) < -1.6 * width - 10.0;
+    let highest = spines.iter().map(|spine| spine.height(at)).fold(f32::NEG_INFINITY, f32::max);
+    let has_room = highest < -1.6 * width - 10.0;
     has_room.then(|| Curve::bent(at - half, at + half, [0.1, 0.1]).spine(3, |t| width * swelling(t, 0.5, 0.5)))
 }

@@ -70,9 +70,9 @@ impl Rock {
         let hard = smooth_step(0.5 + 1.3 * strays[1]);
         let broad = amplitudes.broad * self.broad.get_noise_2d(at.x, at.y);
         let along = self.grain * at * Vec2::new(1.0 / self.stretch, self.stretch);
-        let rise = broad
-            + amplitudes.spurs * (0.45 + 0.75 * hard) * self.spurs(along)
-            + amplitudes.fine * self.fine(along, hard);
+        let spurs = amplitudes.spurs * (0.45 + 0.75 * hard) * self.spurs(along);
+        let fine = if amplitudes.fine > 0.0 { amplitudes.fine * self.fine(along, hard) } else { 0.0 };
+        let rise = broad + spurs + fine;
         Relief { at, rise: rise * strength, stray: strays[0] }
     }
 
@@ -88,7 +88,7 @@ impl Rock {
     /// Detail, whose finer octaves are strong on hard rock and weak on soft rock.
     fn fine(&self, at: Vec2, hard: f32) -> f32 {
         let gain = 0.45 + 0.33 * hard;
-        let (mut sum, mut strength, mut at) = (0.0, 0.15 + 1.1 * hard, at * 17.0);
+        let (mut sum, mut strength, mut at) = (0.0, 0.3 + 0.95 * hard, at * 17.0);
         for _ in 0..3 {
             sum += strength * self.fine.get_noise_2d(at.x, at.y);
             strength *= gain;

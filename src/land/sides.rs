@@ -5,7 +5,8 @@ use glam::{Vec2, Vec2Swizzles};
 
 use super::kinds::Shape;
 use super::layout::Dice;
-use super::spine::{Spine, highest, smooth_max};
+use super::spine::{Spine, Spines, smooth_max};
+use crate::base::random::Purpose;
 use crate::domain::Domain;
 use crate::recipe::LandKind;
 
@@ -20,73 +21,30 @@ pub(super) struct Coasts {
     /// The difference of heights up to which coasts of two sides pass into one another, in units.
     round: f32,
     /// Peninsulas and islands.
-    land: Vec<Spine>,
-    gulfs: Vec<Spine>,
+    land: Spines,
+    gulfs: Spines,
 }
 
 impl Coasts {
-    pub fn new(shape: &Shape, dice: &mut Dice) -> Self {
-        let domain = shape.domain;
-        let sea = shape.sea;
-        let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 };
+    pub fn new(shape: &Shape) -> Self {
+        let (size, sea) = (shape.domain.size, shape.sea);
+        // Each part of a valley, between and beside its ridges, needs a coast.
+        let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 } * sea.min(1.0 - sea);
         let chosen: Vec<usize> = (0..4).filter(|&i| shape.sides.contains(SIDES[i])).collect();
-        let slants: Vec<(usize, f32)> = (0..4)
-            .map(|i| (i, dice.either(0.2, 1.0) * most * sea.min(1.0 - sea)))
-            .filter(|(i, _)| chosen.contains(i))
-            .collect();
-        let length: f32 = chosen.iter().map(|&i| if i % 2 == 0 { domain.size.x } else { domain.size.y }).sum();
-        let depth = sea * domain.size.x * domain.size.y / length.max(1.0);
-        let mut this = Self { domain, slants, depth, round: 0.5 * shape.span(), land: Vec::new(), gulfs: Vec::new() };
+        let length: f32 = chosen.iter().map(|&i| if i % 2 == 0 { size.x } else { size.y }).sum();
+        let depth = sea * size.x * size.y / length.max(1.0);
+        let (mut slants, mut land, mut gulfs) = (Vec::new(), Vec::new(), Vec::new());
         for side in chosen {
-            let capes = shape.capes(SIDES[side]);
-            this.furnish(dice, side, shape.span(), &capes);
+            // Each side keeps its coast, whichever other sides have the sea.
+            let mut dice = Dice::new(shape.seed.item_hash(Purpose::Land), side as u32);
+            slants.push((side, dice.either(0.2, 1.0) * most));
+            let side = Side { number: side, size, span: shape.span(), depth, capes: shape.capes(SIDES[side]) };
+            side.peninsulas(&mut dice, &mut land);
+            side.islands(&mut dice, &mut land);
+            side.gulfs(&mut dice, &mut gulfs);
         }
-        this
-    }
-
-    /// Adds peninsulas, islands and gulfs to a side. Where ridges reach it (`capes`), peninsulas lie there, and a gulf
-    /// between them.
-    fn furnish(&mut self, dice: &mut Dice, side: usize, span: f32, capes: &[f32]) {
-        let reach = self.depth.min(0.4 * span);
-        let anywhere = dice.count(1, 3).saturating_sub(capes.len() as u32);
-        let places: Vec<f32> = capes.iter().copied().chain((0..anywhere).map(|_| dice.between(0.05, 0.95))).collect();
-        for along in places {
-            let lean = dice.either(0.0, if capes.is_empty() { 0.3 } else { 0.08 });
-            let (tip, width) = (dice.between(0.1, 0.6) * reach, dice.between(0.03, 0.08) * span);
-            let from = self.place(side, along, self.depth + 0.1 * span);
-            let to = self.place(side, along + lean, tip);
-            self.land.push(bent(dice, from, to, width, 0.45));
-        }
-        for _ in 0..dice.count(1, 4) {
-            let (along, off) = (dice.between(0.0, 1.0), dice.between(0.2, 0.7) * reach);
-            let half = dice.direction() * dice.between(0.01, 0.06) * span;
-            let middle = self.place(side, along, off);
-            let width = dice.between(0.012, 0.04) * span;
-            self.land.push(bent(dice, middle - half, middle + half, width, 0.7));
-        }
-        for number in 0..dice.count(1, 2) {
-            let along = match capes {
-                [first, second] if number == 0 => first + (second - first) * dice.between(0.3, 0.7),
-                _ => dice.between(0.1, 0.9),
-            };
-            let (head, lean) = if capes.is_empty() { (0.35, 0.3) } else { (0.2, 0.1) };
-            let (head, lean) = (dice.between(0.1, head) * span, dice.either(0.0, lean));
-            let width = dice.between(0.025, 0.075) * span;
-            let from = self.place(side, along, 0.7 * self.depth);
-            let to = self.place(side, along + lean, self.depth + head);
-            self.gulfs.push(bent(dice, from, to, width, 0.3));
-        }
-    }
-
-    /// The place so far along a side, as a share of it, and so far from it, in units.
-    fn place(&self, side: usize, along: f32, off: f32) -> Vec2 {
-        let size = self.domain.size;
-        match side {
-            0 => Vec2::new(along * size.x, off),
-            1 => Vec2::new(size.x - off, along * size.y),
-            2 => Vec2::new(along * size.x, size.y - off),
-            _ => Vec2::new(off, along * size.y),
-        }
+        let [land, gulfs] = [land, gulfs].map(|spines| Spines::new(&spines, size, ROUND));
+        Self { domain: shape.domain, slants, depth, round: 0.5 * shape.span(), land, gulfs }
     }
 
     /// The height of a point, in units.
@@ -98,10 +56,81 @@ impl Coasts {
             self.domain.sides(at)[side].1 + slant * off
         };
         let inland = self.slants.iter().map(distance).fold(1e4, |a, b| -smooth_max(-a, -b, self.round)) - self.depth;
-        let land = smooth_max(inland, highest(&self.land, at, 40.0), 40.0);
-        -smooth_max(-land, highest(&self.gulfs, at, 40.0), 40.0)
+        let land = smooth_max(inland, self.land.height(at), ROUND);
+        -smooth_max(-land, self.gulfs.height(at), ROUND)
     }
 }
+
+/// A side with the sea, to be furnished.
+struct Side {
+    /// Clockwise from the north.
+    number: usize,
+    size: Vec2,
+    /// The shorter side of the domain, in units.
+    span: f32,
+    /// The mean distance of the coast, in units.
+    depth: f32,
+    /// The places along the side where ridges reach it, as shares of its length.
+    capes: Vec<f32>,
+}
+
+impl Side {
+    /// The place so far along the side, as a share of it, and so far from it, in units.
+    fn place(&self, along: f32, off: f32) -> Vec2 {
+        let size = self.size;
+        match self.number {
+            0 => Vec2::new(along * size.x, off),
+            1 => Vec2::new(size.x - off, along * size.y),
+            2 => Vec2::new(along * size.x, size.y - off),
+            _ => Vec2::new(off, along * size.y),
+        }
+    }
+
+    /// The distance from the side up to which land lies off the coast, in units.
+    fn reach(&self) -> f32 {
+        self.depth.min(0.4 * self.span)
+    }
+
+    /// Adds peninsulas: where ridges reach the sea, or anywhere.
+    fn peninsulas(&self, dice: &mut Dice, land: &mut Vec<Spine>) {
+        let anywhere = dice.count(1, 3).saturating_sub(self.capes.len() as u32);
+        let places: Vec<f32> = (0..anywhere).map(|_| dice.between(0.05, 0.95)).collect();
+        for along in self.capes.iter().copied().chain(places) {
+            let lean = dice.either(0.0, if self.capes.is_empty() { 0.3 } else { 0.08 });
+            let (tip, width) = (dice.between(0.1, 0.6) * self.reach(), dice.between(0.03, 0.08) * self.span);
+            let from = self.place(along, self.depth + 0.1 * self.span);
+            land.push(bent(dice, from, self.place(along + lean, tip), width, 0.45));
+        }
+    }
+
+    /// Adds islands off the coast.
+    fn islands(&self, dice: &mut Dice, land: &mut Vec<Spine>) {
+        for _ in 0..dice.count(1, 4) {
+            let middle = self.place(dice.between(0.0, 1.0), dice.between(0.2, 0.7) * self.reach());
+            let half = dice.direction() * dice.between(0.01, 0.06) * self.span;
+            let width = dice.between(0.012, 0.04) * self.span;
+            land.push(bent(dice, middle - half, middle + half, width, 0.7));
+        }
+    }
+
+    /// Adds gulfs, the first between the ridges if there are any.
+    fn gulfs(&self, dice: &mut Dice, gulfs: &mut Vec<Spine>) {
+        let (farthest, most) = if self.capes.is_empty() { (0.35, 0.3) } else { (0.2, 0.1) };
+        for number in 0..dice.count(1, 2) {
+            let along = match self.capes[..] {
+                [first, second] if number == 0 => first + (second - first) * dice.between(0.3, 0.7),
+                _ => dice.between(0.1, 0.9),
+            };
+            let (head, lean) = (dice.between(0.1, farthest) * self.span, dice.either(0.0, most));
+            let width = dice.between(0.025, 0.075) * self.span;
+            let from = self.place(along, 0.7 * self.depth);
+            gulfs.push(bent(dice, from, self.place(along + lean, self.depth + head), width, 0.3));
+        }
+    }
+}
+
+/// The difference of heights up to which a spine and the coast pass into one another, in units.
+const ROUND: f32 = 40.0;
 
 /// The initials of sides, clockwise from the north.
 const SIDES: [char; 4] = ['n', 'e', 's', 'w'];
