@@ -2,13 +2,14 @@
 
 use glam::Vec2;
 
+use super::archipelago::archipelago;
 use super::drafts::{self, Wanted};
+use super::draws::Draws;
+use super::island::{island, lake};
 use super::kinds::Shape;
-use super::layout::{self, Dice};
 use super::rock::{Amplitudes, Relief, Rock};
 use super::sides::Coasts;
 use super::spine::Spines;
-use crate::base::random::Purpose;
 use crate::recipe::LandKind;
 
 /// The ingredients of a shape's height.
@@ -93,13 +94,13 @@ impl<'a> Form<'a> {
 
 /// The spines of a draft.
 fn spines(shape: &Shape, draft: u32) -> Spines {
-    let mut dice = Dice::new(shape.seed.item_hash(Purpose::Land), draft);
+    let mut draws = Draws::new(shape, draft);
     let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
     let area = |share: f32| share * size.x * size.y;
     let spines = match shape.kind {
-        LandKind::Island => layout::island(&mut dice, size, area(1.0 - usual)),
-        LandKind::Basin => layout::lake(&mut dice, size, area(usual)),
-        LandKind::Archipelago => layout::archipelago(&mut dice, size, area(1.0 - usual)),
+        LandKind::Island => island(&mut draws, size, area(1.0 - usual)),
+        LandKind::Basin => lake(&mut draws, size, area(usual)),
+        LandKind::Archipelago => archipelago(&mut draws, size, area(1.0 - usual)),
         _ => Vec::new(),
     };
     // Straits between the islands of an archipelago are narrow.

@@ -14,7 +14,7 @@ use std::f32::consts::PI;
 pub(super) struct Rock {
     /// Rotates to coordinates along and across the grain.
     grain: Mat2,
-    /// The ratio by which forms are longer along the grain than across it.
+    /// The factor by which forms are longer along the grain, and narrower across it.
     stretch: f32,
     warp: [FastNoiseLite; 2],
     broad: FastNoiseLite,

@@ -1,12 +1,10 @@
 //! Coasts along chosen sides of the domain, with gulfs, peninsulas and islands.
 
-use fastnoise_lite::FastNoiseLite;
 use glam::{Vec2, Vec2Swizzles};
 
+use super::draws::Draws;
 use super::kinds::Shape;
-use super::layout::Dice;
 use super::spine::{Spine, Spines, smooth_max};
-use crate::base::random::Purpose;
 use crate::domain::Domain;
 use crate::recipe::LandKind;
 
@@ -36,12 +34,12 @@ impl Coasts {
         let (mut slants, mut land, mut gulfs) = (Vec::new(), Vec::new(), Vec::new());
         for side in chosen {
             // Each side keeps its coast, whichever other sides have the sea.
-            let mut dice = Dice::new(shape.seed.item_hash(Purpose::Land), side as u32);
-            slants.push((side, dice.either(0.2, 1.0) * most));
+            let mut draws = Draws::new(shape, side as u32);
+            slants.push((side, draws.either(0.2, 1.0) * most));
             let side = Side { number: side, size, span: shape.span(), depth, capes: shape.capes(SIDES[side]) };
-            side.peninsulas(&mut dice, &mut land);
-            side.islands(&mut dice, &mut land);
-            side.gulfs(&mut dice, &mut gulfs);
+            side.peninsulas(&mut draws, &mut land);
+            side.islands(&mut draws, &mut land);
+            side.gulfs(&mut draws, &mut gulfs);
         }
         let [land, gulfs] = [land, gulfs].map(|spines| Spines::new(&spines, size, ROUND));
         Self { domain: shape.domain, slants, depth, round: 0.5 * shape.span(), land, gulfs }
@@ -92,39 +90,39 @@ impl Side {
     }
 
     /// Adds peninsulas: where ridges reach the sea, or anywhere.
-    fn peninsulas(&self, dice: &mut Dice, land: &mut Vec<Spine>) {
-        let anywhere = dice.count(1, 3).saturating_sub(self.capes.len() as u32);
-        let places: Vec<f32> = (0..anywhere).map(|_| dice.between(0.05, 0.95)).collect();
+    fn peninsulas(&self, draws: &mut Draws, land: &mut Vec<Spine>) {
+        let anywhere = draws.count(1, 3).saturating_sub(self.capes.len() as u32);
+        let places: Vec<f32> = (0..anywhere).map(|_| draws.between(0.05, 0.95)).collect();
         for along in self.capes.iter().copied().chain(places) {
-            let lean = dice.either(0.0, if self.capes.is_empty() { 0.3 } else { 0.08 });
-            let (tip, width) = (dice.between(0.1, 0.6) * self.reach(), dice.between(0.03, 0.08) * self.span);
+            let lean = draws.either(0.0, if self.capes.is_empty() { 0.3 } else { 0.08 });
+            let (tip, width) = (draws.between(0.1, 0.6) * self.reach(), draws.between(0.03, 0.08) * self.span);
             let from = self.place(along, self.depth + 0.1 * self.span);
-            land.push(bent(dice, from, self.place(along + lean, tip), width, 0.45));
+            land.push(bent(draws, from, self.place(along + lean, tip), width, 0.45));
         }
     }
 
     /// Adds islands off the coast.
-    fn islands(&self, dice: &mut Dice, land: &mut Vec<Spine>) {
-        for _ in 0..dice.count(1, 4) {
-            let middle = self.place(dice.between(0.0, 1.0), dice.between(0.2, 0.7) * self.reach());
-            let half = dice.direction() * dice.between(0.01, 0.06) * self.span;
-            let width = dice.between(0.012, 0.04) * self.span;
-            land.push(bent(dice, middle - half, middle + half, width, 0.7));
+    fn islands(&self, draws: &mut Draws, land: &mut Vec<Spine>) {
+        for _ in 0..draws.count(1, 4) {
+            let middle = self.place(draws.between(0.0, 1.0), draws.between(0.2, 0.7) * self.reach());
+            let half = draws.direction() * draws.between(0.01, 0.06) * self.span;
+            let width = draws.between(0.012, 0.04) * self.span;
+            land.push(bent(draws, middle - half, middle + half, width, 0.7));
         }
     }
 
     /// Adds gulfs, the first between the ridges if there are any.
-    fn gulfs(&self, dice: &mut Dice, gulfs: &mut Vec<Spine>) {
+    fn gulfs(&self, draws: &mut Draws, gulfs: &mut Vec<Spine>) {
         let (farthest, most) = if self.capes.is_empty() { (0.35, 0.3) } else { (0.2, 0.1) };
-        for number in 0..dice.count(1, 2) {
+        for number in 0..draws.count(1, 2) {
             let along = match self.capes[..] {
-                [first, second] if number == 0 => first + (second - first) * dice.between(0.3, 0.7),
-                _ => dice.between(0.1, 0.9),
+                [first, second] if number == 0 => first + (second - first) * draws.between(0.3, 0.7),
+                _ => draws.between(0.1, 0.9),
             };
-            let (head, lean) = (dice.between(0.1, farthest) * self.span, dice.either(0.0, most));
-            let width = dice.between(0.025, 0.075) * self.span;
-            let from = self.place(along, 0.7 * self.depth);
-            gulfs.push(bent(dice, from, self.place(along + lean, self.depth + head), width, 0.3));
+            let (head, lean) = (draws.between(0.1, farthest) * self.span, draws.either(0.0, most));
+            let width = draws.between(0.035, 0.08) * self.span;
+            let from = self.place(along, 0.4 * self.depth);
+            gulfs.push(bent(draws, from, self.place(along + lean, self.depth + head), width, 0.3));
         }
     }
 }
@@ -136,8 +134,8 @@ const ROUND: f32 = 40.0;
 const SIDES: [char; 4] = ['n', 'e', 's', 'w'];
 
 /// A spine with a bend, from its full width to a share of it.
-fn bent(dice: &mut Dice, from: Vec2, to: Vec2, width: f32, tip: f32) -> Spine {
-    let bend = (to - from).perp() * dice.either(0.0, 0.3);
+fn bent(draws: &mut Draws, from: Vec2, to: Vec2, width: f32, tip: f32) -> Spine {
+    let bend = (to - from).perp() * draws.either(0.0, 0.3);
     let at = |t: f32| from.lerp(to, t) + bend * (4.0 * t * (1.0 - t));
     Spine::new((0..=5).map(|i| i as f32 / 5.0).map(|t| (at(t), width * (1.0 + (tip - 1.0) * t))).collect())
 }

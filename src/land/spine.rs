@@ -90,16 +90,15 @@ pub(super) struct Spines {
 
 impl Spines {
     /// The side of a tile, in units.
-    const TILE: f32 = 48.0;
+    const TILE: f32 = 80.0;
     /// The width of the tiles around the domain, in units: points stray from it.
-    const AROUND: f32 = 144.0;
+    const AROUND: f32 = 160.0;
 
     /// Makes the field of some spines. Two that are about as high, nearer than `round` units, meet in a rounded slope,
     /// as at the foot of a spur.
     pub fn new(spines: &[Spine], size: Vec2, round: f32) -> Self {
         let pieces: Vec<Piece> = (0..).zip(spines).flat_map(|(number, spine)| spine.pieces(number)).collect();
-        let [columns, rows] =
-            [size.x, size.y].map(|length| ((length + 2.0 * Self::AROUND) / Self::TILE) as usize + 1);
+        let [columns, rows] = [size.x, size.y].map(|length| ((length + 2.0 * Self::AROUND) / Self::TILE) as usize + 1);
         let mut this = Self { pieces, of_tiles: Vec::new(), ends: Vec::new(), columns, rows, round };
         let mut heights = Vec::new();
         for tile in 0..columns * rows {

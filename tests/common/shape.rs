@@ -191,7 +191,8 @@ fn smallest_box(points: &[Vec2]) -> f32 {
     let area = |degree: u32| {
         let way = Vec2::from_angle((degree as f32).to_radians());
         let width = |way: Vec2| {
-            let (least, most) = points.iter().map(|at| at.dot(way)).fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(x), b.max(x)));
+            let (least, most) =
+                points.iter().map(|at| at.dot(way)).fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(x), b.max(x)));
             most - least
         };
         width(way) * width(way.perp())
@@ -216,9 +217,8 @@ fn ruled(line: &[Vec2], ruler: f32) -> f32 {
 /// of real archipelagos (Korčak's law).
 pub fn rank_slope(sizes: &[f32]) -> f32 {
     let points = (1..).zip(sizes).map(|(rank, size)| ((rank as f32).ln(), size.ln()));
-    let (count, sums) = points.fold((0.0, [0.0; 4]), |(count, [x, y, xx, xy]), (a, b)| {
-        (count + 1.0, [x + a, y + b, xx + a * a, xy + a * b])
-    });
+    let (count, sums) = points
+        .fold((0.0, [0.0; 4]), |(count, [x, y, xx, xy]), (a, b)| (count + 1.0, [x + a, y + b, xx + a * a, xy + a * b]));
     let [x, y, xx, xy]: [f32; 4] = sums;
     (count * xy - x * y) / (count * xx - x * x)
 }
