@@ -189,7 +189,8 @@ fn lower_envelope(values: &[f32]) -> Vec<f32> {
 /// The area of the smallest rectangle, turned in any direction, around points.
 fn smallest_box(points: &[Vec2]) -> f32 {
     let area = |degree: u32| {
-        let way = Vec2::from_angle((degree as f32).to_radians());
+        let angle = (degree as f32).to_radians();
+        let way = Vec2::new(libm::cosf(angle), libm::sinf(angle));
         let width = |way: Vec2| {
             let (least, most) =
                 points.iter().map(|at| at.dot(way)).fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -216,7 +217,7 @@ fn ruled(line: &[Vec2], ruler: f32) -> f32 {
 /// The slope of sizes over ranks, largest first, both as logarithms, by least squares: about −1 to −1.6 for the islands
 /// of real archipelagos (Korčak's law).
 pub fn rank_slope(sizes: &[f32]) -> f32 {
-    let points = (1..).zip(sizes).map(|(rank, size)| ((rank as f32).ln(), size.ln()));
+    let points = (1..).zip(sizes).map(|(rank, size)| (libm::logf(rank as f32), libm::logf(*size)));
     let (count, sums) = points
         .fold((0.0, [0.0; 4]), |(count, [x, y, xx, xy]), (a, b)| (count + 1.0, [x + a, y + b, xx + a * a, xy + a * b]));
     let [x, y, xx, xy]: [f32; 4] = sums;
