@@ -65,15 +65,15 @@ impl Rock {
     /// The relief at a point.
     pub fn at(&self, point: Vec2, amplitudes: &Amplitudes) -> Relief {
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(point.x, point.y));
-        let strength = self.roughness * self.scale;
-        let at = point + Vec2::from(strays) * (amplitudes.warp * strength);
+        // Smooth coasts bend, too.
+        let (bent, rough) = (self.scale * (0.5 + 0.5 * self.roughness), self.scale * self.roughness);
+        let at = point + Vec2::from(strays) * (amplitudes.warp * bent);
         let hard = smooth_step(0.5 + 1.3 * strays[1]);
         let broad = amplitudes.broad * self.broad.get_noise_2d(at.x, at.y);
         let along = self.grain * at * Vec2::new(1.0 / self.stretch, self.stretch);
         let spurs = amplitudes.spurs * (0.45 + 0.75 * hard) * self.spurs(along);
         let fine = if amplitudes.fine > 0.0 { amplitudes.fine * self.fine(along, hard) } else { 0.0 };
-        let rise = broad + spurs + fine;
-        Relief { at, rise: rise * strength, stray: strays[0] }
+        Relief { at, rise: broad * bent + (spurs + fine) * rough, stray: strays[0] }
     }
 
     /// Spurs with valleys between them: ridged noise (Musgrave 1994), since spurs are narrow and long and so are
