@@ -3,9 +3,8 @@
 use glam::Vec2;
 
 use super::curve::turned;
-use crate::base::random::{ItemHash, Purpose};
-
 use super::kinds::Shape;
+use crate::base::random::{ItemHash, Purpose};
 
 /// A sequence of random numbers that no other layout of the seed has.
 pub(super) struct Draws {

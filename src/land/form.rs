@@ -82,7 +82,7 @@ impl<'a> Form<'a> {
         let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.4);
         let room = 0.5 * (1.0 - within.sqrt());
         // Land that fills the map keeps its coast from the frame by a moat that is wide in places.
-        let full = ((0.6 - (1.0 - within)) / 0.4).clamp(0.0, 1.0);
+        let full = ((within - 0.4) / 0.4).clamp(0.0, 1.0);
         let width = (0.6 + 0.3 * full) * room;
         let margin = room * (0.25 + 0.15 * full + (0.7 + 0.3 * full) * stray - (0.8 + 2.2 * full) * bend).max(0.0);
         let inside = point.min(domain.size - point) / self.shape.span();

@@ -20,7 +20,7 @@ pub(super) struct Rock {
     broad: FastNoiseLite,
     spurs: FastNoiseLite,
     fine: FastNoiseLite,
-    /// The unit of all lengths: a thousandth of the shorter side of a square domain.
+    /// A thousandth of the domain's shorter side, in units.
     scale: f32,
     roughness: f32,
 }
@@ -35,7 +35,7 @@ pub(super) struct Relief {
     pub stray: f32,
 }
 
-/// The deviations of a coast from its form, in thousandths of the domain.
+/// The heights of noise, and the distance by which it warps the plane, in thousandths of the domain's shorter side.
 #[derive(Clone, Copy)]
 pub(super) struct Amplitudes {
     pub warp: f32,

@@ -157,3 +157,31 @@ pub(super) fn smooth_max(a: f32, b: f32, round: f32) -> f32 {
     let near = (1.0 - (a - b).abs() / round).max(0.0);
     a.max(b) + near * near * round * 0.25
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::{Purpose, Seed};
+
+    #[test]
+    fn tiles_know_all_pieces_that_matter() {
+        const ROUND: f32 = 50.0;
+        let size = Vec2::new(1250.0, 800.0);
+        let mut chance = Seed::from_text("spines").stream(Purpose::Land);
+        for _ in 0..10 {
+            let mut point = |from: Vec2, far: f32| from + (Vec2::new(chance.unit(), chance.unit()) - 0.5) * far;
+            let mut spine = || {
+                let start = point(size / 2.0, 1000.0);
+                let at = [start, point(start, 300.0), point(start, 300.0), point(start, 300.0)];
+                Spine::new(at.into_iter().map(|at| (at, point(Vec2::splat(40.0), 70.0).x)).collect())
+            };
+            let spines: Vec<Spine> = (0..12).map(|_| spine()).collect();
+            let tiled = Spines::new(&spines, size, ROUND);
+            for i in 0..2000 {
+                let at = Vec2::new((i % 50) as f32, (i / 50) as f32) / Vec2::new(50.0, 40.0) * (size + 200.0) - 100.0;
+                let all = spines.iter().fold(LOWEST, |highest, spine| smooth_max(highest, spine.height(at), ROUND));
+                assert!((tiled.height(at) - all).abs() < 0.01, "{at}: {} is not {all}", tiled.height(at));
+            }
+        }
+    }
+}
