@@ -58,7 +58,7 @@ fn sizes_of_islands_in_an_archipelago_follow_a_power_law() {
     let [_, share, greatest] = spread("share of the largest", shares.into_iter());
     assert!(fewest >= 3.0 && (5.0..25.0).contains(&count), "{count} islands, at least {fewest}");
     assert!((-3.0..-1.0).contains(&slope) && steepest > -6.0, "slope {slope}, at least {steepest}");
-    assert!(share < 0.65 && greatest < 0.95, "largest {share}, at most {greatest}");
+    assert!(share < 0.65 && greatest < 0.97, "largest {share}, at most {greatest}");
 }
 
 /// The distance from a side within which a coast hugs it, in units, and the greatest share of the side along which one

@@ -117,7 +117,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
             share: [0.72, 0.99],
             count: [2, 20],
             counted: 2,
-            straight: 0.4,
+            straight: 0.33,
         }),
         LandKind::Archipelago => Some(Wanted {
             boxed: [0.2, 0.75],
@@ -133,7 +133,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
             share: [0.8, 1.0],
             count: [1, 1],
             counted: 25,
-            straight: 0.4,
+            straight: 0.33,
         }),
         _ => None,
     }

@@ -50,7 +50,7 @@ impl Shape {
         if self.kind != LandKind::Valley {
             return Vec::new();
         }
-        let (wander, inland) = (self.noise(2, 1.8, 5), self.inland());
+        let (wander, inland) = (self.noise(2, 1.8, 4), self.inland());
         let (aside, across) = (inland.yx(), self.domain.size);
         let ridge = |start: f32| {
             let point = |i| (aside * start + inland * (i as f32 / 96.0)) * across;
