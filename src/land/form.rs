@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::archipelago::archipelago;
+use super::coast_distance::CoastDistance;
 use super::drafts::{self, Wanted};
 use super::draws::Draws;
 use super::island::{island, lake};
@@ -11,6 +12,18 @@ use super::rock::{Amplitudes, Relief, Rock};
 use super::sides::Coasts;
 use super::spine::Spines;
 use crate::recipe::LandKind;
+
+impl Shape {
+    /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
+    /// land, which has them from its outline.
+    pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
+        if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
+            return None;
+        }
+        let form = Form::of(self);
+        Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
+    }
+}
 
 /// The ingredients of a shape's height.
 pub(super) struct Form<'a> {

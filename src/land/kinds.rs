@@ -1,10 +1,8 @@
-//! The shapes of land, each distorted by seeded noise.
+//! The description of a shape of land, and the ridges of a valley.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::{Vec2, Vec2Swizzles};
 
-use super::CoastDistance;
-use super::form::Form;
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
 use crate::recipe::{LandKind, NumberKey, Recipe, Sides};
@@ -33,16 +31,6 @@ impl Shape {
             sea: recipe.sea(),
             roughness: recipe.number(NumberKey::Roughness),
         }
-    }
-
-    /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
-    /// land, which has them from its outline.
-    pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
-        if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
-            return None;
-        }
-        let form = Form::of(self);
-        Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
     }
 
     /// The ridges of the shape, as polylines. A valley has two, from the coast inland. They wander, even on smooth land.
