@@ -1,4 +1,5 @@
 //! The shapes of land against those of nature.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use riverseed::Land;
 use riverseed::recipe::link;
@@ -119,6 +120,6 @@ fn measures_are_those_of_a_disc_and_of_a_cross() {
     let cross = drawn(&|x, y| x.abs().min(y.abs()) < 20.0 && x.abs().max(y.abs()) < 150.0);
     assert!((cross.boxed - 0.387).abs() < 0.01 && cross.coast > 2.0 && cross.peninsulas < 0.03, "{cross:?}");
     // A square with a peninsula narrower than the disc.
-    let hand = drawn(&|x, y| (x.abs() < 100.0 && y.abs() < 100.0) || (x >= 0.0 && x < 180.0 && y.abs() < 10.0));
+    let hand = drawn(&|x, y| (x.abs() < 100.0 && y.abs() < 100.0) || ((0.0..180.0).contains(&x) && y.abs() < 10.0));
     assert!((hand.peninsulas - 80.0 * 20.0 / hand.area).abs() < 0.01, "{hand:?}");
 }
