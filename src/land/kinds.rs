@@ -38,11 +38,11 @@ impl Shape {
         if self.kind != LandKind::Valley {
             return Vec::new();
         }
-        let (wander, inland) = (self.noise(2, 1.8, 4), self.inland());
+        let (wander, inland) = (self.noise(2, 1.8, 3), self.inland());
         let (aside, across) = (inland.yx(), self.domain.size);
         let ridge = |start: f32| {
             let point = |i| (aside * start + inland * (i as f32 / 96.0)) * across;
-            let offset = |at: Vec2| wander.get_noise_2d(at.x, at.y) * (0.08 + 0.12 * self.roughness) * self.span();
+            let offset = |at: Vec2| wander.get_noise_2d(at.x, at.y) * (0.07 + 0.1 * self.roughness) * self.span();
             (0..=96).map(|i| point(i) + aside * offset(point(i))).collect()
         };
         self.ridge_starts().map(ridge).into()
