@@ -36,6 +36,7 @@ mod recipes;
 mod relief;
 mod scenery;
 mod schema;
+mod shapes;
 mod starts;
 mod statistics;
 mod steady;

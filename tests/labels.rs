@@ -255,7 +255,7 @@ fn islands_and_lakes_have_names_too() {
     let mut all = [0; 4];
     for seed in ["kea", "moa", "tui", "skye", "lofoten", "kauri"] {
         let (islands, [inside, beside, water]) =
-            counts(&format!("seed={seed}&land=archipelago&sea=0.65&roughness=1&attractors=4000&labels=many"));
+            counts(&format!("seed={seed}&land=archipelago&sea=0.75&roughness=1&attractors=4000&labels=many"));
         println!("{seed}: {islands} islands, {inside} named on them, {beside} beside them, {water} waters");
         all = [all[0] + islands, all[1] + inside, all[2] + beside, all[3] + water];
     }

@@ -85,34 +85,58 @@ impl CoastDistance {
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, the
-    /// function is called only where the coast may pass; elsewhere only the sign of the height matters.
+    /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, from one
+    /// lattice to that with half the spacing, the function is called only where the coast may pass; elsewhere only the
+    /// sign of the height matters.
     fn sampled(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        /// The distance between corners of the coarse lattice, in units.
+        /// The distance between corners of the coarsest lattice, in units.
         const FAR: f32 = 16.0;
-        /// The coast may pass where the height differs from the level by less than this, in units.
-        const NEAR: f32 = 24.0;
-        let stride = (FAR / spacing) as usize;
-        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, FAR));
-        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, FAR))).collect();
-        let level = sort::quantile(&of_squares(domain, FAR, &coarse, across), share);
-        coarse.iter_mut().for_each(|height| *height -= level);
-        let between = |i: usize| [i / stride, i.div_ceil(stride)];
-        let sample = |i: usize| {
-            let ([west, east], rows) = (between(i % columns), between(i / columns).map(|row| row * across));
-            let first = coarse[rows[0] + west];
-            let is_alike = |height: f32| height.abs() > NEAR && (height > 0.0) == (first > 0.0);
-            let is_alike = rows.iter().all(|row| is_alike(coarse[row + west]) && is_alike(coarse[row + east]));
-            if is_alike { first } else { height(corner(i, columns, spacing)) - level }
+        let mut lattice = Self::with_heights(domain, FAR, |at, _| height(at));
+        let level = sort::quantile(&of_squares(domain, FAR, &lattice.heights, lattice.columns), share);
+        lattice.heights.iter_mut().for_each(|height| *height -= level);
+        while lattice.spacing > spacing {
+            lattice = Self::with_heights(domain, lattice.spacing / 2.0, |at, place| {
+                lattice.certain(place).unwrap_or_else(|| height(at) - level)
+            });
+        }
+        lattice
+    }
+
+    /// A lattice with a height for each place and its column and row.
+    fn with_heights(domain: &Domain, spacing: f32, height: impl Fn(Vec2, [usize; 2]) -> f32) -> Self {
+        let (columns, rows) = Self::corners(domain, spacing);
+        let mut heights = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            let at = |column: usize| Vec2::new(column as f32, row as f32) * spacing;
+            heights.extend((0..columns).map(|column| height(at(column), [column, row])));
+        }
+        Self { heights, columns, rows, spacing }
+    }
+
+    /// The height at a corner of the lattice with half the spacing. It is known if this lattice has that corner, and if
+    /// the coast passes far off. Then only its sign counts.
+    fn certain(&self, at: [usize; 2]) -> Option<f32> {
+        /// The coast may pass where the height differs from the level by less than this, in spacings.
+        const NEAR: f32 = 1.1;
+        let [west, north] = at.map(|i| i / 2);
+        let [east, south] = at.map(|i| i.div_ceil(2));
+        let first = self.heights[north * self.columns + west];
+        if [west, north] == [east, south] {
+            return Some(first);
+        }
+        let is_alike = |column: usize, row: usize| {
+            let height = self.heights[row * self.columns + column];
+            height.abs() > NEAR * self.spacing && (height > 0.0) == (first > 0.0)
         };
-        Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
+        let is_far = is_alike(west, north) && is_alike(east, north) && is_alike(west, south) && is_alike(east, south);
+        is_far.then_some(first)
     }
 
     /// Turns islets into sea and ponds into land. The map has no room for rivers on islets, and rivers of the land
     /// around a pond run through it. Ponds are waters of less than a hundredth of the domain, but the largest water
     /// always stays.
     fn remove_islets_and_ponds(&mut self) {
-        const ISLET: f32 = 400.0;
+        const ISLET: f32 = 200.0;
         const LEVELLED: f32 = 1.0;
         let (islet, pond) = ((ISLET / (self.spacing * self.spacing)) as u32, self.heights.len() as u32 / 100);
         for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < islet).flat_map(|land| &land.runs)

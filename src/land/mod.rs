@@ -9,17 +9,27 @@
 //! Growth uses cells, painting uses smoothed coast distances ([`SmoothedDistance`]). Therefore the coast is smooth at
 //! any size, and rivers end at it.
 
+mod archipelago;
 mod cell;
 mod coast_detail;
 mod coast_distance;
 mod contours;
+mod curve;
+mod drafts;
+mod draws;
+mod form;
 mod grid;
+mod island;
 mod kinds;
 mod obstacles;
 mod outline;
 mod queries;
 mod regions;
+mod rock;
+mod room;
+mod sides;
 mod smoothed_distance;
+mod spine;
 mod strokes;
 pub mod trace;
 mod walk;

@@ -211,7 +211,7 @@ impl LandKind {
     pub fn usual_sea(self) -> f32 {
         match self {
             Self::Island => 0.72,
-            Self::Archipelago => 0.73,
+            Self::Archipelago => 0.78,
             Self::Continent => 0.35,
             Self::Valley => 0.15,
             Self::Basin => 0.18,

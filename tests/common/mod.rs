@@ -10,6 +10,7 @@ pub mod pairs;
 pub mod parts;
 pub mod plain;
 pub mod property;
+pub mod shape;
 pub mod tier;
 pub mod twin;
 

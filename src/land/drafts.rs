@@ -1,0 +1,182 @@
+//! Drafts: of several layouts of an island the first is taken whose shape lies in nature's range.
+//!
+//! The ranges are those of 25 real islands, from Madagascar to Skye, by the same measures on GSHHS shorelines.
+
+use glam::Vec2;
+
+use super::cell::Cell;
+use super::regions::{Region, regions};
+use crate::base::sort;
+use crate::base::trigonometry::sine_and_cosine;
+use crate::domain::Domain;
+
+/// The most drafts that are looked at.
+pub(super) const MOST: u32 = 6;
+/// The distance between the points at which a draft is looked at, in units.
+const SPACING: f32 = 22.0;
+
+/// The points at which drafts are looked at, row by row.
+pub(super) fn points(domain: &Domain) -> Vec<Vec2> {
+    let [columns, rows] = extent(domain);
+    let at = |i: usize| (Vec2::new((i % columns) as f32, (i / columns) as f32) + 0.5) * SPACING;
+    (0..columns * rows).map(at).collect()
+}
+
+/// The number of points in a row and in a column.
+fn extent(domain: &Domain) -> [usize; 2] {
+    [domain.size.x, domain.size.y].map(|length| (length / SPACING) as usize)
+}
+
+/// Returns the number of the first draft without a fault, or of the one with the least. `heights` lists the heights of a
+/// draft at the [`points`].
+pub(super) fn best(domain: &Domain, sea: f32, wanted: &Wanted, heights: impl Fn(u32) -> Vec<f32>) -> u32 {
+    let mut best = (f32::INFINITY, 0);
+    for number in 0..MOST {
+        let fault = Look::of(domain, sea, &heights(number)).fault(wanted);
+        if fault < best.0 {
+            best = (fault, number);
+        }
+        if fault <= 0.0 {
+            break;
+        }
+    }
+    best.1
+}
+
+/// The shape of a draft's main island.
+struct Look {
+    /// Its area as a share of that of the smallest turned rectangle around it.
+    boxed: f32,
+    /// The length of its coast over that of a circle of the same area.
+    coast: f32,
+    /// Its share of all land.
+    share: f32,
+    /// The sizes of islands, in cells, the largest first.
+    sizes: Vec<u32>,
+    /// The distance from the nearest side of the domain, in units.
+    gap: f32,
+    /// The greatest share of its width, or of its height, along which its coast runs beside that of the smallest upright
+    /// rectangle around it.
+    straight: f32,
+}
+
+impl Look {
+    fn of(domain: &Domain, sea: f32, heights: &[f32]) -> Self {
+        let [columns, rows] = extent(domain);
+        let level = sort::quantile(heights, sea);
+        let cells: Vec<Cell> = heights.iter().map(|&h| if h > level { Cell::Land } else { Cell::Water }).collect();
+        let land = cells.iter().filter(|&&cell| cell == Cell::Land).count();
+        let regions = regions(&cells, Cell::Land, columns);
+        let sizes = regions.iter().map(|region| region.cells).collect();
+        let main = regions.into_iter().next().unwrap_or_default();
+        let ends = ends(&main, columns, rows);
+        let count = main.cells as f32;
+        let low = ends.iter().fold(Vec2::INFINITY, |low, &at| low.min(at));
+        let high = ends.iter().fold(Vec2::NEG_INFINITY, |high, &at| high.max(at));
+        let far = Vec2::new(columns as f32, rows as f32) - high;
+        Self {
+            boxed: count / smallest_box(&ends),
+            coast: rim(&main, columns) / (2.0 * (std::f32::consts::PI * count).sqrt()),
+            share: count / (land as f32).max(1.0),
+            sizes,
+            gap: low.min_element().min(far.min_element()) * SPACING,
+            straight: straight(&ends, low, high),
+        }
+    }
+
+    /// The number of islands of at least so many cells.
+    fn count(&self, counted: u32) -> f32 {
+        self.sizes.iter().filter(|&&size| size >= counted).count() as f32
+    }
+
+    /// The sum of the ways in which the measures are out of the ranges that are wanted; 0 if none is.
+    fn fault(&self, wanted: &Wanted) -> f32 {
+        let beyond =
+            |value: f32, [least, most]: [f32; 2]| (least - value).max(value - most).max(0.0) / (most - least).max(1.0);
+        beyond(self.boxed, wanted.boxed)
+            + beyond(self.coast, wanted.coast)
+            + beyond(self.share, wanted.share)
+            + beyond(self.count(wanted.counted), wanted.count.map(|count| count as f32))
+            + (1.0 - self.gap / 32.0).max(0.0)
+            + beyond(self.straight, [0.0, wanted.straight])
+    }
+}
+
+/// The ranges of a draft's measures.
+pub(super) struct Wanted {
+    pub boxed: [f32; 2],
+    pub coast: [f32; 2],
+    pub share: [f32; 2],
+    /// The number of islands, or of lakes.
+    pub count: [usize; 2],
+    /// So many points at least must lie on one for it to count.
+    pub counted: u32,
+    /// The greatest share of a side that may be straight.
+    pub straight: f32,
+}
+
+/// The corners of the first and last cells of a region in each row and column, in cells.
+fn ends(region: &Region, columns: usize, rows: usize) -> Vec<Vec2> {
+    let mut across = vec![[u32::MAX, 0]; rows];
+    let mut down = vec![[u32::MAX, 0]; columns];
+    for run in &region.runs {
+        let row = &mut across[run.row as usize];
+        *row = [row[0].min(run.start), row[1].max(run.end)];
+        for column in &mut down[run.start as usize..run.end as usize] {
+            *column = [column[0].min(run.row), column[1].max(run.row + 1)];
+        }
+    }
+    let across = (0..).zip(across).filter(|(_, ends)| ends[1] > 0);
+    let down = (0..).zip(down).filter(|(_, ends)| ends[1] > 0);
+    let across = across.flat_map(|(row, ends)| ends.map(|x| Vec2::new(x as f32, row as f32 + 0.5)));
+    let down = down.flat_map(|(column, ends)| ends.map(|y| Vec2::new(column as f32 + 0.5, y as f32)));
+    across.chain(down).collect()
+}
+
+/// The area of the smallest turned rectangle around points.
+fn smallest_box(points: &[Vec2]) -> f32 {
+    const TURNS: u32 = 12;
+    let area = |turn: u32| {
+        let (sine, cosine) = sine_and_cosine(turn as f32 / TURNS as f32 * std::f32::consts::FRAC_PI_2);
+        let turned = points.iter().map(|at| Vec2::new(cosine * at.x + sine * at.y, cosine * at.y - sine * at.x));
+        let low = turned.clone().fold(Vec2::INFINITY, Vec2::min);
+        let size = turned.fold(Vec2::NEG_INFINITY, Vec2::max) - low;
+        size.x * size.y
+    };
+    (0..TURNS).map(area).fold(f32::INFINITY, f32::min).max(1.0)
+}
+
+/// The length of a region's border, in cells, as that of a line that runs in all directions alike: π/4 of its edges.
+fn rim(region: &Region, columns: usize) -> f32 {
+    let mut edges = 0;
+    let mut above: Vec<bool> = vec![false; columns];
+    let mut row = Vec::new();
+    let mut next = region.runs.first().map_or(0, |run| run.row);
+    let mut runs = region.runs.iter().peekable();
+    while runs.peek().is_some() {
+        row.clear();
+        row.resize(columns, false);
+        while let Some(run) = runs.next_if(|run| run.row == next) {
+            row[run.start as usize..run.end as usize].fill(true);
+            edges += 2;
+        }
+        edges += row.iter().zip(&above).filter(|(here, above)| here != above).count();
+        std::mem::swap(&mut row, &mut above);
+        next += 1;
+    }
+    edges += above.iter().filter(|&&is_land| is_land).count();
+    edges as f32 * std::f32::consts::FRAC_PI_4
+}
+
+/// The greatest share of the points' width or height along which they lie at the border of the upright rectangle from
+/// `low` to `high`.
+fn straight(points: &[Vec2], low: Vec2, high: Vec2) -> f32 {
+    /// So many cells from the border a point counts.
+    const BESIDE: f32 = 1.1;
+    let size = (high - low).max(Vec2::ONE);
+    let count = |is_beside: &dyn Fn(Vec2) -> bool| points.iter().filter(|at| is_beside(**at)).count() as f32;
+    let upright = [count(&|at| at.x - low.x < BESIDE), count(&|at| high.x - at.x < BESIDE)];
+    let level = [count(&|at| at.y - low.y < BESIDE), count(&|at| high.y - at.y < BESIDE)];
+    let shares = upright.map(|points| points / size.y).into_iter().chain(level.map(|points| points / size.x));
+    shares.fold(0.0, f32::max)
+}

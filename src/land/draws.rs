@@ -1,0 +1,55 @@
+//! The random numbers of a layout, drawn one after the other.
+
+use glam::Vec2;
+
+use super::curve::turned;
+use super::kinds::Shape;
+use crate::base::random::{ItemHash, Purpose};
+
+/// A sequence of random numbers that no other layout of the seed has.
+pub(super) struct Draws {
+    hash: ItemHash,
+    number: u32,
+    next: u32,
+}
+
+impl Draws {
+    /// Begins the sequence of a draft, or of a side.
+    pub fn new(shape: &Shape, number: u32) -> Self {
+        Self { hash: shape.seed.item_hash(Purpose::Land), number, next: 0 }
+    }
+
+    /// A number from `least` to `most`.
+    pub fn between(&mut self, least: f32, most: f32) -> f32 {
+        /// Apart from all other items of land.
+        const LAYOUT: u32 = 100;
+        self.next += 1;
+        least + (most - least) * self.hash.unit([LAYOUT, self.number, self.next])
+    }
+
+    /// A number from 0 to 1, more often about a half than near the ends.
+    pub fn middling(&mut self) -> f32 {
+        0.5 * (self.between(0.0, 1.0) + self.between(0.0, 1.0))
+    }
+
+    /// Tells whether a thing of some likelihood happens.
+    pub fn is(&mut self, likelihood: f32) -> bool {
+        self.between(0.0, 1.0) < likelihood
+    }
+
+    /// A number from `least` to `most`, either positive or negative.
+    pub fn either(&mut self, least: f32, most: f32) -> f32 {
+        let sign = if self.is(0.5) { -1.0 } else { 1.0 };
+        sign * self.between(least, most)
+    }
+
+    /// A whole number from `least` to `most`.
+    pub fn count(&mut self, least: u32, most: u32) -> u32 {
+        (self.between(least as f32, most as f32 + 1.0) as u32).min(most)
+    }
+
+    /// A unit vector in any direction.
+    pub fn direction(&mut self) -> Vec2 {
+        turned(Vec2::X, self.between(-std::f32::consts::PI, std::f32::consts::PI))
+    }
+}

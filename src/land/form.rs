@@ -1,0 +1,164 @@
+//! Forms: the height of the land of a shape, from spines, the distance from sides, noise and the frame.
+
+use glam::Vec2;
+
+use super::archipelago::archipelago;
+use super::coast_distance::CoastDistance;
+use super::drafts::{self, Wanted};
+use super::draws::Draws;
+use super::island::{island, lake};
+use super::kinds::Shape;
+use super::rock::{Amplitudes, Relief, Rock};
+use super::sides::Coasts;
+use super::spine::Spines;
+use crate::recipe::LandKind;
+
+impl Shape {
+    /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
+    /// land, which has them from its outline.
+    pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
+        if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
+            return None;
+        }
+        let form = Form::of(self);
+        Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
+    }
+}
+
+/// The ingredients of a shape's height.
+pub(super) struct Form<'a> {
+    shape: &'a Shape,
+    spines: Spines,
+    coasts: Option<Coasts>,
+    rock: Rock,
+    amplitudes: Amplitudes,
+}
+
+impl<'a> Form<'a> {
+    /// Makes the form of a shape. Where layouts are drafted, neither the share of the sea nor roughness decides which
+    /// draft is taken: they change a coast a little, but never for another one.
+    pub fn of(shape: &'a Shape) -> Self {
+        let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, ..shape.clone() };
+        let draft = wanted(shape.kind).map_or(0, |wanted| Form::with_draft(&usual, 0).best_draft(&wanted));
+        Self::with_draft(shape, draft)
+    }
+
+    fn with_draft(shape: &'a Shape, draft: u32) -> Self {
+        let coasts = matches!(shape.kind, LandKind::Continent | LandKind::Valley).then(|| Coasts::new(shape));
+        let (rock, amplitudes) = (Rock::new(shape), amplitudes(shape.kind));
+        Self { shape, spines: spines(shape, draft), coasts, rock, amplitudes }
+    }
+
+    fn best_draft(&self, wanted: &Wanted) -> u32 {
+        let Shape { domain, sea, kind, .. } = self.shape;
+        let (sign, sea) = if *kind == LandKind::Basin { (-1.0, 1.0 - sea) } else { (1.0, *sea) };
+        let points = drafts::points(domain);
+        // All drafts lie on the same rock, and points are too far apart for its detail.
+        let broad = Amplitudes { fine: 0.0, ..self.amplitudes };
+        let reliefs: Vec<Relief> = points.iter().map(|&at| self.rock.at(at, &broad)).collect();
+        drafts::best(domain, sea, wanted, |draft| {
+            let spines = spines(self.shape, draft);
+            points.iter().zip(&reliefs).map(|(&at, relief)| sign * self.with(&spines, at, relief)).collect()
+        })
+    }
+
+    /// The height of a point, in units.
+    pub fn height(&self, point: Vec2) -> f32 {
+        self.with(&self.spines, point, &self.rock.at(point, &self.amplitudes))
+    }
+
+    /// The height of a point with other spines and the relief at the point.
+    fn with(&self, spines: &Spines, point: Vec2, relief: &Relief) -> f32 {
+        /// How much steeper the sea bed of an archipelago is than its land, or noise would join islands.
+        const STEEP: f32 = 2.5;
+        let moat = || self.moat(point, relief.rise / self.shape.span(), relief.stray);
+        let spines = || spines.height(relief.at);
+        match self.shape.kind {
+            LandKind::Rectangle | LandKind::Drawn => self.shape.span(),
+            LandKind::Island => spines() + relief.rise - moat(),
+            LandKind::Archipelago => {
+                let height = spines();
+                height.max(0.0) + STEEP * height.min(0.0) + relief.rise - moat()
+            }
+            LandKind::Basin => moat() - spines() - relief.rise,
+            LandKind::Continent | LandKind::Valley => {
+                self.coasts.as_ref().map_or(0.0, |coasts| coasts.height(relief.at)) + relief.rise
+            }
+        }
+    }
+
+    /// Lowers the height towards the border of the domain, so that the border cuts neither land surrounded by sea nor a
+    /// lake surrounded by land. The drop begins at a margin, which varies by itself and with the coast (`bend`), so
+    /// that it straightens no coast, and ends in a wall. The more land there is, the nearer both lie to the border.
+    fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
+        let Shape { kind, domain, sea, .. } = self.shape;
+        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.4);
+        let room = 0.5 * (1.0 - within.sqrt());
+        // Land that fills the map keeps its coast from the frame by a moat that is wide in places.
+        let full = ((within - 0.4) / 0.4).clamp(0.0, 1.0);
+        let width = (0.6 + 0.3 * full) * room;
+        let margin = room * (0.25 + 0.15 * full + (0.7 + 0.3 * full) * stray - (0.8 + 2.2 * full) * bend).max(0.0);
+        let inside = point.min(domain.size - point) / self.shape.span();
+        let near = (1.0 - (inside - margin) / width).max(Vec2::ZERO).length_squared();
+        let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);
+        (near * near * 2.0 * room + wall) * self.shape.span()
+    }
+}
+
+/// The spines of a draft.
+fn spines(shape: &Shape, draft: u32) -> Spines {
+    let mut draws = Draws::new(shape, draft);
+    let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
+    let area = |share: f32| share * size.x * size.y;
+    let spines = match shape.kind {
+        LandKind::Island => island(&mut draws, size, area(1.0 - usual)),
+        LandKind::Basin => lake(&mut draws, size, area(usual)),
+        LandKind::Archipelago => archipelago(&mut draws, size, area(1.0 - usual)),
+        _ => Vec::new(),
+    };
+    // Straits between the islands of an archipelago are narrow.
+    let round = if shape.kind == LandKind::Archipelago { 0.012 } else { 0.05 };
+    Spines::new(&spines, size, round * shape.span())
+}
+
+/// The ranges of measures of a kind of land: those of real islands, from Madagascar to Skye.
+fn wanted(kind: LandKind) -> Option<Wanted> {
+    match kind {
+        LandKind::Island => Some(Wanted {
+            boxed: [0.32, 0.64],
+            coast: [1.4, 2.3],
+            share: [0.72, 0.99],
+            count: [2, 20],
+            counted: 2,
+            straight: 0.33,
+        }),
+        LandKind::Archipelago => Some(Wanted {
+            boxed: [0.2, 0.75],
+            coast: [1.0, 3.6],
+            share: [0.1, 0.62],
+            count: [6, 40],
+            counted: 2,
+            straight: 0.9,
+        }),
+        LandKind::Basin => Some(Wanted {
+            boxed: [0.25, 0.62],
+            coast: [1.6, 3.2],
+            share: [0.8, 1.0],
+            count: [1, 1],
+            counted: 25,
+            straight: 0.33,
+        }),
+        _ => None,
+    }
+}
+
+/// How far noise moves the coasts of a kind of land.
+fn amplitudes(kind: LandKind) -> Amplitudes {
+    match kind {
+        LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },
+        LandKind::Continent => Amplitudes { warp: 130.0, broad: 200.0, spurs: 70.0, fine: 30.0 },
+        LandKind::Valley => Amplitudes { warp: 100.0, broad: 110.0, spurs: 50.0, fine: 30.0 },
+        LandKind::Basin => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
+        _ => Amplitudes { warp: 120.0, broad: 125.0, spurs: 70.0, fine: 30.0 },
+    }
+}

@@ -1,0 +1,37 @@
+//! The room that a rectangle has for a layout.
+
+use glam::Vec2;
+
+use super::draws::Draws;
+use super::spine::Spine;
+use crate::base::geometry::direction;
+
+/// The length of a line of a direction through the middle of a rectangle, within a border.
+pub(super) fn room(size: Vec2, way: Vec2) -> f32 {
+    let inner = (size - 0.12 * size.min_element()) / way.abs().max(Vec2::splat(1e-3));
+    inner.min_element()
+}
+
+/// One of two directions, mostly the one in which there is more room.
+pub(super) fn roomier(draws: &mut Draws, size: Vec2) -> Vec2 {
+    // Most directions of a long rectangle lead across it at once.
+    let slender = (size / size.min_element()).map(f32::sqrt);
+    let ways = [draws.direction(), draws.direction()].map(|way| direction(way * slender));
+    let first_is_roomier = room(size, ways[0]) > room(size, ways[1]);
+    ways[usize::from(first_is_roomier != draws.is(0.85))]
+}
+
+/// Moves spines to a random place of a rectangle where there is room for them; too large ones shrink.
+pub(super) fn placed(draws: &mut Draws, spines: Vec<Spine>, size: Vec2) -> Vec<Spine> {
+    let border = 0.06 * size.min_element();
+    let stretch = 0.045 * size.min_element();
+    let all = || spines.iter().flat_map(|spine| spine.points());
+    let low = all().map(|(at, width)| *at - 0.8 * width - stretch).fold(Vec2::INFINITY, Vec2::min);
+    let high = all().map(|(at, width)| *at + 0.8 * width + stretch).fold(Vec2::NEG_INFINITY, Vec2::max);
+    let inner = size - 2.0 * border;
+    let shrunk = (inner / (high - low).max(Vec2::ONE)).min_element().min(1.0);
+    let free = (inner - (high - low) * shrunk).max(Vec2::ZERO);
+    let corner = border + free * Vec2::new(draws.middling(), draws.middling());
+    let place = |(at, width): &(Vec2, f32)| ((*at - low) * shrunk + corner, width * shrunk);
+    spines.iter().map(|spine| Spine::new(spine.points().iter().map(place).collect())).collect()
+}
