@@ -29,6 +29,8 @@ const GROUPS = {
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "Rivers of a default map, and their rounds of meandering": rivers,
   "The relief of a default map, and other styles at 1024² when it is there": relief,
+  "A whole default map at 1024 x 640, from the link to the finished picture, in units of growing 100,000 attractors at R = 3": wholeMap,
+  "The relief of a rectangle on finer grids, natively": grids,
   "Labels of a map at 1024², from the link to the finished picture": labels,
   "Woods and hills of a map at 1024², from the link to the finished picture": woods,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
@@ -249,6 +251,29 @@ async function relief() {
     const [shaded, styled] = await inTurn(9, [wasm, `reshade ${land}`, 3], [wasm, atlas, 3]);
     row(`wasm, ${land}: shading`, median(less(shaded, styled)), "ms", atMost(10));
   }
+}
+
+async function wholeMap() {
+  const looks = [
+    ["style=ink", 2],
+    ["style=atlas", 4],
+    ["style=atlas&labels=some", 4.5],
+  ];
+  for (const [look, bar] of looks) {
+    const [drawn, unit] = await inTurn(9, [wasm, `map ${look}`], [wasm, "grow 100000 3"]);
+    row(`wasm: ${look}`, median(ratios(drawn, unit)), "units", atMost(bar));
+    guide("that is", median(drawn), "ms");
+  }
+}
+
+async function grids() {
+  const sizes = [1024, 4096];
+  const [small, large] = await inTurn(5, ...sizes.map((size) => [native, `grid ${size} 1`]));
+  const cells = ([size]) => (size * size) / 1.6;
+  row("µs a cell, 4096 x 2560", (median(large) * 1000) / cells([4096]), "µs", atMost(0.5));
+  row("exponent from 1024 x 640 on", Math.log(median(ratios(large, small))) / Math.log(16), "", atMost(1.05));
+  const [one, two] = [await native.run("grid-wall 4096 1"), await native.run("grid-wall 4096 2")];
+  guide("time that passes on two threads / on one", two.result / one.result, "×");
 }
 
 async function labels() {

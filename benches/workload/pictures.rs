@@ -13,9 +13,14 @@ pub fn finished(growth: &str, attractors: &str) -> Option<Repetition> {
 
 /// Makes a map from its recipe to the finished picture. Returns the number of rivers.
 pub fn pictured(recipe: Recipe) -> Option<Repetition> {
+    pictured_at(recipe, SIDE, SIDE)
+}
+
+/// The same in a picture of another size.
+pub fn pictured_at(recipe: Recipe, width: u32, height: u32) -> Option<Repetition> {
     let rivers = move || -> Option<u32> {
         let mut session = Session::new(recipe.clone()).ok()?;
-        let mut picture = Picture::new(SIDE, SIDE).ok()?;
+        let mut picture = Picture::new(width, height).ok()?;
         session.advance(u32::MAX).ok()?;
         picture.paint(&session);
         Some(session.network()?.rivers.len() as u32)

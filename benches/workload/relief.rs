@@ -1,7 +1,11 @@
 //! The relief of finished rivers, and changes of style afterwards.
 
+use std::num::NonZero;
+use std::time::Instant;
+
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
+use riverseed::relief::Grid;
 use riverseed::{Map, Session};
 
 use super::{Repetition, SIDE};
@@ -17,6 +21,30 @@ pub fn relief() -> Option<Repetition> {
     Some(Box::new(move || {
         let Ok(relief) = map.make_relief() else { return 0 };
         relief.heights()[relief.heights().len() / 2].to_bits()
+    }))
+}
+
+/// Solves the relief of a rectangle on a grid with a number of cells on its longer side, on a number of threads. Returns
+/// the height of one cell, in bits.
+pub fn grid(cells: u32, threads: NonZero<usize>) -> Option<Repetition> {
+    let map = map("land=rectangle&aspect=1.6&style=atlas")?;
+    let own = map.make_relief().ok()?;
+    Some(Box::new(move || {
+        let mut settings = map.relief_settings();
+        let Some(grid) = Grid::with_longer_side(&settings.domain, cells) else { return 0 };
+        (settings.grid, settings.threads) = (grid, threads);
+        let Ok(finer) = own.on_grid_of(map.network(), settings) else { return 0 };
+        finer.heights()[finer.heights().len() / 2].to_bits()
+    }))
+}
+
+/// Returns how long the same takes by the clock, in milliseconds.
+pub fn grid_wall(cells: u32, threads: NonZero<usize>) -> Option<Repetition> {
+    let mut repetition = grid(cells, threads)?;
+    Some(Box::new(move || {
+        let begun = Instant::now();
+        repetition();
+        begun.elapsed().as_millis() as u32
     }))
 }
 
