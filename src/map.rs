@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::domain::Domain;
 use crate::grow::Grown;
-use crate::land::Land;
+use crate::land::{CoastDistance, Land};
 use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Recipe, Style};
@@ -35,6 +35,8 @@ pub struct Map {
     pub(crate) id: MapId,
     pub(crate) recipe: Recipe,
     pub(crate) land: Option<Arc<Land>>,
+    /// The distances from the coast before the sea rose; `None` if it has not risen.
+    pub(crate) low_stand: Option<Arc<CoastDistance>>,
     pub(crate) grown: Grown,
     pub(crate) tree: Arc<Tree>,
     pub(crate) trim: Trim,
@@ -84,7 +86,7 @@ impl Map {
         self.grown
     }
 
-    /// The untrimmed tree.
+    /// The untrimmed tree; where the sea has risen, what is left of it.
     pub fn tree(&self) -> &Arc<Tree> {
         &self.tree
     }
@@ -157,5 +159,6 @@ impl Map {
     /// The settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
         ReliefSettings::new(&self.recipe, self.land.clone(), self.grown.total_discharge)
+            .with_low_stand(self.low_stand.clone())
     }
 }

@@ -36,6 +36,7 @@ impl Given<'_> {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
+            Key::Drowning => self.not_draining().or_else(|| self.no_coast()).or_else(|| self.sea_is_drawn()),
             Key::Roughness => self.no_coast(),
             Key::Sides => self.mouths_are_drawn().or_else(|| self.sea_is_drawn()).or_else(|| self.sides_are_given()),
             Key::Outline => self.nothing_is_drawn(),
@@ -297,7 +298,7 @@ mod tests {
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const NOT_DRAINING: (&str, &str) = (
-        "concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
+        "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
         "only drainage uses it",
     );
     const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");

@@ -17,6 +17,7 @@ mod draft;
 mod finer;
 mod flow;
 mod grid;
+mod low_stand;
 mod march;
 mod settings;
 mod solver;
@@ -34,6 +35,7 @@ pub(crate) use draft::ReliefDrafts;
 pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
+pub(crate) use low_stand::LowStandRelief;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 

@@ -32,7 +32,7 @@ impl Steepness {
         lengthen(&mut this.rises, cells.inland.len(), cells.size)?;
         work::count(cells.inland.len());
         for cell in cells.land() {
-            this.rises[cell] = cells.size * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
+            this.rises[cell] = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(cells.point(cell));
         }
         Ok(this)
     }

@@ -59,7 +59,7 @@ impl SessionDrafts {
     /// given.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
         let own =
-            session.land().filter(|_| !session.is_land_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
+            session.land().filter(|_| !session.coasts.are_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
         if session.recipe() == wanted {
             return Some(own.clone());
         }
@@ -71,4 +71,4 @@ impl SessionDrafts {
 }
 
 pub(crate) const OF_RELIEF: [Key; 2] = [Key::Mountains, Key::Plains];
-pub(crate) const OF_COASTS: [Key; 2] = [Key::Sea, Key::Roughness];
+pub(crate) const OF_COASTS: [Key; 3] = [Key::Sea, Key::Drowning, Key::Roughness];
