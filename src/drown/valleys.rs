@@ -14,10 +14,10 @@ pub(crate) struct Valleys {
 }
 
 /// The area from which on slopes fall as more drains, in square units.
-const AREA: f32 = 60.0;
+const AREA: f32 = 16.0;
 
 /// How steep a valley is of that area, and how steep ground is without one, as shares of a hillside.
-const VALLEY: f32 = 0.6;
+const VALLEY: f32 = 0.5;
 const FLANK: f32 = 1.15;
 
 impl Valleys {

@@ -21,7 +21,7 @@ pub(super) struct Waves {
 }
 
 /// How many rounds of blur there are, and how many of them a step takes.
-const ROUNDS: u32 = 16;
+const ROUNDS: u32 = 24;
 const ROUNDS_A_STEP: u32 = 4;
 
 /// The height of a rim, which is neither land nor sea.

@@ -24,12 +24,15 @@ pub(crate) struct LowStand {
     pub sea: f32,
 }
 
-/// The share of the domain that a sea risen in full has taken.
-const RISE: f32 = 0.3;
+/// The share of the domain that a risen sea has taken: at least, so that there is some of it although coasts are no more
+/// exact than that, and what a sea risen in full has taken besides.
+const LEAST_RISE: f32 = 0.03;
+const RISE: f32 = 0.27;
 
-/// The least share of sea at a low stand. An island would fill the frame before.
+/// The least share of sea at the lowest stand: an island would fill the frame before. A little sea falls to a share of it.
 const LEAST_SEA: f32 = 0.1;
 const LEAST_SEA_AROUND_AN_ISLAND: f32 = 0.3;
+const LEAST_SHARE: f32 = 0.5;
 
 /// The least depth of water at the corners of the lattice, in units: so every channel is some cells wide.
 const SHALLOWEST: f32 = 1.0;
@@ -63,7 +66,7 @@ impl LowStand {
 /// The land above a level, in units, of heights at the corners of the low stand's lattice. Specks of it sink.
 pub(crate) fn above(low: &Land, heights: &[f32], level: f32) -> Land {
     /// The least area of an island, in cells.
-    const SPECK: u32 = 20;
+    const SPECK: u32 = 40;
     /// How often specks are looked for: each time there are fewer corners of land.
     const ROUNDS: usize = 8;
     let domain = Domain { size: low.size() };
@@ -95,10 +98,12 @@ fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
     }
 }
 
-/// The share of sea at the low stand.
+/// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
 fn low_sea(shape: &Shape, drowning: f32) -> f32 {
     let least = if shape.kind == LandKind::Island { LEAST_SEA_AROUND_AN_ISLAND } else { LEAST_SEA };
-    (shape.sea - RISE * drowning).max(least).min(shape.sea)
+    let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea));
+    let highest = (shape.sea - LEAST_RISE).max(lowest);
+    highest + (lowest - highest) * drowning
 }
 
 /// The corners about midway between two islands of today: those beside a corner that is nearer to another island.
