@@ -9,6 +9,8 @@
 //! for. Every valley that reaches below becomes an inlet, as rias do (von Richthofen 1886).
 
 mod level;
+#[cfg(test)]
+mod tests;
 mod valleys;
 mod waves;
 
@@ -34,6 +36,8 @@ pub(crate) struct Drowning {
     low_stand: Arc<LowStand>,
     recipe: Recipe,
     drainage: DrainageSettings,
+    /// The hardness of the ground at each corner, about −1 to 1 where it is usual; empty until it is needed.
+    rock: Vec<f32>,
     next: Part,
 }
 
@@ -66,7 +70,7 @@ impl Drowning {
 
     /// Begins the rise from a low stand of a recipe.
     pub fn new(recipe: &Recipe, low_stand: Arc<LowStand>) -> Self {
-        Self { low_stand, recipe: recipe.clone(), drainage: DrainageSettings::new(recipe), next: Part::Begin }
+        Self { low_stand, recipe: recipe.clone(), drainage: DrainageSettings::new(recipe), rock: Vec::new(), next: Part::Begin }
     }
 
     /// The same over valleys that are known already.
@@ -99,14 +103,17 @@ impl Drowning {
         Ok(drowned)
     }
 
-    fn advance(&self, part: Part, tree: &Tree) -> Result<(Part, Option<Drowned>), Refused> {
+    fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Drowned>), Refused> {
         let next = match part {
             Part::Begin => Part::Mark(Marking::new(tree, self.lattice(), self.drainage.spacing)?),
             Part::Mark(mut marking) => match marking.advance(tree) {
                 true => Part::Mark(marking),
                 false => Part::Hillsides(Arc::new(marking.into_valleys())),
             },
-            Part::Hillsides(valleys) => Part::Ridges(valleys.clone(), self.hillsides(&valleys)?, 0),
+            Part::Hillsides(valleys) => {
+                self.rock = self.rock()?;
+                Part::Ridges(valleys.clone(), self.hillsides(&valleys)?, 0)
+            }
             Part::Ridges(valleys, mut relief, from) => match relief.raise_ridges(from) {
                 Some(next) => Part::Ridges(valleys, relief, next),
                 None => {
@@ -116,15 +123,17 @@ impl Drowning {
             },
             Part::March(valleys, mut relief) => match relief.advance() {
                 true => Part::March(valleys, relief),
-                false => Part::Waves(valleys, Waves::new(self.lattice(), relief.heights(), &self.softness()?)?),
+                false => Part::Waves(valleys, Waves::new(self.lattice(), relief.heights(), &self.softness())?),
             },
             Part::Waves(valleys, mut waves) => match waves.advance() {
                 true => Part::Waves(valleys, waves),
-                false => Part::Level(valleys, Level::new(&self.low_stand, waves.into_heights())?),
+                false => Part::Level(valleys, Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?),
             },
-            Part::Level(valleys, mut level) => match level.advance(&self.low_stand) {
+            Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land) {
                 None => Part::Level(valleys, level),
-                Some(land) => return Ok((Part::Between, Some(Drowned { land: land.into(), valleys }))),
+                Some(land) => {
+                    return Ok((Part::Between, Some(Drowned { land: land.into(), valleys })));
+                }
             },
             Part::Between => Part::Begin,
         };
@@ -134,9 +143,8 @@ impl Drowning {
     /// The usual hillsides with valleys, harder and softer ground, and a gentle shelf.
     fn hillsides(&self, valleys: &Valleys) -> Result<LowStandRelief, Refused> {
         let mut relief = LowStandRelief::new(&self.recipe, &self.low_stand.land)?;
-        let rock = self.rock()?;
         let today = self.low_stand.today.heights();
-        relief.steepen(|corner| valleys.steepness(corner) * of_rock(rock[corner]) * of_shelf(today[corner]));
+        relief.steepen(|corner| valleys.steepness(corner) * of_rock(self.rock[corner]) * of_shelf(today[corner]));
         Ok(relief)
     }
 
@@ -144,7 +152,7 @@ impl Drowning {
         self.low_stand.land.coast_distance()
     }
 
-    /// The hardness of the ground at each corner, about −1 to 1 where it is usual.
+    /// Finds how hard the ground is at each corner.
     fn rock(&self) -> Result<Vec<f32>, Refused> {
         let (lattice, noise) = (self.lattice(), self.drainage.rock());
         let corners = lattice.heights().len();
@@ -158,8 +166,8 @@ impl Drowning {
     }
 
     /// How easily waves move the ground at each corner, from 0 to 1.
-    fn softness(&self) -> Result<Vec<f32>, Refused> {
-        Ok(self.rock()?.into_iter().map(|rock| smooth(SOFT.0, SOFT.1, rock)).collect())
+    fn softness(&self) -> Vec<f32> {
+        self.rock.iter().map(|&rock| smooth(SOFT.0, SOFT.1, rock)).collect()
     }
 }
 

@@ -11,6 +11,7 @@ use crate::tree::Tree;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Valleys {
     areas: Vec<f32>,
+    columns: usize,
 }
 
 /// The area from which on slopes fall as more drains, in square units.
@@ -28,6 +29,12 @@ impl Valleys {
             _ => FLANK,
         }
     }
+
+    /// The same valleys, with small ones wherever a land has no corner: what drains there is not known.
+    pub fn with_unknown(&self, land: &CoastDistance) -> Self {
+        let known = self.areas.iter().zip(land.heights());
+        Self { areas: known.map(|(&area, &height)| if height > 0.0 { area } else { AREA }).collect(), columns: self.columns }
+    }
 }
 
 /// The marking of a tree's edges on a lattice.
@@ -38,7 +45,6 @@ pub(super) struct Marking {
     discharge: Vec<u32>,
     /// The area of a parcel, in square units.
     parcel: f32,
-    columns: usize,
     rows: usize,
     spacing: f32,
     /// The node to go on with.
@@ -60,7 +66,7 @@ impl Marking {
             }
         }
         let parcel = parcel_spacing * parcel_spacing;
-        Ok(Self { valleys: Valleys { areas }, discharge, parcel, columns, rows, spacing: lattice.spacing(), next: 0 })
+        Ok(Self { valleys: Valleys { areas, columns }, discharge, parcel, rows, spacing: lattice.spacing(), next: 0 })
     }
 
     /// Marks some more edges. Returns `true` if there are more.
@@ -86,8 +92,8 @@ impl Marking {
         for (column, row) in walk(from, to) {
             work::count(1);
             let (column, row) = (column as usize, row as usize);
-            if column < self.columns && row < self.rows {
-                let marked = &mut self.valleys.areas[row * self.columns + column];
+            if column < self.valleys.columns && row < self.rows {
+                let marked = &mut self.valleys.areas[row * self.valleys.columns + column];
                 *marked = marked.max(area);
             }
         }

@@ -65,9 +65,15 @@ impl CoastDistance {
         this
     }
 
-    /// The values of some corners, as often as each counts for the area of the domain around it.
-    pub(crate) fn by_area(&self, domain: &Domain, values: &[f32]) -> Vec<f32> {
-        of_squares(domain, self.spacing, values, self.columns)
+    /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
+    /// its area.
+    pub(crate) fn squares_around(&self, domain: &Domain) -> Vec<u32> {
+        let mut squares = vec![0; self.heights.len()];
+        let is_inside = |&i: &usize| domain.contains(self.corner(i) + self.spacing / 2.0);
+        for i in (0..self.heights.len()).filter(is_inside) {
+            [i, i + 1, i + self.columns, i + self.columns + 1].into_iter().for_each(|corner| squares[corner] += 1);
+        }
+        squares
     }
 
     /// The distances from the line of height 0, without islets and ponds.

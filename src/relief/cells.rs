@@ -22,7 +22,7 @@ pub(super) struct Cells {
     /// How far inland the middle of each lies, in units; 0 or less at sea.
     pub inland: Vec<f32>,
     /// How far the middle of each lies from the coast of the low stand, in units, if the sea has risen since; else empty.
-    from_low_stand: Vec<f32>,
+    pub from_low_stand: Vec<f32>,
 }
 
 /// What lies beyond the map where land runs on, or nothing is known: it is no land, and water does not run there.

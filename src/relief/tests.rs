@@ -17,7 +17,7 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
         let rivers = prop::collection::vec((0..count, 0.0f32..9.0), 0..8);
         (inland, rises, rivers).prop_map(move |(mut inland, rises, rivers)| {
             (0..count).filter(|&i| is_rim(i)).for_each(|i| inland[i] = f32::NEG_INFINITY);
-            let cells = Cells { columns, rows, size: CELL_SIZE, inland };
+            let cells = Cells { columns, rows, size: CELL_SIZE, middle: 0.5, inland, ..Cells::default() };
             let rivers = rivers.into_iter().filter(|&(cell, _)| cells.is_land(cell)).collect();
             (cells, rises, rivers)
         })

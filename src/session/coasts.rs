@@ -65,9 +65,9 @@ impl Coasts {
         self.drowned.as_ref().map(|risen| &risen.from)
     }
 
-    /// What the sea has left, after it has risen.
-    pub fn drowned(&self) -> Option<&Drowned> {
-        self.drowned.as_ref().map(|risen| &risen.drowned)
+    /// What the sea has left after it has risen, and the land that it rose over.
+    pub fn drowned(&self) -> Option<(&Drowned, &Land)> {
+        Some((&self.drowned.as_ref()?.drowned, self.planted.as_deref()?))
     }
 
     /// Returns `true` if the sea is still to rise.

@@ -79,7 +79,9 @@ impl Session {
     fn drowned_draft(&self, wanted: &Recipe) -> Option<Arc<Land>> {
         let low_stand = Arc::new(LowStand::of(wanted, CoastDistance::SPACING)?);
         let mut drowning = match self.coasts.drowned() {
-            Some(drowned) => Drowning::over(wanted, low_stand, drowned.valleys.clone()),
+            Some((drowned, land)) => {
+                Drowning::over(wanted, low_stand, drowned.valleys.with_unknown(land.coast_distance()).into())
+            }
             None => Drowning::new(wanted, low_stand),
         };
         loop {
