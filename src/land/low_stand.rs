@@ -32,7 +32,7 @@ const RISE: f32 = 0.27;
 /// The least share of sea at the lowest stand: an island would fill the frame before. A little sea falls to a share of it.
 const LEAST_SEA: f32 = 0.1;
 const LEAST_SEA_AROUND_AN_ISLAND: f32 = 0.3;
-const LEAST_SHARE: f32 = 0.5;
+const LEAST_SHARE: f32 = 0.6;
 
 /// The least depth of water at the corners of the lattice, in units: so every channel is some cells wide.
 const SHALLOWEST: f32 = 1.0;
@@ -49,8 +49,8 @@ impl LowStand {
         let shape = Shape::of(recipe);
         let today = shape.coast_distance(spacing)?;
         let low = shape.coast_distance_at(spacing, low_sea(&shape, recipe.number(NumberKey::Drowning)))?;
-        let straits = straits(&today);
-        let low = if straits.is_empty() { low } else { low.flooded(straits.into_iter()) };
+        let kept = [straits(&today), lost_seas(&today, &low)].concat();
+        let low = if kept.is_empty() { low } else { low.flooded(kept.into_iter()) };
         let land = Arc::new(Land::new(&shape.domain, low, shape.ridges()));
         Some(Self { land, today, sea: shape.sea })
     }
@@ -84,18 +84,34 @@ pub(crate) fn above(low: &Land, heights: &[f32], level: f32) -> Land {
     }
 }
 
-/// Takes all corners around some regions under water.
+/// Takes the corners of some regions under water: those that touch one of their cells or, where a region has none, all
+/// around it.
 fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
+    for region in regions {
+        let touching = corners_around(region, coast, true);
+        let is_land = |corner: &usize| over[*corner] > 0.0;
+        let sunk = if touching.iter().any(is_land) { touching } else { corners_around(region, coast, false) };
+        for corner in sunk {
+            over[corner] = over[corner].min(-SHALLOWEST);
+        }
+    }
+}
+
+/// The corners of all lattice squares that a region has cells in, or only those that touch a cell.
+fn corners_around(region: &Region, coast: &CoastDistance, is_touching: bool) -> Vec<usize> {
     let (columns, rows) = coast.size();
-    let corner = |cell: u32| (cell as f32 * CELL_SIZE / coast.spacing()) as usize;
-    for run in regions.iter().flat_map(|region| &region.runs) {
-        for row in corner(run.row)..(corner(run.row) + 2).min(rows) {
-            for column in corner(run.start)..(corner(run.end - 1) + 2).min(columns) {
-                let height = &mut over[row * columns + column];
-                *height = height.min(-SHALLOWEST);
+    let apart = (coast.spacing() / CELL_SIZE) as u32;
+    let first = |cell: u32| if is_touching { cell.div_ceil(apart) } else { cell / apart };
+    let last = |cell: u32| if is_touching { (cell + 1) / apart } else { cell / apart + 1 };
+    let mut corners = Vec::new();
+    for run in &region.runs {
+        for row in first(run.row)..=last(run.row).min(rows as u32 - 1) {
+            for column in first(run.start)..=last(run.end - 1).min(columns as u32 - 1) {
+                corners.push(row as usize * columns + column as usize);
             }
         }
     }
+    corners
 }
 
 /// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
@@ -104,6 +120,17 @@ fn low_sea(shape: &Shape, drowning: f32) -> f32 {
     let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea));
     let highest = (shape.sea - LEAST_RISE).max(lowest);
     highest + (lowest - highest) * drowning
+}
+
+/// The corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
+fn lost_seas(today: &CoastDistance, low: &CoastDistance) -> Vec<usize> {
+    let columns = today.size().0;
+    let corners = |sea: &Region| {
+        let runs = sea.runs.iter().map(|run| (run.row as usize * columns, run.start as usize, run.end as usize));
+        runs.flat_map(|(row, start, end)| row + start..row + end).collect::<Vec<_>>()
+    };
+    let seas = today.regions(Cell::Water).into_iter().map(|sea| corners(&sea));
+    seas.filter(|sea| sea.iter().all(|&corner| low.heights()[corner] > 0.0)).flatten().collect()
 }
 
 /// The corners about midway between two islands of today: those beside a corner that is nearer to another island.
