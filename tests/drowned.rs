@@ -264,30 +264,3 @@ fn no_step_of_the_rise_takes_long() {
         assert!(steps > 10, "{text}: {steps} steps");
     }
 }
-#[test]
-fn dbg() {
-    use std::time::Instant;
-    for l in ["island", "continent"] {
-    let t = Instant::now();
-    let mut s = Session::new(link::read(&format!("seed=galicia&land={l}&drowning=0.5")).unwrap()).unwrap();
-    println!("new {:?}", t.elapsed());
-    let t = Instant::now();
-    Session::new(link::read(&format!("seed=galicia&land={l}&drowning=0.0")).unwrap()).unwrap();
-    println!("new at 0 {:?}", t.elapsed());
-    let mut t = Instant::now();
-    let mut last = s.phase();
-    while !s.is_finished() {
-        let step = Instant::now();
-        s.advance(1).unwrap();
-        if last == Phase::Drowning { println!("  {:?}", step.elapsed()); }
-        if s.phase() != last { println!("{last:?} {:?}", t.elapsed()); t = Instant::now(); last = s.phase(); }
-    }
-    let mut s = Session::new(link::read(&format!("seed=galicia&land={l}")).unwrap()).unwrap();
-    let mut t = Instant::now();
-    let mut last = s.phase();
-    while !s.is_finished() {
-        s.advance(1).unwrap();
-        if s.phase() != last { println!("at 0: {last:?} {:?}", t.elapsed()); t = Instant::now(); last = s.phase(); }
-    }
-    }
-}
