@@ -18,7 +18,7 @@ use crate::land::{CoastDistance, Land};
 use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Recipe, Style};
-use crate::relief::{Relief, ReliefError, ReliefSettings};
+use crate::relief::{Relief, ReliefError, ReliefSettings, Rills};
 use crate::tree::{Hydrology, Tree};
 
 /// A finished map.
@@ -158,7 +158,10 @@ impl Map {
 
     /// The settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
-        ReliefSettings::new(&self.recipe, self.land.clone(), self.grown.total_discharge)
+        let total_discharge = self.grown.total_discharge;
+        let settings = ReliefSettings::new(&self.recipe, self.land.clone(), total_discharge);
+        settings
             .with_low_stand(self.low_stand.clone())
+            .with_rills(|| Rills::of(&self.tree, self.trim, total_discharge))
     }
 }

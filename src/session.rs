@@ -23,7 +23,7 @@ use crate::map::{Map, MapId};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Heads, Pruned, Trim};
 use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefSettings};
+use crate::relief::{Relief, ReliefSettings, Rills};
 use crate::tree::{Hydrology, Tree};
 
 pub(crate) use drafts::{OF_COASTS, OF_RELIEF, SessionDrafts};
@@ -370,10 +370,11 @@ impl Session {
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
         let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
-        let (recipe, coasts, growth) = (&self.recipe, &self.coasts, &self.growth);
+        let (recipe, coasts, growth, trim) = (&self.recipe, &self.coasts, &self.growth, self.trim());
         let settings = || {
             ReliefSettings::new(recipe, coasts.land().cloned(), growth.total_discharge())
                 .with_low_stand(coasts.low_stand().cloned())
+                .with_rills(|| Rills::of(growth.tree(), trim, growth.total_discharge()))
         };
         self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
         Ok(true)

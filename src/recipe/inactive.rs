@@ -67,6 +67,7 @@ impl Given<'_> {
             Key::MeanderStrength | Key::Neck | Key::Oxbows | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
+            Key::Rills => self.heights_only_in_files().or_else(|| self.no_hillsides()),
             Key::Shade => self.no_relief(),
             Key::LabelSize => self.no_labels(),
             Key::Woods => self.no_woods(),
@@ -186,6 +187,13 @@ impl Given<'_> {
 
     fn heights_only_in_files(&self) -> Reason {
         self.no_relief().map(|_| "this style shows no relief, though files of heights have it")
+    }
+
+    /// Only drainage and what trimming removes reach beyond the drawn rivers.
+    fn no_hillsides(&self) -> Reason {
+        let has_hillsides = self.recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
+        (!has_hillsides && self.is_zero(Key::Trim) && self.is_zero(Key::TributarySpacing))
+            .then_some("nothing is trimmed, so all streams are drawn")
     }
 
     fn no_relief(&self) -> Reason {
@@ -312,7 +320,7 @@ mod tests {
     const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper";
     const NO_RELIEF: (&str, &str) = ("shade", "this style shows no relief");
     const NO_HEIGHTS: (&str, &str) =
-        ("mountains plains", "this style shows no relief, though files of heights have it");
+        ("mountains plains rills", "this style shows no relief, though files of heights have it");
     const NO_WOODS: (&str, &str) = ("woods", "this style shows no woods");
     const NO_HILLS: (&str, &str) = ("hills", "this style shows no hills");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];

@@ -129,6 +129,7 @@ keys! {
     Taper: Number,
     Mountains: Number,
     Plains: Number,
+    Rills: Number,
     Shade: Number,
     Style: Choice,
     Labels: Choice,

@@ -648,6 +648,17 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(0.0, 400.0, 5.0, 200.0),
         },
         Parameter {
+            key: Key::Rills,
+            name: "rills",
+            label: "Rills",
+            help: "How deeply brooks too small to draw carve the hillsides into spurs and valleys.",
+            unit: "",
+            group: "Relief",
+            stage: Relief,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.05, 0.0),
+        },
+        Parameter {
             key: Key::Shade,
             name: "shade",
             label: "Shade",

@@ -157,6 +157,12 @@ impl Cells {
         row.abs_diff(other / self.columns) <= 1 && column.abs_diff(other % self.columns) <= 1
     }
 
+    /// A cell that shares a side with each of two cells that touch at a corner alone; `None` for other cells.
+    pub fn between(&self, one: usize, other: usize) -> Option<usize> {
+        let (row, column) = (one / self.columns, other % self.columns);
+        (row != other / self.columns && column != one % self.columns).then_some(row * self.columns + column)
+    }
+
     /// All cells of the map that are land, row by row.
     pub fn land(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))

@@ -19,6 +19,7 @@ mod flow;
 mod grid;
 mod low_stand;
 mod march;
+mod rills;
 mod settings;
 mod solver;
 mod steepness;
@@ -36,6 +37,7 @@ pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
 pub(crate) use low_stand::LowStandRelief;
+pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fastnoise_lite::FastNoiseLite;
 
-use super::Grid;
+use super::{Grid, Rills};
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
 use crate::land::{CoastDistance, Land};
@@ -32,6 +32,10 @@ pub struct ReliefSettings {
     pub mountains: f32,
     /// How far from the coast hillsides become as steep as that, in units.
     pub plains: f32,
+    /// How far rills carve the hillsides, from 0 to 1.
+    pub rills: f32,
+    /// The rills, if they are known.
+    pub(crate) rill_lines: Option<Arc<Rills>>,
 }
 
 impl ReliefSettings {
@@ -48,6 +52,8 @@ impl ReliefSettings {
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(NumberKey::Mountains),
             plains: recipe.number(NumberKey::Plains),
+            rills: recipe.number(NumberKey::Rills),
+            rill_lines: None,
         }
     }
 
@@ -62,6 +68,12 @@ impl ReliefSettings {
         let usual = Recipe::default();
         let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| usual.number(key));
         Self { mountains, plains, ..self }
+    }
+
+    /// The same settings with rills, which are made only if they carve anything.
+    pub(crate) fn with_rills(mut self, lines: impl FnOnce() -> Arc<Rills>) -> Self {
+        self.rill_lines = (self.rills > 0.0).then(lines);
+        self
     }
 
     /// Noise over the map, from −1 to 1.

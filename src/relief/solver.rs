@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::march::{March, Sources};
+use super::rills::RillCells;
 use super::settings::ReliefSettings;
 use super::steepness::Steepness;
 use super::{Grid, Relief};
@@ -35,6 +36,7 @@ pub struct ReliefSolver {
     next: Part,
     cells: Cells,
     steepness: Steepness,
+    rills: RillCells,
     channels: Channels,
     /// The height of the water in each cell; infinite where no river is.
     river_heights: Vec<f32>,
@@ -47,6 +49,8 @@ enum Part {
     /// Finds the cells that are land.
     Cells,
     Hillsides,
+    /// Walks rills from cell to cell.
+    Rills,
     /// Flattens valleys, from this vertex on.
     Valleys(usize),
     /// Raises ridges, from this piece on.
@@ -92,6 +96,7 @@ impl ReliefSolver {
             next: Part::Cells,
             cells: Cells::default(),
             steepness: Steepness::default(),
+            rills: RillCells::default(),
             channels: Channels::default(),
             river_heights: Vec::new(),
             march: March::default(),
@@ -144,7 +149,7 @@ impl ReliefSolver {
         match self.next {
             Part::Cells => 0.0,
             Part::Hillsides => 0.05,
-            Part::Valleys(_) | Part::Ridges(_) | Part::Rivers | Part::Channels => 0.1,
+            Part::Rills | Part::Valleys(_) | Part::Ridges(_) | Part::Rivers | Part::Channels => 0.1,
             Part::Lower(times) => 0.1 + 0.6 * (times as f32 + share) / MOST_LOWERINGS as f32,
             Part::Meet(_) | Part::Fall => 0.7,
             Part::March => 0.7 + 0.3 * share,
@@ -165,8 +170,19 @@ impl ReliefSolver {
             }
             Part::Hillsides => {
                 self.steepness = Steepness::of_hillsides(&self.settings, &self.cells)?;
-                Part::Valleys(0)
+                if self.settings.rill_lines.is_some() {
+                    self.rills = RillCells::new(self.cells.inland.len())?;
+                }
+                Part::Rills
             }
+            Part::Rills => match self.settings.rill_lines.as_deref() {
+                Some(rills) if self.rills.walk(&self.cells, rills) => Part::Rills,
+                Some(_) => {
+                    self.steepness.carve(&self.settings, &self.cells, &std::mem::take(&mut self.rills));
+                    Part::Valleys(0)
+                }
+                None => Part::Valleys(0),
+            },
             Part::Valleys(from) => {
                 self.steepness.flatten_valleys(&self.cells, network, from).map_or(Part::Ridges(0), Part::Valleys)
             }

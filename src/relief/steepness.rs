@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
+use super::rills::{Gentleness, RillCells};
 use super::settings::ReliefSettings;
 use crate::base::geometry::{distance, fast_min};
 use crate::base::memory::{Refused, lengthen};
@@ -35,6 +36,16 @@ impl Steepness {
             this.rises[cell] = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(cells.point(cell));
         }
         Ok(this)
+    }
+
+    /// Makes ground gentler where rills run, and steeper between them.
+    pub fn carve(&mut self, settings: &ReliefSettings, cells: &Cells, rills: &RillCells) {
+        let land = cells.land().count() as f32 * cells.size * cells.size;
+        let gentleness = Gentleness::new(settings.rills, land);
+        work::count(3 * self.rises.len());
+        for cell in cells.land() {
+            self.rises[cell] *= gentleness.factor(rills.shares[cell]);
+        }
     }
 
     /// Flood plains: beside a river, hills begin some widths away. Goes on from a vertex; returns the next, as long as there
