@@ -160,8 +160,6 @@ impl Map {
     pub fn relief_settings(&self) -> ReliefSettings {
         let total_discharge = self.grown.total_discharge;
         let settings = ReliefSettings::new(&self.recipe, self.land.clone(), total_discharge);
-        settings
-            .with_low_stand(self.low_stand.clone())
-            .with_rills(|| Rills::of(&self.tree, self.trim, total_discharge))
+        settings.with_low_stand(self.low_stand.clone()).with_rills(|| Rills::of(&self.tree, self.trim, total_discharge))
     }
 }

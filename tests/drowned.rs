@@ -84,9 +84,9 @@ impl Cells {
             [4, 8, 16, 32, 64].into_iter().map(|side| (libm::log(side as f64), libm::log(boxes(side)))).collect();
         let count = points.len() as f64;
         let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
-        let (xy, xx) = points
-            .iter()
-            .fold((0.0, 0.0), |(xy, xx), point| (xy + (point.0 - x) * (point.1 - y), xx + (point.0 - x) * (point.0 - x)));
+        let (xy, xx) = points.iter().fold((0.0, 0.0), |(xy, xx), point| {
+            (xy + (point.0 - x) * (point.1 - y), xx + (point.0 - x) * (point.0 - x))
+        });
         -xy / xx
     }
 }
@@ -136,7 +136,8 @@ fn every_river_ends_in_the_sea_at_its_one_mouth() {
 /// Nodes of parcels that are left keep their places, their identities and what drains through them.
 #[test]
 fn rivers_that_are_left_keep_identity_and_discharge() {
-    let mut session = Session::new(link::read("seed=galicia&land=island&attractors=5000&drowning=0.6").unwrap()).unwrap();
+    let mut session =
+        Session::new(link::read("seed=galicia&land=island&attractors=5000&drowning=0.6").unwrap()).unwrap();
     while session.phase() == Phase::Growing {
         session.advance(1).unwrap();
     }
@@ -169,7 +170,8 @@ fn rivers_that_are_left_keep_identity_and_discharge() {
 fn coasts_are_as_winding_as_natural_ones() {
     for land in one_in(3, LANDS) {
         let dimension = |seed: usize, drowning: &str| {
-            Cells::of(&self::land(&format!("seed=s{seed}&land={land}&drowning={drowning}&attractors=20000"))).coast_dimension()
+            Cells::of(&self::land(&format!("seed=s{seed}&land={land}&drowning={drowning}&attractors=20000")))
+                .coast_dimension()
         };
         let mut all: Vec<f64> = (0..12).map(|seed| dimension(seed, "0.5")).collect();
         all.sort_by(f64::total_cmp);

@@ -116,7 +116,11 @@ fn notches_of_a_slider_keep_the_greater_rivers() {
             of_colonization.entry(land).or_insert_with(|| kept(&format!("{land}&growth=colonize&valleys=0"), &NOTCHES));
         let link = format!("{land}&{grower}");
         let kept = kept(&link, &NOTCHES);
-        let told = format!("{}\n{}", told(&link, &NOTCHES, &kept), told("with growth=colonize&valleys=0", &NOTCHES, colonized));
+        let told = format!(
+            "{}\n{}",
+            told(&link, &NOTCHES, &kept),
+            told("with growth=colonize&valleys=0", &NOTCHES, colonized)
+        );
         println!("{told}");
         let (another, notches) = kept.split_last().unwrap();
         assert!(notches.iter().all(|&share| share >= BAR), "{told}");

@@ -43,7 +43,7 @@ impl Level {
         let level = self.quantile(self.share).max(0.0);
         let land = above(low_stand, &self.heights, level);
         let off = self.sea - land.share_of_sea();
-        self.share = (self.share + off).max(0.0).min(1.0);
+        self.share = (self.share + off).clamp(0.0, 1.0);
         self.tries += 1;
         (off.abs() < NEAR || self.tries == TRIES || level == 0.0).then_some(land)
     }

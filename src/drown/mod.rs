@@ -70,7 +70,13 @@ impl Drowning {
 
     /// Begins the rise from a low stand of a recipe.
     pub fn new(recipe: &Recipe, low_stand: Arc<LowStand>) -> Self {
-        Self { low_stand, recipe: recipe.clone(), drainage: DrainageSettings::new(recipe), rock: Vec::new(), next: Part::Begin }
+        Self {
+            low_stand,
+            recipe: recipe.clone(),
+            drainage: DrainageSettings::new(recipe),
+            rock: Vec::new(),
+            next: Part::Begin,
+        }
     }
 
     /// The same over valleys that are known already.
@@ -127,7 +133,9 @@ impl Drowning {
             },
             Part::Waves(valleys, mut waves) => match waves.advance() {
                 true => Part::Waves(valleys, waves),
-                false => Part::Level(valleys, Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?),
+                false => {
+                    Part::Level(valleys, Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?)
+                }
             },
             Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land) {
                 None => Part::Level(valleys, level),
@@ -156,7 +164,7 @@ impl Drowning {
     fn rock(&self) -> Result<Vec<f32>, Refused> {
         let (lattice, noise) = (self.lattice(), self.drainage.rock());
         let corners = lattice.heights().len();
-        ask(corners * size_of::<f32>())?;
+        ask(size_of_val(lattice.heights()))?;
         work::count(4 * corners);
         let hardness = |corner| {
             let at = lattice.corner(corner);

@@ -33,7 +33,10 @@ impl Valleys {
     /// The same valleys, with small ones wherever a land has no corner: what drains there is not known.
     pub fn with_unknown(&self, land: &CoastDistance) -> Self {
         let known = self.areas.iter().zip(land.heights());
-        Self { areas: known.map(|(&area, &height)| if height > 0.0 { area } else { AREA }).collect(), columns: self.columns }
+        Self {
+            areas: known.map(|(&area, &height)| if height > 0.0 { area } else { AREA }).collect(),
+            columns: self.columns,
+        }
     }
 }
 

@@ -19,19 +19,22 @@ mod obstacles;
 mod outline;
 mod queries;
 mod regions;
+mod risen;
 mod smoothed_distance;
+mod straits;
 mod strokes;
 pub mod trace;
 mod walk;
 
 pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
+pub(crate) use low_stand::LowStand;
 pub(crate) use outline::{divided, in_units};
-pub(crate) use low_stand::{LowStand, above};
 pub use queries::Land;
 #[doc(hidden)]
 pub use regions::{Cells, Run};
 pub use regions::{Region, Shore};
+pub(crate) use risen::above;
 #[doc(hidden)]
 pub use smoothed_distance::SmoothedDistance;
 pub(crate) use smoothed_distance::{Across, Parabola, beside, nearest};

@@ -335,7 +335,12 @@ mod tests {
         ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
-            &[("sea drowning sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+            &[
+                ("sea drowning sides", "the drawing determines where the sea is"),
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                IN_CELLS,
+            ],
         ),
         (
             "land=island",

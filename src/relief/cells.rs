@@ -42,7 +42,7 @@ impl Cells {
             Some(land) => {
                 let list = std::mem::take(&mut this.inland);
                 this.inland = this.measured(&SmoothedDistance::of(land.coast_distance()), list);
-            },
+            }
             None => this.open(settings),
         }
         if let Some(low_stand) = &settings.low_stand {

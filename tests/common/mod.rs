@@ -85,7 +85,12 @@ fn style() -> impl Strategy<Value = &'static str> {
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them are on the plain rectangle, where more happens in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
-    let land = (prop_oneof![Just("rectangle"), lands], (0.1f64..=0.8, prop_oneof![Just(0.0), 0.0f64..=1.0]), 0.0f64..=1.0, random_outline());
+    let land = (
+        prop_oneof![Just("rectangle"), lands],
+        (0.1f64..=0.8, prop_oneof![Just(0.0), 0.0f64..=1.0]),
+        0.0f64..=1.0,
+        random_outline(),
+    );
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => colonize(), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
