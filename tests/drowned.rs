@@ -266,3 +266,13 @@ fn no_step_of_the_rise_takes_long() {
         assert!(steps > 10, "{text}: {steps} steps");
     }
 }
+
+#[test]
+fn no_part_of_a_valley_is_left_without_a_coast() {
+    for seed in ["skye", "mara", "b", "c"] {
+        let text = format!("seed={seed}&land=valley&attractors=3000&drowning=");
+        let unreached = |drowning: &str| map(&format!("{text}{drowning}")).grown().unreached;
+        let (before, after) = (unreached("0"), unreached("1"));
+        assert!(after < before + 150, "{seed}: {after} parcels have no way to the sea, and {before} without drowning");
+    }
+}

@@ -40,11 +40,12 @@ impl LowStand {
         }
         let shape = Shape::of(recipe);
         let today = shape.coast_distance(spacing)?;
-        let low = shape.coast_distance_at(spacing, low_sea(&shape, recipe.number(NumberKey::Drowning)))?;
-        let kept = [straits(&today), lost_seas(&today, &low)].concat();
-        let low = if kept.is_empty() { low } else { low.flooded(kept.into_iter()) };
-        let land = Arc::new(Land::new(&shape.domain, low, shape.ridges()));
-        Some(Self { land, today, sea: shape.sea })
+        let drowning = recipe.number(NumberKey::Drowning);
+        // The lower the sea, the likelier is a part between ridges without a coast.
+        let mut lands = LOWERINGS.iter().filter_map(|share| land(&shape, &today, low_sea(&shape, drowning * share)));
+        let lowest = lands.next()?;
+        let land = if has_coasts(&lowest) { lowest } else { lands.find(has_coasts).unwrap_or(lowest) };
+        Some(Self { land: land.into(), today, sea: shape.sea })
     }
 
     /// Returns `true` if the sea rises in a recipe: over the valleys of drainage, on a shaped coast.
@@ -53,6 +54,24 @@ impl LowStand {
             && recipe.get::<GrowthMethod>() == GrowthMethod::Drainage
             && !matches!(recipe.get(), LandKind::Rectangle | LandKind::Drawn)
     }
+}
+
+/// The shares of the wanted drowning that are tried until every part of the land has a coast.
+const LOWERINGS: [f32; 4] = [1.0, 0.6, 0.3, 0.0];
+
+/// The land where the sea covers a share of the domain, with today's straits, and without losing any of today's seas.
+fn land(shape: &Shape, today: &CoastDistance, sea: f32) -> Option<Land> {
+    let low = shape.coast_distance_at(today.spacing(), sea)?;
+    let kept = [straits(today), lost_seas(today, &low)].concat();
+    let low = if kept.is_empty() { low } else { low.flooded(kept.into_iter()) };
+    Some(Land::new(&shape.domain, low, shape.ridges()))
+}
+
+/// Returns `true` if every part of a land that is large enough for rivers has a coast.
+fn has_coasts(land: &Land) -> bool {
+    /// The least number of cells of such a part.
+    const PART: u32 = 2_000;
+    land.regions().iter().all(|region| region.cells < PART || !region.shores.is_empty())
 }
 
 /// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
