@@ -69,9 +69,10 @@ fn land(shape: &Shape, today: &CoastDistance, sea: f32) -> Option<Land> {
 
 /// Returns `true` if every part of a land that is large enough for rivers has a coast.
 fn has_coasts(land: &Land) -> bool {
-    /// The least number of cells of such a part.
+    /// The least number of cells of such a part, and of those beside the sea.
     const PART: u32 = 2_000;
-    land.regions().iter().all(|region| region.cells < PART || !region.shores.is_empty())
+    const COAST: usize = 60;
+    land.regions().iter().all(|region| region.cells < PART || region.shores.len() >= COAST)
 }
 
 /// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
