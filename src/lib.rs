@@ -61,6 +61,7 @@ pub mod annotate;
 pub mod base;
 pub mod digest;
 pub mod domain;
+mod drown;
 pub mod export;
 pub mod grow;
 #[cfg(feature = "png")]

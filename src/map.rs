@@ -14,11 +14,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::domain::Domain;
-use crate::grow::Grown;
-use crate::land::Land;
+use crate::grow::{DrainageSettings, Grown};
+use crate::land::{CoastDistance, Land};
 use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Recipe, Style};
+use crate::recipe::{GrowthMethod, Recipe, Style};
 use crate::relief::{Grid, Relief, ReliefError, ReliefSettings, Rills};
 use crate::tree::{Hydrology, Tree};
 
@@ -36,6 +36,8 @@ pub struct Map {
     pub(crate) id: MapId,
     pub(crate) recipe: Recipe,
     pub(crate) land: Option<Arc<Land>>,
+    /// The distances from the coast before the sea rose; `None` if it has not risen.
+    pub(crate) low_stand: Option<Arc<CoastDistance>>,
     pub(crate) grown: Grown,
     pub(crate) tree: Arc<Tree>,
     pub(crate) trim: Trim,
@@ -51,6 +53,22 @@ const PIXELS_A_CELL: u32 = 2;
 
 /// The cell size, as a share of that of the map's own relief, from which another one is worth solving.
 const FINER: f32 = 0.75;
+
+/// The settings of the relief on some land, with the low stand before it if the sea has risen, and of the rivers that
+/// trimming makes of a tree.
+pub(crate) fn relief_settings(
+    recipe: &Recipe,
+    (land, low_stand): (Option<&Arc<Land>>, Option<&Arc<CoastDistance>>),
+    (tree, trim): (&Tree, Trim),
+    total_discharge: u32,
+) -> ReliefSettings {
+    let grows_on_rock = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
+    let drainage = grows_on_rock.then(|| DrainageSettings::new(recipe));
+    ReliefSettings::new(recipe, land.cloned(), total_discharge)
+        .with_low_stand(low_stand.cloned())
+        .with_rock(drainage.map(|drainage| (drainage.hardness_scale, drainage.hardness)))
+        .with_rills(|| Rills::of(tree, trim, total_discharge))
+}
 
 /// Identifies a map. Maps of one program with the same id have the same land, rivers and names; they may differ in
 /// style, and in whether their relief has been made.
@@ -91,7 +109,7 @@ impl Map {
         self.grown
     }
 
-    /// The untrimmed tree.
+    /// The untrimmed tree; where the sea has risen, what is left of it.
     pub fn tree(&self) -> &Arc<Tree> {
         &self.tree
     }
@@ -181,8 +199,7 @@ impl Map {
 
     /// The settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
-        let total_discharge = self.grown.total_discharge;
-        let settings = ReliefSettings::new(&self.recipe, self.land.clone(), total_discharge);
-        settings.with_rills(|| Rills::of(&self.tree, self.trim, total_discharge))
+        let coasts = (self.land.as_ref(), self.low_stand.as_ref());
+        relief_settings(&self.recipe, coasts, (&self.tree, self.trim), self.grown.total_discharge)
     }
 }

@@ -138,7 +138,7 @@ impl Picture {
         let is_kept = match session.phase() {
             Phase::Shaping => true,
             Phase::Relief => self.painter.is_raised(),
-            Phase::Growing | Phase::Meandering | Phase::Finished => false,
+            Phase::Growing | Phase::Drowning | Phase::Meandering | Phase::Finished => false,
         };
         if is_kept && self.rivers_of == tree && self.is_on_land_of(session) {
             return Painted::Whole(None);

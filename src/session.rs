@@ -1,5 +1,6 @@
 //! A session. It holds one recipe and the result of each stage; after a change it runs again only the stages affected.
 
+mod coasts;
 mod drafts;
 mod error;
 mod moments;
@@ -11,17 +12,18 @@ mod tests;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use self::coasts::Coasts;
 use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
-use crate::map::{Map, MapId};
+use crate::map::{Map, MapId, relief_settings};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Heads, Pruned, Trim};
 use crate::recipe::{IntegerKey, NumberKey, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefSettings, Rills};
+use crate::relief::Relief;
 use crate::tree::{Hydrology, Tree};
 
 pub(crate) use drafts::{OF_COASTS, OF_RELIEF, SessionDrafts};
@@ -44,10 +46,7 @@ pub use summary::{Shortfall, Summary};
 #[derive(Clone, Debug)]
 pub struct Session {
     recipe: Recipe,
-    /// `None` if all of the domain is land.
-    land: Option<Arc<Land>>,
-    /// `true` if the land was given to [`Session::on_land`] instead of being shaped by the recipe.
-    is_land_given: bool,
+    coasts: Coasts,
     growth: Growth,
     /// Number of ticks grown so far.
     ticks: u32,
@@ -68,6 +67,8 @@ pub struct Session {
 pub enum Phase {
     /// A tick of growth.
     Growing,
+    /// Part of the rise of the sea over land that rivers have cut, if the recipe has any.
+    Drowning,
     /// One of the few steps that make rivers from the tree.
     Shaping,
     /// A round of meandering.
@@ -83,6 +84,7 @@ impl Phase {
     pub fn name(self) -> &'static str {
         match self {
             Self::Growing => "growing",
+            Self::Drowning => "drowning",
             Self::Shaping => "shaping",
             Self::Meandering => "meandering",
             Self::Relief => "relief",
@@ -97,12 +99,12 @@ impl Session {
     /// # Errors
     /// Fails if there is not enough memory.
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
-        let land = Land::of(&recipe);
-        Self::plant(recipe, land, false)
+        let coasts = Coasts::of(&recipe);
+        Self::plant(recipe, coasts)
     }
 
     /// Plants the tree of a recipe on a given land, for example one from `Land::from_mask`. The session keeps this land
-    /// when the recipe [changes](Session::change), so `land`, `sea`, `roughness` and `outline` have no effect. The
+    /// when the recipe [changes](Session::change), so `land`, `sea`, `drowning`, `roughness` and `outline` have no effect. The
     /// recipe should name a drawn land with a similar outline, because links and files contain no more of the land than
     /// that.
     ///
@@ -110,15 +112,14 @@ impl Session {
     /// Fails if the land was made for another aspect than the recipe's, or if there is not enough memory.
     pub fn on_land(recipe: Recipe, land: Arc<Land>) -> Result<Self, SessionError> {
         check_map(&recipe, &land)?;
-        Self::plant(recipe, Some(land), true)
+        Self::plant(recipe, Coasts::given(land))
     }
 
-    fn plant(recipe: Recipe, land: Option<Arc<Land>>, is_land_given: bool) -> Result<Self, SessionError> {
-        let growth = plant(&recipe, &land)?;
+    fn plant(recipe: Recipe, coasts: Coasts) -> Result<Self, SessionError> {
+        let growth = plant(&recipe, &coasts)?;
         Ok(Self {
             recipe,
-            land,
-            is_land_given,
+            coasts,
             growth,
             ticks: 0,
             shaping: None,
@@ -140,7 +141,7 @@ impl Session {
         const BYTES: usize = 96;
         const BYTES_OF_CELLS: usize = 6_000_000;
         let items = self.tree().len() + self.growth.attractors() as usize;
-        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes();
+        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes() + self.coasts.bytes();
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
@@ -162,9 +163,10 @@ impl Session {
         Domain::of(&self.recipe)
     }
 
-    /// The land, either given or shaped by the recipe; `None` if all of the domain is land.
+    /// The land, either given or shaped by the recipe; `None` if all of the domain is land. Where the sea drowns valleys, it
+    /// is the land before that until [`Phase::Drowning`] has ended.
     pub fn land(&self) -> Option<&Arc<Land>> {
-        self.land.as_ref()
+        self.coasts.land()
     }
 
     /// Changes to another recipe. Returns the earliest stage that has to run again, or `None` if nothing is different.
@@ -176,14 +178,14 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
-            let land = match (stage, &self.land) {
-                (_, Some(land)) if self.is_land_given => check_map(&recipe, land).map(|()| Some(land.clone()))?,
-                (Some(Stage::Land), _) => Land::of(&recipe),
-                (_, land) => land.clone(),
+            let coasts = match (stage, self.coasts.planted()) {
+                (_, Some(land)) if self.coasts.are_given => check_map(&recipe, land).map(|()| self.coasts.clone())?,
+                (Some(Stage::Land), _) => Coasts::of(&recipe),
+                _ => self.coasts.before_growth(&recipe),
             };
-            self.growth = plant(&recipe, &land)?;
+            self.growth = plant(&recipe, &coasts)?;
             self.forget_ticks();
-            self.land = land;
+            self.coasts = coasts;
         }
         self.recipe = recipe;
         if stage.is_some_and(|stage| stage < Stage::Name) {
@@ -219,7 +221,9 @@ impl Session {
     /// # Errors
     /// Fails if there is not enough memory; the session is then unchanged.
     pub fn restart(&mut self) -> Result<(), SessionError> {
-        self.growth = plant(&self.recipe, &self.land)?;
+        let coasts = self.coasts.before_growth(&self.recipe);
+        self.growth = plant(&self.recipe, &coasts)?;
+        self.coasts = coasts;
         self.forget_ticks();
         self.discard_rivers();
         (self.generation, self.map_id) = (Generation::next(), MapId::next());
@@ -233,7 +237,7 @@ impl Session {
     }
 
     /// The current generation. It is replaced whenever results are discarded, by [`Session::change`],
-    /// [`Session::restart`] or a round of drainage. While it stays the same, the session only advances.
+    /// [`Session::restart`], a round of drainage or the rise of the sea. While it stays the same, the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
@@ -249,7 +253,7 @@ impl Session {
         self.tree_generation
     }
 
-    /// Makes up to `steps` steps: ticks of growth, then a few steps that make rivers from the tree, then rounds of
+    /// Makes up to `steps` steps: ticks of growth, then the rise of the sea if it drowns valleys, then a few steps that make rivers from the tree, then rounds of
     /// meandering, then the relief part by part if the style shows one. Returns `true` if there is more to do. In all
     /// known recipes a step takes up to 8 million elementary steps, as [`crate::base::work`] counts them, plus 250 for
     /// each attractor or cell of a Brownian tree.
@@ -287,7 +291,8 @@ impl Session {
         Some(Map {
             id: self.map_id,
             recipe: self.recipe.clone(),
-            land: self.land.clone(),
+            land: self.land().cloned(),
+            low_stand: self.coasts.low_stand().cloned(),
             grown: self.growth.grown()?,
             tree: self.growth.tree().clone(),
             trim: self.trim(),
@@ -312,6 +317,9 @@ impl Session {
         if let Some(failure) = self.growth.failure() {
             return Err(failure.into());
         }
+        if self.coasts.are_to_drown() {
+            return self.drown().map(|()| true);
+        }
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
             Some(shaping) if shaping.is_finished() => {
@@ -324,6 +332,16 @@ impl Session {
             }
         }
         Ok(!self.is_finished())
+    }
+
+    /// Makes a step of the sea's rise. At its end the tree is cut where it drowns.
+    fn drown(&mut self) -> Result<(), SessionError> {
+        if let Some(drowned) = self.coasts.rise(&self.recipe, self.growth.tree())? {
+            self.growth.cut(&drowned.land)?;
+            self.coasts.drown(drowned);
+            [self.generation, self.tree_generation] = [(); 2].map(|()| Generation::next());
+        }
+        Ok(())
     }
 
     /// Trims the tree and begins to make rivers from it.
@@ -352,10 +370,10 @@ impl Session {
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
         let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
-        let (recipe, land, growth, trim) = (&self.recipe, &self.land, &self.growth, self.trim());
+        let (recipe, coasts, growth, trim) = (&self.recipe, &self.coasts, &self.growth, self.trim());
         let settings = || {
-            let settings = ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
-            settings.with_rills(|| Rills::of(growth.tree(), trim, growth.total_discharge()))
+            let coasts = (coasts.land(), coasts.low_stand());
+            relief_settings(recipe, coasts, (growth.tree(), trim), growth.total_discharge())
         };
         self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
         Ok(true)
@@ -379,6 +397,7 @@ impl Session {
             Some(shaping) if shaping.is_finished() => Phase::Finished,
             Some(shaping) if shaping.network().is_some() => Phase::Meandering,
             Some(_) => Phase::Shaping,
+            None if self.growth.ending().is_some() && self.coasts.are_to_drown() => Phase::Drowning,
             None if self.growth.ending().is_some() => Phase::Shaping,
             None => Phase::Growing,
         }
@@ -390,6 +409,7 @@ impl Session {
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
+            (Phase::Drowning, _) => self.coasts.progress(),
             (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
             (Phase::Relief, _) => self.relief.progress(),
             (Phase::Finished, _) => 1.0,
@@ -419,10 +439,10 @@ impl Session {
     /// The settings by which rivers are made from the tree of this recipe.
     pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
-        NetworkSettings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
+        NetworkSettings::new(&self.recipe, self.land().cloned(), growth.stream_spacing(), growth.total_discharge())
     }
 
-    /// The untrimmed tree, as far as it has grown.
+    /// The untrimmed tree, as far as it has grown; after the sea has risen, what is left of it.
     pub fn tree(&self) -> &Tree {
         self.growth.tree()
     }
@@ -497,6 +517,6 @@ fn check_map(recipe: &Recipe, land: &Land) -> Result<(), SessionError> {
 }
 
 /// Begins the growth of a recipe on its land.
-fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
-    Growth::new(GrowthSettings::new(recipe, land.clone()))
+fn plant(recipe: &Recipe, coasts: &Coasts) -> Result<Growth, GrowError> {
+    Growth::new(GrowthSettings::new(recipe, coasts.planted().cloned()))
 }

@@ -9,6 +9,7 @@ mod bends;
 mod brownian;
 mod cut_out;
 mod documents;
+mod drowned;
 mod examples;
 mod export;
 mod files;

@@ -28,6 +28,9 @@ const BAR: f64 = 0.7;
 /// A notch of each slider.
 const NOTCHES: [(Key, &str); 3] = [(Key::Sea, "+0.01"), (Key::Roughness, "-0.01"), (Key::Attractors, "+10")];
 
+/// Those that move drowned coasts.
+const NOTCHES_OF_THE_SEA: [(Key, &str); 2] = [(Key::Sea, "+0.01"), (Key::Drowning, "+0.02")];
+
 /// Points along the greater rivers of a map, evenly.
 struct Courses {
     spacing: f32,
@@ -74,7 +77,7 @@ fn points(network: &Network, every: f32) -> Vec<Vec2> {
 
 /// The kept share of the greater rivers of a link, as medians over eight seeds: after each small change, and for
 /// another seed.
-fn kept(link: &str) -> Vec<f64> {
+fn kept(link: &str, notches: &[(Key, &str)]) -> Vec<f64> {
     let recipe = |seed: usize| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
     let notched = |seed: usize, (key, change): (Key, &str)| {
         let mut recipe = recipe(seed);
@@ -85,8 +88,9 @@ fn kept(link: &str) -> Vec<f64> {
     };
     let before: Vec<Courses> = (0..8).map(|seed| Courses::of(recipe(seed))).collect();
     let another = |seed: usize| before[seed].kept_in(&before[(seed + 1) % 8]);
-    let after = NOTCHES.map(|notch| median((0..8).map(|seed| before[seed].kept_in(&notched(seed, notch))).collect()));
-    after.into_iter().chain([median((0..8).map(another).collect())]).collect()
+    let after =
+        notches.iter().map(|&notch| median((0..8).map(|seed| before[seed].kept_in(&notched(seed, notch))).collect()));
+    after.chain([median((0..8).map(another).collect())]).collect()
 }
 
 /// The mean of the two in the middle of eight.
@@ -95,8 +99,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     (values[3] + values[4]) / 2.0
 }
 
-fn told(link: &str, kept: &[f64]) -> String {
-    let names = NOTCHES.iter().map(|(key, change)| format!("{} {change}", key.parameter().name));
+fn told(link: &str, notches: &[(Key, &str)], kept: &[f64]) -> String {
+    let names = notches.iter().map(|(key, change)| format!("{} {change}", key.parameter().name));
     let shares =
         names.chain(["another seed".into()]).zip(kept).map(|(name, kept)| format!("{name} {:.0} %", kept * 100.0));
     format!("{link}: of the greater rivers is kept: {}", shares.collect::<Vec<_>>().join(", "))
@@ -109,10 +113,14 @@ fn notches_of_a_slider_keep_the_greater_rivers() {
         // For comparison: there is no bar for space colonization without valleys, whose fronts meet elsewhere after any
         // change.
         let colonized =
-            of_colonization.entry(land).or_insert_with(|| kept(&format!("{land}&growth=colonize&valleys=0")));
+            of_colonization.entry(land).or_insert_with(|| kept(&format!("{land}&growth=colonize&valleys=0"), &NOTCHES));
         let link = format!("{land}&{grower}");
-        let kept = kept(&link);
-        let told = format!("{}\n{}", told(&link, &kept), told("with growth=colonize&valleys=0", colonized));
+        let kept = kept(&link, &NOTCHES);
+        let told = format!(
+            "{}\n{}",
+            told(&link, &NOTCHES, &kept),
+            told("with growth=colonize&valleys=0", &NOTCHES, colonized)
+        );
         println!("{told}");
         let (another, notches) = kept.split_last().unwrap();
         assert!(notches.iter().all(|&share| share >= BAR), "{told}");
@@ -123,3 +131,17 @@ fn notches_of_a_slider_keep_the_greater_rivers() {
 }
 
 tiers!(notches_of_a_slider_keep_the_greater_rivers);
+
+fn notches_of_the_sea_keep_the_greater_rivers_of_drowned_coasts() {
+    for land in one_in(3, ["land=island&sea=0.6", "land=continent&sea=0.3", "land=archipelago&sea=0.7"]) {
+        let link = format!("{land}&growth=drainage&valleys=0.2&drowning=0.5");
+        let kept = kept(&link, &NOTCHES_OF_THE_SEA);
+        let told = told(&link, &NOTCHES_OF_THE_SEA, &kept);
+        println!("{told}");
+        let (another, notches) = kept.split_last().unwrap();
+        assert!(notches.iter().all(|&share| share >= BAR), "{told}");
+        assert!(*another < 0.2, "{told}");
+    }
+}
+
+tiers!(notches_of_the_sea_keep_the_greater_rivers_of_drowned_coasts);

@@ -67,6 +67,13 @@ impl Seed {
         ItemHash(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
     }
 
+    /// Returns hard and soft ground over the plane, from −1 to 1, hard where it is high. Growth and relief share it.
+    pub(crate) fn rock(self, wavelength: f32) -> FastNoiseLite {
+        let mut noise = self.noise(Purpose::Ground, 2, 1.0 / wavelength, 4);
+        noise.set_fractal_gain(Some(0.6));
+        noise
+    }
+
     /// Returns fractal noise over the plane, from −1 to 1. `index` separates uses with the same purpose; `frequency` is
     /// that of the broadest octave and doubles with each further one. Multiplied by [`DEVIATION`], it has a deviation
     /// of about 1.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::{Brownian, Capture, Colonize, Drainage, Ending, GrowError, GrowthSettings, Raster, scatter};
+use crate::land::Land;
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
@@ -47,6 +48,15 @@ impl Growth {
             Grower::Colonize(growth) => growth.tick(),
             Grower::Brownian(growth) => growth.tick(),
             Grower::Drainage(growth) => growth.tick(),
+        }
+    }
+
+    /// Cuts the finished tree of drainage where it meets the coast of a smaller land, after the sea has risen. Nodes in the
+    /// sea go, and every edge that crosses the coast gets a mouth there.
+    pub(crate) fn cut(&mut self, land: &Land) -> Result<(), GrowError> {
+        match &mut self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => Ok(()),
+            Grower::Drainage(growth) => growth.cut(land).map_err(|_| GrowError::out_of_memory(&self.settings)),
         }
     }
 
@@ -198,7 +208,15 @@ impl Growth {
             _ if !self.settings.starts.is_empty() => true,
             GrowthMethod::Colonize => true,
             GrowthMethod::Brownian => false,
-            GrowthMethod::Drainage => self.settings.mouths > 0,
+            GrowthMethod::Drainage => self.settings.mouths > 0 && !self.is_cut(),
+        }
+    }
+
+    /// Returns `true` if the sea has risen over part of the tree: then its mouths are where valleys drowned.
+    fn is_cut(&self) -> bool {
+        match &self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => false,
+            Grower::Drainage(growth) => growth.is_cut(),
         }
     }
 

@@ -42,10 +42,45 @@ impl CoastDistance {
     /// The land where a height function is high, on a lattice with this spacing. The sea covers the given share of the
     /// domain, where the function is lowest.
     pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        let mut this = Self::sampled(domain, spacing, share, height);
-        this.remove_islets_and_ponds();
+        Self::sampled(domain, spacing, share, height).settled()
+    }
+
+    /// The same land with some corners under water, by their numbers.
+    pub(super) fn flooded(mut self, corners: impl Iterator<Item = usize>) -> Self {
+        // The coast between a flooded corner and its neighbour shall lie midway, however far inland they were.
+        let far = self.spacing;
+        self.heights.iter_mut().for_each(|height| *height = height.max(-far).min(far));
+        corners.for_each(|corner| self.heights[corner] = -far);
+        self.settled()
+    }
+
+    /// The land above height 0 of heights at the corners of a lattice, row by row. Water is at least `shallowest` units
+    /// deep at its corners, so that it is connected as they are, however narrow it is.
+    pub(super) fn above(template: &Self, heights: &[f32], shallowest: f32) -> Self {
+        let &Self { columns, rows, spacing, .. } = template;
+        let this = Self { heights: heights.to_vec(), columns, rows, spacing };
         let coast = this.contour();
-        this.measured(&coast)
+        let mut this = this.measured(&coast);
+        this.heights.iter_mut().filter(|height| **height <= 0.0).for_each(|height| *height = height.min(-shallowest));
+        this
+    }
+
+    /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
+    /// its area.
+    pub(crate) fn squares_around(&self, domain: &Domain) -> Vec<u32> {
+        let mut squares = vec![0; self.heights.len()];
+        let is_inside = |&i: &usize| domain.contains(self.corner(i) + self.spacing / 2.0);
+        for i in (0..self.heights.len()).filter(is_inside) {
+            [i, i + 1, i + self.columns, i + self.columns + 1].into_iter().for_each(|corner| squares[corner] += 1);
+        }
+        squares
+    }
+
+    /// The distances from the line of height 0, without islets and ponds.
+    fn settled(mut self) -> Self {
+        self.remove_islets_and_ponds();
+        let coast = self.contour();
+        self.measured(&coast)
     }
 
     /// The land within a coast, on a lattice with this spacing; `is_land` lists the corners row by row.
@@ -151,7 +186,7 @@ impl CoastDistance {
     }
 
     /// Connected corners of land, or of water.
-    fn regions(&self, kind: Cell) -> Vec<Region> {
+    pub(super) fn regions(&self, kind: Cell) -> Vec<Region> {
         let cell = |&height: &f32| if height > 0.0 { Cell::Land } else { Cell::Water };
         regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)
     }
@@ -188,7 +223,8 @@ impl CoastDistance {
         crosses.then(|| self.corner(a).lerp(self.corner(b), from / (from - to)))
     }
 
-    fn corner(&self, i: usize) -> Vec2 {
+    /// Where a corner lies.
+    pub(crate) fn corner(&self, i: usize) -> Vec2 {
         corner(i, self.columns, self.spacing)
     }
 
@@ -207,7 +243,7 @@ impl CoastDistance {
     }
 
     /// The number of columns and rows of corners.
-    pub(super) fn size(&self) -> (usize, usize) {
+    pub(crate) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 

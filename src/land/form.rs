@@ -17,11 +17,16 @@ impl Shape {
     /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
     /// land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
+        self.coast_distance_at(spacing, self.sea)
+    }
+
+    /// The same at another level of the sea, at which that covers another share of the domain.
+    pub fn coast_distance_at(&self, spacing: f32, sea: f32) -> Option<CoastDistance> {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
         let form = Form::of(self);
-        Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
+        Some(CoastDistance::with_sea(&self.domain, spacing, sea, |point| form.height(point)))
     }
 }
 

@@ -117,6 +117,11 @@ impl Land {
         Some(Self { rivers, ..Self::on(grid, coast_distance, ridges) })
     }
 
+    /// The share of the domain that is sea, by cells.
+    pub(crate) fn share_of_sea(&self) -> f32 {
+        1.0 - self.grid.share_of_land()
+    }
+
     /// The distance of every point from the coast.
     pub fn coast_distance(&self) -> &CoastDistance {
         &self.coast_distance

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 /// Returns the cells, with sides of 1, that a straight line touches. Each shares a side with the previous one, so that
 /// nothing slips through between two cells that touch at a corner (Amanatides and Woo 1987).
-pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
+pub(crate) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
     let cell = |at: Vec2| (floor(at.x), floor(at.y));
     let (start, end) = (cell(from), cell(to));
     let along = to - from;

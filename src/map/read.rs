@@ -31,6 +31,7 @@ impl Map {
         let [rounds] = data.take()?;
         let past = data.past(rivers)?;
         let land = if data.take()? == [0] { None } else { Some(data.land(&domain)?.into()) };
+        let low_stand = if data.take()? == [0] { None } else { Some(data.coast(&domain)?.into()) };
         let relief =
             if data.take()? == [0] { None } else { Some(Relief::of_heights(&domain, data.numbers()?)?.into()) };
         let id = MapId(u64::from(low) | u64::from(high) << 32);
@@ -39,6 +40,7 @@ impl Map {
             id,
             recipe,
             land,
+            low_stand,
             grown,
             tree,
             trim,
@@ -130,9 +132,13 @@ impl Reader<'_> {
         })
     }
 
-    fn land(&mut self, domain: &Domain) -> Option<Land> {
+    fn coast(&mut self, domain: &Domain) -> Option<CoastDistance> {
         let [spacing] = self.take()?.map(f32::from_bits);
-        let coast_distance = CoastDistance::of_heights(domain.size, spacing, self.numbers()?)?;
+        CoastDistance::of_heights(domain.size, spacing, self.numbers()?)
+    }
+
+    fn land(&mut self, domain: &Domain) -> Option<Land> {
+        let coast_distance = self.coast(domain)?;
         let stretches = self.list()?;
         let lines = [self.several(Self::points)?, self.several(Self::points)?];
         Land::of_stretches(domain, coast_distance, &stretches, lines)

@@ -4,7 +4,7 @@ use super::{Map, MapId};
 use crate::base::memory;
 use crate::base::wire::Writer;
 use crate::grow::{Ending, Grown};
-use crate::land::Land;
+use crate::land::{CoastDistance, Land};
 use crate::network::{Network, Oxbow, PastCourse, PastCourses, River, Vertex};
 use crate::prune::Trim;
 use crate::recipe::link;
@@ -39,6 +39,10 @@ impl Map {
         data.count(self.land.is_some().into());
         if let Some(land) = &self.land {
             data.land(land);
+        }
+        data.count(self.low_stand.is_some().into());
+        if let Some(low_stand) = &self.low_stand {
+            data.coast(low_stand);
         }
         data.count(self.relief.is_some().into());
         if let Some(relief) = &self.relief {
@@ -114,10 +118,13 @@ impl Writer {
         }
     }
 
-    fn land(&mut self, land: &Land) {
-        let coast = land.coast_distance();
+    fn coast(&mut self, coast: &CoastDistance) {
         self.push(&[coast.spacing().to_bits()]);
         self.numbers(coast.heights());
+    }
+
+    fn land(&mut self, land: &Land) {
+        self.coast(land.coast_distance());
         self.list(&land.stretches());
         for lines in [land.ridges(), land.rivers()] {
             self.count(lines.len());

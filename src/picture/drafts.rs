@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Picture, Source, is_same};
 use crate::paint::{Painted, Rivers};
-use crate::recipe::{NumberKey, Recipe};
+use crate::recipe::{Key, NumberKey, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
 
 /// The kind of difference between two recipes for which there is a draft.
@@ -26,8 +26,8 @@ impl Change {
         if let Some(times) = session.widening_to(wanted) {
             return Some(Self::Width(times));
         }
-        let kinds = [(OF_RELIEF, Self::Relief), (OF_COASTS, Self::Coasts)];
-        kinds.into_iter().find_map(|(keys, change)| recipe.differs_in(wanted, &keys).then_some(change))
+        let kinds: [(&[Key], Self); 2] = [(&OF_RELIEF, Self::Relief), (&OF_COASTS, Self::Coasts)];
+        kinds.into_iter().find_map(|(keys, change)| recipe.differs_in(wanted, keys).then_some(change))
     }
 }
 

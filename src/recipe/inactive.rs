@@ -36,6 +36,7 @@ impl Given<'_> {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
+            Key::Drowning => self.no_coast().or_else(|| self.sea_is_drawn()).or_else(|| self.not_draining()),
             Key::Roughness => self.no_coast(),
             Key::Sides => self.mouths_are_drawn().or_else(|| self.sea_is_drawn()).or_else(|| self.sides_are_given()),
             Key::Outline => self.nothing_is_drawn(),
@@ -286,6 +287,7 @@ mod tests {
             ("growth=drainage&pattern=deranged&valleys=0", Key::ValleySpacing),
             ("growth=colonize&pattern=parallel", Key::Valleys),
             ("growth=drainage&land=island", Key::MouthSpacing),
+            ("growth=drainage&land=valley", Key::Drowning),
             ("labels=none", Key::Labels),
             ("cartouche=plain", Key::LabelSize),
             ("style=ink&land=rectangle", Key::Woods),
@@ -300,12 +302,12 @@ mod tests {
     const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20";
 
     const NO_COAST: (&str, &str) =
-        ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
+        ("sea drowning roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
     const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const NOT_DRAINING: (&str, &str) = (
-        "concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
+        "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
         "only drainage uses it",
     );
     const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");
@@ -333,7 +335,12 @@ mod tests {
         ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
-            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+            &[
+                ("sea drowning sides", "the drawing determines where the sea is"),
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                IN_CELLS,
+            ],
         ),
         (
             "land=island",
@@ -342,7 +349,7 @@ mod tests {
         (
             "land=drawn&outline=.MzMzzMMzzMzM...gAgA",
             &[
-                ("sea", "the drawing determines where the sea is"),
+                ("sea drowning", "the drawing determines where the sea is"),
                 ("sides mouths mouth-spacing shores", DRAWN_MOUTHS),
                 NO_SENSITIVITY,
                 NOT_DRAINING,

@@ -78,6 +78,7 @@ keys! {
     Land: Choice,
     Outline: Outline,
     Sea: Number,
+    Drowning: Number,
     Roughness: Number,
     Mouths: Integer,
     MouthSpacing: Number,

@@ -98,6 +98,7 @@ struct Country {
     aspect: Text,
     land: Text,
     sea: Text,
+    drowning: Text,
     roughness: Text,
     sides: Text,
     growth: Text,
@@ -122,6 +123,7 @@ const USUAL: Country = Country {
     aspect: "1.6",
     land: "island",
     sea: "0",
+    drowning: "0",
     roughness: "1",
     sides: "s",
     growth: "drainage",
@@ -142,11 +144,12 @@ const USUAL: Country = Country {
 };
 
 impl Country {
-    const fn values(self) -> [(Key, Text); 23] {
+    const fn values(self) -> [(Key, Text); 24] {
         [
             (Key::Aspect, self.aspect),
             (Key::Land, self.land),
             (Key::Sea, self.sea),
+            (Key::Drowning, self.drowning),
             (Key::Roughness, self.roughness),
             (Key::Sides, self.sides),
             (Key::Growth, self.growth),

@@ -87,6 +87,17 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(0.0, 0.8, 0.01, 0.0),
         },
         Parameter {
+            key: Key::Drowning,
+            name: "drowning",
+            label: "Drowning",
+            help: "How far the sea has risen into valleys that rivers cut before. 0: coasts as they are shaped. High values make long inlets, headlands and islets; the share of water stays.",
+            unit: "",
+            group: "Land",
+            stage: Land,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.02, 0.0),
+        },
+        Parameter {
             key: Key::Roughness,
             name: "roughness",
             label: "Roughness",

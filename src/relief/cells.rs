@@ -9,7 +9,7 @@ use super::settings::ReliefSettings;
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
-use crate::land::{Parabola, SmoothedDistance};
+use crate::land::{CoastDistance, Parabola, SmoothedDistance};
 
 /// Which cells are land, and how far each is from the sea.
 #[derive(Clone, Debug, Default)]
@@ -20,8 +20,12 @@ pub(super) struct Cells {
     pub rows: usize,
     /// The side of each, in units.
     pub size: f32,
+    /// The middle of the first cell of the map, in cells from its corner: a half; 0 if middles are the corners of a lattice.
+    pub middle: f32,
     /// How far inland the middle of each lies, in units; 0 or less at sea.
     pub inland: Vec<f32>,
+    /// How far the middle of each lies from the coast of the low stand, in units, if the sea has risen since; else empty.
+    pub from_low_stand: Vec<f32>,
 }
 
 /// What lies beyond the map where land runs on, or nothing is known: it is no land, and water does not run there.
@@ -33,13 +37,22 @@ impl Cells {
         const BYTES_A_CELL: usize = 8;
         let Grid { cell_size, columns, rows } = settings.grid;
         let (columns, rows) = (columns + 2, rows + 2);
-        let mut this = Self { columns, rows, size: cell_size, inland: Vec::new() };
+        let mut this = Self { columns, rows, size: cell_size, middle: 0.5, ..Self::default() };
         lengthen(&mut this.inland, columns * rows, BEYOND)?;
         ask(columns * rows * BYTES_A_CELL)?;
         work::count(columns * rows);
         match &settings.land {
-            Some(land) => this.measure(&SmoothedDistance::of(land.coast_distance()), settings.threads),
+            Some(land) => {
+                let list = std::mem::take(&mut this.inland);
+                this.inland = this.measured(&SmoothedDistance::of(land.coast_distance()), list, settings.threads);
+            }
             None => this.open(settings),
+        }
+        if let Some(low_stand) = &settings.low_stand {
+            lengthen(&mut this.from_low_stand, columns * rows, BEYOND)?;
+            work::count(columns * rows);
+            let list = std::mem::take(&mut this.from_low_stand);
+            this.from_low_stand = this.measured(&SmoothedDistance::of(low_stand), list, settings.threads);
         }
         if !(0..this.inland.len()).any(|cell| this.is_sea(cell)) {
             // Water has to leave somewhere.
@@ -48,19 +61,32 @@ impl Cells {
         Ok(this)
     }
 
-    /// Takes over the distances that pictures show.
-    fn measure(&mut self, distance: &SmoothedDistance, threads: NonZero<usize>) {
-        let Self { columns, rows, size, ref mut inland } = *self;
-        for_each_row(inland, columns, threads, |row, inland| {
-            if !(1..rows - 1).contains(&row) {
+    /// The corners of a lattice of distances as the middles of cells.
+    pub fn of_corners(distance: &CoastDistance) -> Result<Self, Refused> {
+        let (columns, rows) = distance.size();
+        let (columns, rows) = (columns + 2, rows + 2);
+        let mut this = Self { columns, rows, size: distance.spacing(), middle: 0.0, ..Self::default() };
+        lengthen(&mut this.inland, columns * rows, BEYOND)?;
+        for (row, heights) in (1..).zip(distance.heights().chunks(columns - 2)) {
+            this.inland[row * columns + 1..][..heights.len()].copy_from_slice(heights);
+        }
+        work::count(columns * rows);
+        Ok(this)
+    }
+
+    /// The distances of all middles, as pictures show them, in a list for all cells.
+    fn measured(&self, distance: &SmoothedDistance, mut list: Vec<f32>, threads: NonZero<usize>) -> Vec<f32> {
+        for_each_row(&mut list, self.columns, threads, |row, list| {
+            if !(1..self.rows - 1).contains(&row) {
                 return;
             }
-            let across = distance.across(coordinate(row, size));
-            for (column, inland) in inland.iter_mut().enumerate().take(columns - 1).skip(1) {
-                let (nearest, t) = distance.column(coordinate(column, size));
+            let across = distance.across(self.coordinate(row));
+            for (column, inland) in list.iter_mut().enumerate().take(self.columns - 1).skip(1) {
+                let (nearest, t) = distance.column(self.coordinate(column));
                 *inland = Parabola::of(across.around(nearest)).at(t);
             }
         });
+        list
     }
 
     /// All is land; the sea lies beyond some sides.
@@ -88,6 +114,13 @@ impl Cells {
         self.inland[cell] > 0.0
     }
 
+    /// How far a cell of land lies from the coast by which hillsides steepen, in units: that of the low stand, if the sea has
+    /// risen. Drowned valleys are as steep at the water as they were at that height.
+    #[inline]
+    pub fn way_inland(&self, cell: usize) -> f32 {
+        self.from_low_stand.get(cell).map_or(self.inland[cell], |far| far.max(self.inland[cell]))
+    }
+
     #[inline]
     pub fn is_sea(&self, cell: usize) -> bool {
         self.inland[cell] <= 0.0 && self.inland[cell] > BEYOND
@@ -102,7 +135,7 @@ impl Cells {
     /// The cell of a point; of one beyond the map, the nearest.
     #[inline]
     pub fn of(&self, point: Vec2) -> usize {
-        let index = |x: f32, count: usize| ((x / self.size) as usize + 1).min(count - 2);
+        let index = |x: f32, count: usize| ((x / self.size + (0.5 - self.middle)) as usize + 1).min(count - 2);
         index(point.y, self.rows) * self.columns + index(point.x, self.columns)
     }
 
@@ -153,11 +186,6 @@ impl Cells {
 
     /// The middle of a column or row, in units.
     fn coordinate(&self, index: usize) -> f32 {
-        coordinate(index, self.size)
+        (index as f32 - 1.0 + self.middle) * self.size
     }
-}
-
-/// The middle of a column or row of cells of a size, in units.
-fn coordinate(index: usize, size: f32) -> f32 {
-    (index as f32 - 0.5) * size
 }

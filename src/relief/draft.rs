@@ -67,12 +67,13 @@ impl ReliefDrafts {
 
     /// The height of a cell by those of the lower ones.
     fn height(&self, cell: usize, settings: &ReliefSettings, heights: &[f32]) -> f32 {
-        let Cells { columns, ref inland, .. } = self.cells;
-        let (was, now) = (self.heights[cell], slope(settings, inland[cell]));
+        let columns = self.cells.columns;
+        let way = self.cells.way_inland(cell);
+        let (was, now) = (self.heights[cell], slope(settings, way));
         let over = |one: usize, other: usize| (was - self.heights[one].min(self.heights[other])).max(0.0);
         let (across, down) = (over(cell - 1, cell + 1), over(cell - columns, cell + columns));
         let rise = (across * across + down * down).sqrt();
-        let factor = now / slope(&self.settings, inland[cell]);
+        let factor = now / slope(&self.settings, way);
         // What rises over no other cell rises over the sea.
         if rise > 0.0 { solved(heights, columns, cell, rise * factor) } else { was * factor }
     }

@@ -8,7 +8,7 @@ use fastnoise_lite::FastNoiseLite;
 use super::{Grid, Rills};
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
-use crate::land::Land;
+use crate::land::{CoastDistance, Land};
 use crate::recipe::{NumberKey, Recipe, Sides};
 
 /// The settings of the relief stage, resolved.
@@ -23,6 +23,8 @@ pub struct ReliefSettings {
     pub grid: Grid,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
+    /// The distances from the coast of the low stand, if the sea has risen since the rivers began; hillsides go by them.
+    pub low_stand: Option<Arc<CoastDistance>>,
     /// The sides beyond which lies the sea, where all of the domain is land.
     pub sides: Sides,
     /// The discharge of a river that drains everything.
@@ -35,6 +37,8 @@ pub struct ReliefSettings {
     pub threads: NonZero<usize>,
     /// How far rills carve the hillsides, from 0 to 1.
     pub rills: f32,
+    /// The hard and soft ground that rivers grew on, if they did: its wavelength, in units, and its contrast.
+    pub(crate) rock: Option<(f32, f32)>,
     /// The rills, if they are known.
     pub(crate) rill_lines: Option<Arc<Rills>>,
 }
@@ -48,14 +52,34 @@ impl ReliefSettings {
             domain,
             grid: Grid::of(&domain),
             land,
+            low_stand: None,
             sides: recipe.open_sides(),
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(NumberKey::Mountains),
             plains: recipe.number(NumberKey::Plains),
             threads: NonZero::<usize>::MIN,
             rills: recipe.number(NumberKey::Rills),
+            rock: None,
             rill_lines: None,
         }
+    }
+
+    /// The same where the sea has risen from the coast of a low stand.
+    #[must_use]
+    pub(crate) fn with_low_stand(self, low_stand: Option<Arc<CoastDistance>>) -> Self {
+        Self { low_stand, ..self }
+    }
+
+    /// The same with the usual mountains and plains, whatever the recipe asks for.
+    pub(super) fn with_usual_slopes(self) -> Self {
+        let usual = Recipe::default();
+        let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| usual.number(key));
+        Self { mountains, plains, ..self }
+    }
+
+    /// The same settings on ground of some wavelength, in units, and contrast.
+    pub(crate) fn with_rock(self, rock: Option<(f32, f32)>) -> Self {
+        Self { rock, ..self }
     }
 
     /// The same settings with rills, which are made only if they carve anything.

@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::creep::Creep;
-use super::front::Front;
+use super::front::{Front, TILE};
 use super::profile::elevations;
 use super::rills::RillCells;
 use super::settings::ReliefSettings;
@@ -78,9 +78,6 @@ const ENTRIES_A_STEP: usize = 20_000;
 
 /// The greatest number of times that rivers are lowered to their banks.
 const MOST_LOWERINGS: u32 = 5;
-
-/// The longest side of a tile of the front, in cells: so much fits into the cache of a core.
-const TILE: usize = 256;
 
 impl ReliefSolver {
     /// Begins the relief of a finished network. It only asks for memory.

@@ -10,6 +10,7 @@ use super::settings::ReliefSettings;
 use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::base::memory::{Refused, lengthen};
 use crate::base::parallel::for_each_row;
+use crate::base::random::DEVIATION;
 use crate::base::work;
 use crate::domain::Domain;
 use crate::land::Land;
@@ -39,7 +40,7 @@ impl Steepness {
         for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
             for (cell, rise) in (row * cells.columns..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
                 let at = cells.point(cell);
-                *rise = cells.size * slope(settings, cells.inland[cell]) * ground.at(at) * border.calm(at);
+                *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at);
             }
         });
         Ok(this)
@@ -183,14 +184,20 @@ const APART: f32 = 8.0;
 
 impl Ground {
     fn new(settings: &ReliefSettings) -> Self {
+        /// The greatest deviation of hardness that counts.
+        const MOST: f32 = 1.5;
         let (wide, fine) = (settings.noise(0, 200.0, 3), settings.noise(1, 45.0, 2));
+        let rock = settings.rock.map(|(wavelength, contrast)| (settings.seed.rock(wavelength), contrast));
+        let hardness = |at: Vec2| rock.as_ref().map_or(0.0, |(rock, contrast)| {
+            contrast * (DEVIATION * rock.get_noise_2d(at.x, at.y)).clamp(-MOST, MOST)
+        });
         let size = (settings.domain.size / APART).ceil() + 2.0;
         let (columns, rows) = (size.x as usize, size.y as usize);
         work::count(5 * columns * rows);
         let sample = |i: usize| {
             let at = Vec2::new((i % columns) as f32, (i / columns) as f32) * APART;
             // Fractal noise has a deviation of about a third.
-            libm::expf(0.9 * wide.get_noise_2d(at.x, at.y) + 0.4 * fine.get_noise_2d(at.x, at.y))
+            libm::expf(0.9 * wide.get_noise_2d(at.x, at.y) + 0.4 * fine.get_noise_2d(at.x, at.y) + hardness(at))
         };
         Self { columns, samples: (0..columns * rows).map(sample).collect() }
     }

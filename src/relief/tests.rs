@@ -22,7 +22,7 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<Vec<(usize, f32)>>)> {
         let rivers = prop::collection::vec((0..count, 0.0f32..9.0, steps), 0..6);
         (inland, rises, rivers).prop_map(move |(mut inland, rises, rivers)| {
             (0..count).filter(|&i| is_rim(i)).for_each(|i| inland[i] = f32::NEG_INFINITY);
-            let cells = Cells { columns, rows, size: CELL_SIZE, inland };
+            let cells = Cells { columns, rows, size: CELL_SIZE, middle: 0.5, inland, ..Cells::default() };
             let rivers = rivers.into_iter().map(|(start, height, steps)| wander(&cells, start, height, &steps));
             let rivers = rivers.filter(|path| !path.is_empty()).collect();
             (cells, rises, rivers)

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::{Phase, Session};
-use crate::land::Land;
+use crate::drown::Drowning;
+use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::{Key, NumberKey, Recipe};
 use crate::relief::{Relief, ReliefDrafts};
 
@@ -54,21 +55,42 @@ impl SessionDrafts {
         self.last.as_ref().map(|(_, relief)| relief.clone())
     }
 
-    /// A preview of the land under a recipe that differs from the session's in its coasts alone; the exact land for the
+    /// A preview of the land under a recipe that differs from the session's in its coasts alone, over the valleys of its tree where the
+    /// sea rises; the exact land for the
     /// session's own recipe. `None` if the recipe differs in more, if there is no sea, or if the session's land was
     /// given.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
         let own =
-            session.land().filter(|_| !session.is_land_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
+            session.land().filter(|_| !session.coasts.are_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
         if session.recipe() == wanted {
             return Some(own.clone());
         }
         if self.land.as_ref().is_none_or(|(of, _)| of != wanted) {
-            self.land = Land::draft_of(wanted).map(|land| (wanted.clone(), land));
+            let land = session.drowned_draft(wanted).or_else(|| Land::draft_of(wanted));
+            self.land = land.map(|land| (wanted.clone(), land));
         }
         self.land.as_ref().map(|(_, land)| land.clone())
     }
 }
 
+impl Session {
+    /// The land of a recipe with other coasts after the sea has risen, nearly: over the valleys of this session's tree,
+    /// which does not grow anew. `None` if the sea does not rise, or there is not enough memory.
+    fn drowned_draft(&self, wanted: &Recipe) -> Option<Arc<Land>> {
+        let low_stand = Arc::new(LowStand::of(wanted, CoastDistance::SPACING)?);
+        let mut drowning = match self.coasts.drowned() {
+            Some((drowned, land)) => {
+                Drowning::over(wanted, low_stand, drowned.valleys.with_unknown(land.coast_distance()).into())
+            }
+            None => Drowning::new(wanted, low_stand),
+        };
+        loop {
+            if let Some(drowned) = drowning.step(self.tree()).ok()? {
+                return Some(drowned.land);
+            }
+        }
+    }
+}
+
 pub(crate) const OF_RELIEF: [Key; 2] = [Key::Mountains, Key::Plains];
-pub(crate) const OF_COASTS: [Key; 2] = [Key::Sea, Key::Roughness];
+pub(crate) const OF_COASTS: [Key; 3] = [Key::Sea, Key::Drowning, Key::Roughness];

@@ -31,7 +31,9 @@ impl Session {
         match self.phase() {
             Phase::Growing => Moment::Growth(self.ticks),
             Phase::Finished => Moment::Finished,
-            Phase::Shaping | Phase::Meandering | Phase::Relief => Moment::Bends(self.rounds().unwrap_or(0)),
+            Phase::Drowning | Phase::Shaping | Phase::Meandering | Phase::Relief => {
+                Moment::Bends(self.rounds().unwrap_or(0))
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use super::*;
 use crate::base::memory::testing::with_lists_up_to;
 use crate::base::work;
 use crate::grow::Ending;
+use crate::land::Cell;
 use crate::picture::Picture;
 use crate::recipe::link;
 
@@ -356,4 +357,54 @@ fn relief_of_a_file_is_refused_where_there_is_no_memory_for_it() {
     let session = finished(BENDS);
     let refused = with_lists_up_to(NOTHING, || session.map().unwrap().make_relief()).unwrap_err();
     assert!(refused.to_string().contains("needs about 13 MB"), "{refused}");
+}
+
+/// The share of cells that are land in one of two lands alone.
+fn difference(one: &Land, other: &Land) -> f32 {
+    let cells = || (0..one.rows()).flat_map(|row| (0..one.columns()).map(move |column| (column, row)));
+    let is_other = |&(column, row): &(i32, i32)| {
+        (one.cell(column, row) == Cell::Water) != (other.cell(column, row) == Cell::Water)
+    };
+    cells().filter(is_other).count() as f32 / cells().count() as f32
+}
+
+#[test]
+fn drafts_of_drowned_coasts_are_near_the_lands_that_come() {
+    for land in ["island", "archipelago", "continent", "basin"] {
+        let text = format!("seed=skye&attractors=6000&land={land}");
+        let read = |more: &str| link::read(&format!("{text}&{more}")).unwrap();
+        let session = finished(&format!("{text}&sea=0.5&drowning=0.5"));
+        let mut drafts = SessionDrafts::default();
+        for (more, most) in [
+            ("sea=0.51&drowning=0.5", 0.02),
+            ("sea=0.56&drowning=0.5", 0.05),
+            ("sea=0.5&drowning=0.52", 0.02),
+            ("sea=0.5&drowning=0.8", 0.06),
+            ("sea=0.5&drowning=0.5&roughness=0.95", 0.03),
+        ] {
+            let wanted = read(more);
+            let draft = drafts.land(&session, &wanted).unwrap();
+            let exact = finished(&format!("{text}&{more}")).land().cloned().unwrap();
+            let plain = Land::draft_of(&wanted).unwrap();
+            let (off, plain) = (difference(&draft, &exact), difference(&plain, &exact));
+            assert!(off < most && off < plain, "{land} {more}: {off}, without drowning {plain}");
+        }
+    }
+}
+
+#[test]
+fn each_step_of_the_seas_rise_can_be_refused_and_made_again() {
+    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let mut session = Session::new(link::read(text).unwrap()).unwrap();
+    while session.phase() != Phase::Drowning {
+        session.advance(1).unwrap();
+    }
+    let mut refused = 0;
+    while session.phase() == Phase::Drowning && refused < 40 {
+        let failed = with_lists_up_to(300_000, || session.advance(1));
+        refused += u32::from(failed.is_err());
+        assert!(failed.is_ok() || matches!(failed, Err(SessionError::Relief(_))), "{failed:?}");
+    }
+    assert_eq!(refused, 40, "so little memory is never enough");
+    assert!(session.finish().unwrap().land() == finished(text).land());
 }

@@ -86,7 +86,12 @@ fn style() -> impl Strategy<Value = &'static str> {
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them are on the plain rectangle, where more happens in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
-    let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
+    let land = (
+        prop_oneof![Just("rectangle"), lands],
+        (0.1f64..=0.8, prop_oneof![Just(0.0), 0.0f64..=1.0]),
+        0.0f64..=1.0,
+        random_outline(),
+    );
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => colonize(), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
@@ -113,7 +118,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let start = (random_seed(), edition);
     (start, land, ground, growth, bends, finish, rivers).prop_map(|(start, land, ground, growth, bends, finish, rivers)| {
         let (seed, edition) = start;
-        let (land, sea, roughness, outline) = land;
+        let (land, (sea, drowning), roughness, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
         let (reach, kill, step, procedure, sensitivity, (mouth_spacing, shores)) = growth;
         let (momentum, curl, stretch) = bends;
@@ -123,7 +128,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let (sides, shores) = (initials(sides), initials(shores));
         let scatter = if grid { "grid" } else { "random" };
         format!(
-            "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&drowning={drowning:.2}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}{rivers}"
         )

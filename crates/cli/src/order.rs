@@ -34,7 +34,7 @@ impl Order {
     pub fn say_what_is_idle(&self, are_pictures: &[bool]) {
         let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
         let reason = |key, is_picture| match (key, &self.land) {
-            (Key::Roughness, Some(_)) => Some("the picture determines the coast"),
+            (Key::Roughness | Key::Drowning, Some(_)) => Some("the picture determines the coast"),
             _ if is_picture => self.recipe.inactive_reason(key, kind),
             _ => self.recipe.inactive_reason_in_data(key, kind),
         };

@@ -21,7 +21,11 @@ pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     let node = |parcel: u32| nodes[parcel as usize] as usize;
     let is_stream = |node: usize| channels[node];
     let mut captures = last_of_each_parcel(growth.captures(), places.len());
-    captures.retain(|capture| capture.from != NO_PARENT && is_stream(node(capture.parcel)));
+    // Parcels that the sea has risen over have no node any more.
+    let has_node = |parcel: u32| node(parcel) < tree.len();
+    captures.retain(|&Capture { parcel, from, .. }| {
+        from != NO_PARENT && has_node(parcel) && has_node(from) && is_stream(node(parcel))
+    });
     let by_discharge = argsort(captures.iter().map(|capture| u32::MAX - discharge[node(capture.parcel)]));
     let former_way = |i: usize| {
         let Capture { parcel, from, .. } = captures[i];

@@ -11,6 +11,7 @@ mod adjacency;
 mod bends;
 mod captures;
 mod country;
+mod cut;
 mod directions;
 mod fall;
 mod grain;
@@ -33,6 +34,7 @@ use super::{Ending, GrowError, GrowthSettings, front};
 use crate::base::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use captures::Captures;
+use cut::Left;
 use directions::{FlowDirections, NONE};
 use invasion::Invasion;
 use lattice::Lattice;
@@ -65,6 +67,8 @@ pub struct Drainage {
     /// The number of parcels that the largest river drains, once growth has ended.
     largest_basin: Option<u32>,
     ending: Option<Ending>,
+    /// What the sea has left; `None` if it has not risen.
+    left: Option<Left>,
 }
 
 #[derive(Clone, Debug)]
@@ -105,6 +109,7 @@ impl Drainage {
             mouths: 0,
             largest_basin: None,
             ending: None,
+            left: None,
         })
     }
 
@@ -256,9 +261,14 @@ impl Drainage {
         &self.node
     }
 
-    /// The number of parcels.
+    /// The number of parcels; after the sea has risen, of those left on land.
     pub fn parcels(&self) -> u32 {
-        self.parcels.len() as u32
+        self.left.as_ref().map_or(self.parcels.len() as u32, |left| left.parcels)
+    }
+
+    /// Returns `true` if the sea has risen over part of the tree.
+    pub fn is_cut(&self) -> bool {
+        self.left.is_some()
     }
 
     /// The positions of the parcels.
@@ -268,11 +278,17 @@ impl Drainage {
 
     /// The number of parcels without a way to the sea so far.
     pub fn unreached(&self) -> u32 {
-        self.parcels() - (self.tree.len() as u32 - self.mouths)
+        match &self.left {
+            Some(left) => left.unreached.len() as u32,
+            None => self.parcels() - (self.tree.len() as u32 - self.mouths),
+        }
     }
 
     /// The positions of parcels without a way to the sea so far.
     pub fn left(&self) -> Vec<glam::Vec2> {
+        if let Some(left) = &self.left {
+            return left.unreached.iter().map(|&parcel| self.parcels.at[parcel as usize]).collect();
+        }
         let mut left = Vec::new();
         for (&at, &node) in self.parcels.at.iter().zip(&self.node) {
             if node == NONE {

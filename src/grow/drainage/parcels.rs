@@ -118,7 +118,7 @@ impl Parcels {
     fn weigh(&mut self, growth: &GrowthSettings, unbent: &[Vec2]) {
         const CHANCE: f32 = 0.2;
         let settings = &growth.drainage;
-        let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
+        let noise = settings.rock();
         let country = Country::new(growth);
         let ground = |(&at, border): (&Vec2, &f32)| {
             settings.hardness * DEVIATION * noise.get_noise_2d(at.x, at.y) + BORDER * border + country.hardness(at)

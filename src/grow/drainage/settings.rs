@@ -95,6 +95,11 @@ impl DrainageSettings {
         }
     }
 
+    /// Hard and soft ground over the plane, from −1 to 1, hard where it is high.
+    pub(crate) fn rock(&self) -> FastNoiseLite {
+        self.seed.rock(self.hardness_scale)
+    }
+
     /// A bound for the distance by which bends move a place, in units; measured, not proved.
     pub(super) fn farthest_bend(&self) -> f32 {
         self.bending * (1.65 + 1.7 * self.bending_variation).min(2.9)

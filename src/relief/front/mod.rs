@@ -35,6 +35,9 @@ pub(super) struct Front {
     cells: usize,
 }
 
+/// The longest side of a tile of large maps, in cells: so much fits into the cache of a core.
+pub(super) const TILE: usize = 256;
+
 /// The least height of a river, in sides of a cell.
 const LEAST_HEIGHT: f32 = 5e-5;
 

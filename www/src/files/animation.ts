@@ -58,7 +58,8 @@ export async function animationOf(link: string, core: MakerCore, course: Course)
 async function filmed(scenes: Scenes, course: Course): Promise<Blob> {
   try {
     await scenes.film("growing", partOf(course, 0, SHARES.growing));
-    // While rivers are made from the tree there is nothing to see.
+    // While the sea rises, and while rivers are made from the tree, there is nothing to see.
+    await scenes.skip("drowning", course);
     await scenes.skip("shaping", course);
     await scenes.film("meandering", partOf(course, SHARES.growing, SHARES.meandering));
     await scenes.finish(partOf(course, SHARES.meandering, SHARES.finishing), partOf(course, SHARES.finishing, 1));

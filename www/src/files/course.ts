@@ -30,7 +30,7 @@ export async function inSteps(course: Course, step: () => boolean, share: () => 
 }
 
 /** The end of each phase, as a share of growing. */
-const OVER = { growing: 0.6, shaping: 0.65, meandering: 0.8, relief: 1, finished: 1 } as const;
+const OVER = { growing: 0.6, drowning: 0.63, shaping: 0.66, meandering: 0.8, relief: 1, finished: 1 } as const;
 
 /** Takes a river to its end. */
 export function grow(river: SteeredRiver, course: Course): Promise<void> {

@@ -414,9 +414,10 @@ function note(course: Course, phase: Phase, now: number): void {
   course.shownAt = now;
   const isOfRivers =
     phase === "meandering" || phase === "finished" || (phase === "relief" && course.is === "following");
-  const isNews = isOfRivers || (phase === "shaping" && course.from === "growing");
+  const isOfTree = phase === "drowning" || phase === "shaping";
+  const isNews = isOfRivers || (isOfTree && course.from === "growing");
   if (course.is === "settling") course.hasShown ||= isNews;
   else if (isNews || course.shown !== "nothing") {
-    course.shown = phase === "shaping" && course.shown !== "rivers" ? "tree" : "rivers";
+    course.shown = isOfTree && course.shown !== "rivers" ? "tree" : "rivers";
   }
 }

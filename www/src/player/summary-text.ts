@@ -47,6 +47,7 @@ export function alternative(seed: string, phase: Phase, summary: Summary, writte
 /** Names a phase. The step between growing and meandering is too short to have a name. */
 function doing(phase: Phase): string {
   if (phase === "relief") return "raising the land";
+  if (phase === "drowning") return "drowning its valleys";
   return phase === "meandering" ? "meandering" : "growing";
 }
 

@@ -15,8 +15,8 @@ use riverseed::session::{Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
-export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
+/** What a river's next step does: a tick of growth; a part of the sea's rise, if it drowns valleys; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
+export type Phase = "growing" | "drowning" | "shaping" | "meandering" | "relief" | "finished";
 /** What a picture shows, in numbers. */
 export interface Summary {
   /** How its rivers grow: a word of the parameter `growth`. */

@@ -1,0 +1,69 @@
+//! The level to which the sea rises: the one at which it covers the share of the map that the recipe asks for.
+
+use crate::base::memory::{Refused, ask};
+use crate::base::sort;
+use crate::base::work;
+use crate::domain::Domain;
+use crate::land::{Land, above};
+
+/// The search for a level, in heights at the corners of a low stand's lattice.
+#[derive(Clone, Debug)]
+pub(super) struct Level {
+    heights: Vec<f32>,
+    /// The corners in ascending order of their heights, each with how much it counts for its area.
+    sorted: Vec<(u32, u32)>,
+    /// The share of the domain that shall be sea, and the share of heights below the level that is tried next.
+    sea: f32,
+    share: f32,
+    tries: u32,
+}
+
+/// The difference between the share of sea and what is asked for that is near enough.
+const NEAR: f32 = 5e-4;
+
+/// How many levels are tried at most.
+const TRIES: u32 = 4;
+
+impl Level {
+    /// Sorts heights over a low stand; the sea shall cover a share of the domain.
+    pub fn new(low_stand: &Land, heights: Vec<f32>, sea: f32) -> Result<Self, Refused> {
+        /// Two entries, each of a key and a place, then a corner with its count, and the counts.
+        const BYTES_A_CORNER: usize = 48;
+        ask(heights.len() * BYTES_A_CORNER)?;
+        work::count(3 * heights.len());
+        let squares = low_stand.coast_distance().squares_around(&Domain { size: low_stand.size() });
+        let order = sort::argsort(heights.iter().map(|&height| sort::key(height)));
+        let sorted = order.into_iter().map(|corner| (corner as u32, squares[corner])).collect();
+        Ok(Self { heights, sorted, sea, share: sea, tries: 0 })
+    }
+
+    /// Tries a level. Returns the land above it if it leaves the right share.
+    pub fn advance(&mut self, low_stand: &Land) -> Option<Land> {
+        // Below the low stand the sea would have fallen.
+        let level = self.quantile(self.share).max(0.0);
+        let land = above(low_stand, &self.heights, level);
+        let off = self.sea - land.share_of_sea();
+        self.share = (self.share + off).clamp(0.0, 1.0);
+        self.tries += 1;
+        (off.abs() < NEAR || self.tries == TRIES || level == 0.0).then_some(land)
+    }
+
+    /// The heights, in units.
+    #[cfg(test)]
+    pub fn heights(&self) -> &[f32] {
+        &self.heights
+    }
+
+    /// The height that a share of the domain lies below.
+    fn quantile(&self, share: f32) -> f32 {
+        let all: u32 = self.sorted.iter().map(|(_, squares)| squares).sum();
+        let wanted = (share * all as f32) as u32;
+        let mut below = 0;
+        let is_reached = |(_, squares): &&(u32, u32)| {
+            below += squares;
+            below > wanted
+        };
+        let found = self.sorted.iter().find(is_reached).or(self.sorted.last());
+        found.map_or(0.0, |(corner, _)| self.heights[*corner as usize])
+    }
+}

@@ -1,0 +1,101 @@
+//! Promises about the relief that the sea rises over.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use super::*;
+use crate::grow::{Growth, GrowthSettings};
+use crate::land::Cell;
+use crate::recipe::link;
+
+/// The heights of a recipe's low stand, after waves.
+fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
+    let recipe = link::read(text).unwrap();
+    let low_stand = Arc::new(LowStand::of(&recipe, CoastDistance::SPACING).unwrap());
+    let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
+    while growth.tick() {}
+    let mut drowning = Drowning::new(&recipe, low_stand.clone());
+    loop {
+        drowning.step(growth.tree()).unwrap();
+        if let Part::Level(_, level) = &drowning.next {
+            return (low_stand, level.heights().to_vec());
+        }
+    }
+}
+
+/// The land at the level where the sea covers a share of the domain.
+fn at(low_stand: &LowStand, heights: &[f32], sea: f32) -> Land {
+    let mut level = Level::new(&low_stand.land, heights.to_vec(), sea).unwrap();
+    loop {
+        if let Some(land) = level.advance(&low_stand.land) {
+            return land;
+        }
+    }
+}
+
+#[test]
+fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
+    for land in ["island", "archipelago", "valley&sea=0.4"] {
+        let (low_stand, heights) = heights(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
+        let mut before = low_stand.land.clone();
+        for sea in [0.45, 0.6, 0.7, 0.8].into_iter().filter(|sea| *sea > low_stand.land.share_of_sea()) {
+            let land = at(&low_stand, &heights, sea);
+            let corners = before.coast_distance().heights().iter().zip(land.coast_distance().heights());
+            // What was a speck may be part of a cape.
+            let risen = corners.filter(|(was, is)| **was <= 0.0 && **is > 0.0).count();
+            assert!(risen < 4, "{risen} corners have come out of the sea at {sea}");
+            // Between corners the coast is less exact.
+            let cells = (0..land.rows()).flat_map(|row| (0..land.columns()).map(move |column| (column, row)));
+            let is_new = |&(column, row): &(i32, i32)| {
+                before.cell(column, row) == Cell::Water && land.cell(column, row) != Cell::Water
+            };
+            let new = cells.filter(is_new).count();
+            assert!(new < 100, "{new} cells have come out of the sea at {sea}");
+            assert!((land.share_of_sea() - sea).abs() < 0.002, "{} for {sea}", land.share_of_sea());
+            before = land.into();
+        }
+    }
+}
+
+#[test]
+fn no_corner_of_land_is_lower_than_all_around_it() {
+    let (low_stand, heights) = heights("seed=skye&attractors=4000&drowning=0.6&land=continent");
+    let (columns, rows) = low_stand.land.coast_distance().size();
+    let mut land = 0;
+    for corner in (0..heights.len()).filter(|&corner| heights[corner] > 0.0) {
+        let (column, row) = (corner % columns, corner / columns);
+        let beside = [
+            (column > 0).then(|| corner - 1),
+            (column + 1 < columns).then_some(corner + 1),
+            (row > 0).then(|| corner - columns),
+            (row + 1 < rows).then_some(corner + columns),
+        ];
+        assert!(beside.into_iter().flatten().any(|beside| heights[beside] < heights[corner]), "a pit at {corner}");
+        land += 1;
+    }
+    assert!(land > 10_000);
+}
+
+#[test]
+fn greater_rivers_have_flatter_valleys() {
+    let recipe = link::read("seed=kauri&attractors=6000&drowning=0.5").unwrap();
+    let low_stand = LowStand::of(&recipe, CoastDistance::SPACING).unwrap();
+    let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
+    while growth.tick() {}
+    let lattice = low_stand.land.coast_distance();
+    let mut marking = Marking::new(growth.tree(), lattice, growth.stream_spacing()).unwrap();
+    while marking.advance(growth.tree()) {}
+    let valleys = marking.into_valleys();
+    let corner = |at: glam::Vec2| {
+        let [column, row] = (at / lattice.spacing() + 0.5).to_array().map(|of| of as usize);
+        row * lattice.size().0 + column
+    };
+    let tree = growth.tree();
+    let discharge = crate::tree::Hydrology::of(tree).discharge;
+    let greatest = (0..tree.len()).max_by_key(|&node| discharge[node]).unwrap();
+    let trunk = valleys.steepness(corner(tree.at[greatest]));
+    assert!(trunk < 0.05, "{trunk}");
+    for node in (0..tree.len()).filter(|&node| tree.parent_of(node).is_some()) {
+        assert!(valleys.steepness(corner(tree.at[node])) <= 0.5, "a node is not in a valley");
+    }
+    let sea = lattice.heights().iter().position(|height| *height < -40.0).unwrap();
+    assert!(valleys.steepness(sea) > 1.0 && valleys.with_unknown(lattice).steepness(sea) == 0.5);
+}

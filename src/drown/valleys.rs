@@ -1,0 +1,108 @@
+//! Valleys on the corners of a lattice: how much land drains through each.
+
+use glam::Vec2;
+
+use crate::base::memory::{Refused, lengthen};
+use crate::base::work;
+use crate::land::{CoastDistance, walk};
+use crate::tree::Tree;
+
+/// The area that drains through each corner of a lattice, in square units; 0 where no water runs.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Valleys {
+    areas: Vec<f32>,
+    columns: usize,
+}
+
+/// The area from which on slopes fall as more drains, in square units.
+const AREA: f32 = 16.0;
+
+/// How steep a valley is of that area, and how steep ground is without one, as shares of a hillside.
+const VALLEY: f32 = 0.5;
+const FLANK: f32 = 1.15;
+
+impl Valleys {
+    /// The steepness of a corner as a share of a hillside's: Flint's law (1974) with the usual concavity of a half.
+    pub fn steepness(&self, corner: usize) -> f32 {
+        match self.areas.get(corner) {
+            Some(&area) if area > 0.0 => VALLEY * (AREA / area.max(AREA)).sqrt(),
+            _ => FLANK,
+        }
+    }
+
+    /// The same valleys, with small ones wherever a land has no corner: what drains there is not known.
+    pub fn with_unknown(&self, land: &CoastDistance) -> Self {
+        let known = self.areas.iter().zip(land.heights());
+        Self {
+            areas: known.map(|(&area, &height)| if height > 0.0 { area } else { AREA }).collect(),
+            columns: self.columns,
+        }
+    }
+}
+
+/// The marking of a tree's edges on a lattice.
+#[derive(Clone, Debug)]
+pub(super) struct Marking {
+    valleys: Valleys,
+    /// What each node drains, in parcels.
+    discharge: Vec<u32>,
+    /// The area of a parcel, in square units.
+    parcel: f32,
+    rows: usize,
+    spacing: f32,
+    /// The node to go on with.
+    next: usize,
+}
+
+impl Marking {
+    /// Finds what each node of a tree drains; `parcel_spacing` is the distance between parcels, in units.
+    pub fn new(tree: &Tree, lattice: &CoastDistance, parcel_spacing: f32) -> Result<Self, Refused> {
+        let (columns, rows) = lattice.size();
+        let (mut areas, mut discharge) = (Vec::new(), Vec::new());
+        lengthen(&mut areas, columns * rows, 0.0)?;
+        lengthen(&mut discharge, tree.len(), 0)?;
+        discharge.copy_from_slice(&tree.drained);
+        work::count(tree.len());
+        for node in (0..tree.len()).rev() {
+            if let Some(parent) = tree.parent_of(node) {
+                discharge[parent] += discharge[node];
+            }
+        }
+        let parcel = parcel_spacing * parcel_spacing;
+        Ok(Self { valleys: Valleys { areas, columns }, discharge, parcel, rows, spacing: lattice.spacing(), next: 0 })
+    }
+
+    /// Marks some more edges. Returns `true` if there are more.
+    pub fn advance(&mut self, tree: &Tree) -> bool {
+        const WORK_A_STEP: u64 = 500_000;
+        let begun = work::steps();
+        while self.next < tree.len() {
+            if work::steps() - begun >= WORK_A_STEP {
+                return true;
+            }
+            let node = self.next;
+            self.next += 1;
+            if let Some(parent) = tree.parent_of(node) {
+                self.mark(tree.at[node], tree.at[parent], self.discharge[node] as f32 * self.parcel);
+            }
+        }
+        false
+    }
+
+    /// Marks the corners nearest to a straight line; of several rivers at a corner, the greatest counts.
+    fn mark(&mut self, from: Vec2, to: Vec2, area: f32) {
+        let [from, to] = [from, to].map(|at| at / self.spacing + 0.5);
+        for (column, row) in walk(from, to) {
+            work::count(1);
+            let (column, row) = (column as usize, row as usize);
+            if column < self.valleys.columns && row < self.rows {
+                let marked = &mut self.valleys.areas[row * self.valleys.columns + column];
+                *marked = marked.max(area);
+            }
+        }
+    }
+
+    pub fn into_valleys(self) -> Valleys {
+        self.valleys
+    }
+}

@@ -1,0 +1,108 @@
+//! The work of waves: where ground is soft they straighten coasts into beaches and open bays, and hard heads stay.
+//!
+//! Heights are blurred where ground is soft, so the coast of every level is smoother there, and land still only shrinks
+//! as the sea rises. What the blur has left lower than all around it is lifted, so that there is no pit.
+
+use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::queue::Queue;
+use crate::base::work;
+use crate::land::CoastDistance;
+
+/// Heights at the corners of a lattice, with a rim of one corner, while waves work on them.
+#[derive(Clone, Debug)]
+pub(super) struct Waves {
+    heights: Vec<f32>,
+    before: Vec<f32>,
+    /// The share by which each corner moves toward the mean around it in a round; 0 for sea and rim.
+    softness: Vec<f32>,
+    columns: usize,
+    rows: usize,
+    round: u32,
+}
+
+/// How many rounds of blur there are, and how many of them a step takes.
+const ROUNDS: u32 = 24;
+const ROUNDS_A_STEP: u32 = 4;
+
+/// The height of a rim, which is neither land nor sea.
+const RIM: f32 = f32::INFINITY;
+
+impl Waves {
+    /// Begins with heights at the corners of a lattice, above 0 on land, and the softness of the ground, from 0 to 1.
+    pub fn new(lattice: &CoastDistance, heights: Vec<f32>, softness: &[f32]) -> Result<Self, Refused> {
+        let (columns, rows) = lattice.size();
+        let (wide, high) = (columns + 2, rows + 2);
+        let mut this =
+            Self { heights: Vec::new(), before: Vec::new(), softness: Vec::new(), columns: wide, rows: high, round: 0 };
+        lengthen(&mut this.heights, wide * high, RIM)?;
+        lengthen(&mut this.softness, wide * high, 0.0)?;
+        ask(wide * high * size_of::<f32>())?;
+        for (corner, (height, soft)) in heights.into_iter().zip(softness).enumerate() {
+            let cell = (corner / columns + 1) * wide + corner % columns + 1;
+            this.heights[cell] = height;
+            this.softness[cell] = if height > 0.0 { *soft } else { 0.0 };
+        }
+        Ok(this)
+    }
+
+    /// Makes some more rounds, and lifts pits after the last. Returns `true` if there is more to do.
+    pub fn advance(&mut self) -> bool {
+        if self.round >= ROUNDS {
+            self.lift();
+            return false;
+        }
+        for _ in 0..ROUNDS_A_STEP {
+            self.blur();
+        }
+        self.round += ROUNDS_A_STEP;
+        true
+    }
+
+    /// Moves each corner of soft land toward the mean of its neighbours.
+    fn blur(&mut self) {
+        self.before.clone_from(&self.heights);
+        work::count(self.heights.len());
+        for cell in self.columns..self.heights.len() - self.columns {
+            let soft = self.softness[cell];
+            if soft > 0.0 {
+                let here = self.before[cell];
+                let lifted = |beside: usize| if self.before[beside] == RIM { here } else { self.before[beside] };
+                let sum: f32 = self.beside(cell).into_iter().map(lifted).sum();
+                self.heights[cell] += soft * (0.25 * sum - here);
+            }
+        }
+    }
+
+    /// Lifts land that is nowhere lower than all around it, the lowest first, over the neighbour that its water leaves to.
+    fn lift(&mut self) {
+        /// The least rise from one corner to the next, in units.
+        const RISE: f32 = 1e-3;
+        let mut queue = Queue::default();
+        let mut is_queued: Vec<bool> = self.heights.iter().map(|height| *height <= 0.0 || *height == RIM).collect();
+        work::count(6 * self.heights.len());
+        for cell in (0..self.heights.len()).filter(|&cell| self.heights[cell] <= 0.0) {
+            queue.push(0.0, cell as u32);
+        }
+        while let Some(cell) = queue.pop() {
+            let cell = cell as usize;
+            let least = self.heights[cell].max(0.0) + RISE;
+            for beside in self.beside(cell) {
+                if !std::mem::replace(&mut is_queued[beside], true) {
+                    self.heights[beside] = self.heights[beside].max(least);
+                    queue.push(self.heights[beside], beside as u32);
+                }
+            }
+        }
+    }
+
+    fn beside(&self, cell: usize) -> [usize; 4] {
+        [cell - 1, cell + 1, cell - self.columns, cell + self.columns]
+    }
+
+    /// The heights without the rim, row by row.
+    pub fn into_heights(self) -> Vec<f32> {
+        let Self { heights, columns, rows, .. } = self;
+        let inside = (1..rows - 1).flat_map(|row| &heights[row * columns + 1..(row + 1) * columns - 1]);
+        inside.copied().collect()
+    }
+}

@@ -1,0 +1,95 @@
+//! The low stand: the land as it was before the sea rose, with more of it above the water.
+//!
+//! It is the shape that a recipe names, at a lower level of the sea. Parts that are islands today stay apart, because a
+//! river through a strait would join them for good.
+
+use std::sync::Arc;
+
+use super::cell::Cell;
+use super::coast_distance::CoastDistance;
+use super::kinds::Shape;
+use super::queries::Land;
+use super::regions::Region;
+use super::straits::straits;
+use crate::recipe::{GrowthMethod, LandKind, NumberKey, Recipe};
+
+/// The land of a low stand, and the coast of the same shape at the share of sea that the recipe asks for.
+#[derive(Clone, Debug)]
+pub(crate) struct LowStand {
+    pub land: Arc<Land>,
+    pub today: CoastDistance,
+    /// The share of the domain that the sea covers once it has risen.
+    pub sea: f32,
+}
+
+/// The share of the domain that a risen sea has taken: at least, so that there is some of it although coasts are no more
+/// exact than that, and what a sea risen in full has taken besides.
+const LEAST_RISE: f32 = 0.03;
+const RISE: f32 = 0.27;
+
+/// The least share of sea at the lowest stand: an island would fill the frame before. A little sea falls to a share of it.
+const LEAST_SEA: f32 = 0.1;
+const LEAST_SEA_AROUND_AN_ISLAND: f32 = 0.3;
+const LEAST_SHARE: f32 = 0.6;
+
+impl LowStand {
+    /// The low stand of a recipe, on a lattice with this spacing; `None` if the recipe drowns nothing.
+    pub fn of(recipe: &Recipe, spacing: f32) -> Option<Self> {
+        if !Self::is_wanted(recipe) {
+            return None;
+        }
+        let shape = Shape::of(recipe);
+        let today = shape.coast_distance(spacing)?;
+        let drowning = recipe.number(NumberKey::Drowning);
+        // The lower the sea, the likelier is a part between ridges without a coast.
+        let mut lands = LOWERINGS.iter().filter_map(|share| land(&shape, &today, low_sea(&shape, drowning * share)));
+        let lowest = lands.next()?;
+        let land = if has_coasts(&lowest) { lowest } else { lands.find(has_coasts).unwrap_or(lowest) };
+        Some(Self { land: land.into(), today, sea: shape.sea })
+    }
+
+    /// Returns `true` if the sea rises in a recipe: over the valleys of drainage, on a shaped coast.
+    pub fn is_wanted(recipe: &Recipe) -> bool {
+        recipe.number(NumberKey::Drowning) > 0.0
+            && recipe.get::<GrowthMethod>() == GrowthMethod::Drainage
+            && !matches!(recipe.get(), LandKind::Rectangle | LandKind::Drawn)
+    }
+}
+
+/// The shares of the wanted drowning that are tried until every part of the land has a coast.
+const LOWERINGS: [f32; 4] = [1.0, 0.6, 0.3, 0.0];
+
+/// The land where the sea covers a share of the domain, with today's straits, and without losing any of today's seas.
+fn land(shape: &Shape, today: &CoastDistance, sea: f32) -> Option<Land> {
+    let low = shape.coast_distance_at(today.spacing(), sea)?;
+    let kept = [straits(today), lost_seas(today, &low)].concat();
+    let low = if kept.is_empty() { low } else { low.flooded(kept.into_iter()) };
+    Some(Land::new(&shape.domain, low, shape.ridges()))
+}
+
+/// Returns `true` if every part of a land that is large enough for rivers has a coast.
+fn has_coasts(land: &Land) -> bool {
+    /// The least number of cells of such a part, and of those beside the sea.
+    const PART: u32 = 2_000;
+    const COAST: usize = 60;
+    land.regions().iter().all(|region| region.cells < PART || region.shores.len() >= COAST)
+}
+
+/// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
+fn low_sea(shape: &Shape, drowning: f32) -> f32 {
+    let least = if shape.kind == LandKind::Island { LEAST_SEA_AROUND_AN_ISLAND } else { LEAST_SEA };
+    let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea));
+    let highest = (shape.sea - LEAST_RISE).max(lowest);
+    highest + (lowest - highest) * drowning
+}
+
+/// The corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
+fn lost_seas(today: &CoastDistance, low: &CoastDistance) -> Vec<usize> {
+    let columns = today.size().0;
+    let corners = |sea: &Region| {
+        let runs = sea.runs.iter().map(|run| (run.row as usize * columns, run.start as usize, run.end as usize));
+        runs.flat_map(|(row, start, end)| row + start..row + end).collect::<Vec<_>>()
+    };
+    let seas = today.regions(Cell::Water).into_iter().map(|sea| corners(&sea));
+    seas.filter(|sea| sea.iter().all(|&corner| low.heights()[corner] > 0.0)).flatten().collect()
+}

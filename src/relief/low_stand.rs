@@ -1,0 +1,87 @@
+//! The coarse relief of a low stand, from which the coast follows once the sea rises.
+//!
+//! It is one march from the coast over the corners of the land's own lattice. Every height comes from a lower neighbour,
+//! so there is no pit, and water that rises is always connected. The recipe's keys of relief have no part in it: they
+//! never move the coast.
+
+use std::num::NonZero;
+use std::sync::Arc;
+
+use super::cells::Cells;
+use super::front::{Front, TILE};
+use super::settings::ReliefSettings;
+use super::steepness::Steepness;
+use crate::base::memory::{Refused, lengthen};
+use crate::base::work;
+use crate::land::Land;
+use crate::recipe::Recipe;
+
+/// The relief of a low stand in the making.
+#[derive(Clone, Debug)]
+pub(crate) struct LowStandRelief {
+    land: Arc<Land>,
+    cells: Cells,
+    steepness: Steepness,
+    front: Front,
+}
+
+/// How many entries of its queue the front moves on by in a step.
+const ENTRIES_A_STEP: usize = 40_000;
+
+impl LowStandRelief {
+    /// The usual hillsides of a recipe on the land of its low stand.
+    pub fn new(recipe: &Recipe, land: &Arc<Land>) -> Result<Self, Refused> {
+        let settings = ReliefSettings::new(recipe, None, 1).with_usual_slopes();
+        let cells = Cells::of_corners(land.coast_distance())?;
+        let steepness = Steepness::of_hillsides(&settings, &cells)?;
+        Ok(Self { land: land.clone(), cells, steepness, front: Front::default() })
+    }
+
+    /// Raises the land's ridges. Goes on from a piece of them; returns the next, as long as there are more.
+    pub fn raise_ridges(&mut self, from: usize) -> Option<usize> {
+        self.steepness.raise_ridges(&self.cells, &self.land, from)
+    }
+
+    /// Makes the land at each corner so many times as steep.
+    pub fn steepen(&mut self, times: impl Fn(usize) -> f32) {
+        work::count(self.cells.inland.len());
+        for cell in self.cells.land() {
+            self.steepness.rises[cell] *= times(self.cells.without_rim(cell));
+        }
+    }
+
+    /// Sends the front out from the coast.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn start(&mut self) -> Result<(), Refused> {
+        let Self { cells, steepness, .. } = self;
+        self.front = Front::new(cells, &steepness.rises, TILE)?;
+        self.front.add_coast(cells, &steepness.rises);
+        Ok(())
+    }
+
+    /// Moves the front on. Returns `true` if there is more to do.
+    pub fn advance(&mut self) -> bool {
+        self.front.advance(ENTRIES_A_STEP, NonZero::<usize>::MIN)
+    }
+
+    /// The height of each corner above the low stand, in units; of the sea, its distance from the coast, negative.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn heights(&self) -> Result<Vec<f32>, Refused> {
+        let mut heights = Vec::new();
+        lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
+        self.front.write(&mut heights);
+        let Cells { columns, rows, .. } = self.cells;
+        let inside = (1..rows - 1).flat_map(|row| row * columns + 1..(row + 1) * columns - 1);
+        // Land that no water can leave stays above any sea.
+        const HIGH: f32 = 1e4;
+        let height = |cell: usize| match self.cells.is_land(cell) {
+            true => heights[cell].min(HIGH),
+            false => self.cells.inland[cell],
+        };
+        Ok(inside.map(height).collect())
+    }
+}

@@ -1,0 +1,102 @@
+//! The coasts of a session: those that its tree is planted on, and those that the rising sea leaves.
+
+use std::sync::Arc;
+
+use crate::base::memory::Refused;
+use crate::drown::{Drowned, Drowning};
+use crate::land::{CoastDistance, Land, LowStand};
+use crate::recipe::Recipe;
+use crate::relief::ReliefError;
+use crate::tree::Tree;
+
+/// The lands of a session.
+#[derive(Clone, Debug)]
+pub(super) struct Coasts {
+    /// What the tree grows on; `None` if all of the domain is land.
+    planted: Option<Arc<Land>>,
+    /// `true` if the land was given instead of being shaped by the recipe.
+    pub are_given: bool,
+    /// What the sea rises from once the tree has grown; `None` if it does not.
+    low_stand: Option<Arc<LowStand>>,
+    rising: Option<Box<Drowning>>,
+    drowned: Option<Risen>,
+}
+
+/// The coasts after the sea has risen.
+#[derive(Clone, Debug)]
+struct Risen {
+    drowned: Drowned,
+    from: Arc<CoastDistance>,
+}
+
+impl Coasts {
+    /// Shapes the coasts of a recipe.
+    pub fn of(recipe: &Recipe) -> Self {
+        let low_stand = LowStand::of(recipe, CoastDistance::SPACING).map(Arc::new);
+        let planted = low_stand.as_ref().map(|low_stand| low_stand.land.clone()).or_else(|| Land::of(recipe));
+        Self { planted, are_given: false, low_stand, rising: None, drowned: None }
+    }
+
+    /// Takes a land as it is.
+    pub fn given(land: Arc<Land>) -> Self {
+        Self { planted: Some(land), are_given: true, low_stand: None, rising: None, drowned: None }
+    }
+
+    /// The same coasts before the sea has risen, for a recipe that differs in its growth at most.
+    pub fn before_growth(&self, recipe: &Recipe) -> Self {
+        if self.are_given || self.low_stand.is_some() == LowStand::is_wanted(recipe) {
+            return Self { rising: None, drowned: None, ..self.clone() };
+        }
+        Self::of(recipe)
+    }
+
+    /// The land that the tree is planted on; `None` if all of the domain is land.
+    pub fn planted(&self) -> Option<&Arc<Land>> {
+        self.planted.as_ref()
+    }
+
+    /// The land at present.
+    pub fn land(&self) -> Option<&Arc<Land>> {
+        self.drowned.as_ref().map(|risen| &risen.drowned.land).or(self.planted.as_ref())
+    }
+
+    /// The distances from the coast of the low stand; `None` if the sea has not risen.
+    pub fn low_stand(&self) -> Option<&Arc<CoastDistance>> {
+        self.drowned.as_ref().map(|risen| &risen.from)
+    }
+
+    /// What the sea has left after it has risen, and the land that it rose over.
+    pub fn drowned(&self) -> Option<(&Drowned, &Land)> {
+        Some((&self.drowned.as_ref()?.drowned, self.planted.as_deref()?))
+    }
+
+    /// Returns `true` if the sea is still to rise.
+    pub fn are_to_drown(&self) -> bool {
+        self.low_stand.is_some() && self.drowned.is_none()
+    }
+
+    /// Makes a step of the sea's rise over a grown tree. Returns what it has left, once that is known, for
+    /// [`Coasts::drown`].
+    pub fn rise(&mut self, recipe: &Recipe, tree: &Tree) -> Result<Option<Drowned>, ReliefError> {
+        let Some(low_stand) = &self.low_stand else { return Ok(None) };
+        let rising = self.rising.get_or_insert_with(|| Drowning::new(recipe, low_stand.clone()).into());
+        rising.step(tree).map_err(|Refused| ReliefError::OutOfMemory { megabytes: Drowning::MEGABYTES })
+    }
+
+    /// Takes over what the sea has left.
+    pub fn drown(&mut self, drowned: Drowned) {
+        let from = self.low_stand.as_ref().map(|low_stand| Arc::new(low_stand.land.coast_distance().clone()));
+        (self.drowned, self.rising) = (from.map(|from| Risen { drowned, from }), None);
+    }
+
+    /// The progress of the rise, from 0 to 1.
+    pub fn progress(&self) -> f32 {
+        self.rising.as_ref().map_or(0.0, |rising| rising.progress())
+    }
+
+    /// The approximate memory of a copy, in bytes. Lands are shared.
+    pub fn bytes(&self) -> usize {
+        const OF_RISE: usize = Drowning::MEGABYTES as usize * 1_000_000;
+        if self.rising.is_some() { OF_RISE } else { 0 }
+    }
+}
