@@ -123,7 +123,7 @@ const USUAL: Country = Country {
     aspect: "1.6",
     land: "island",
     sea: "0",
-    drowning: "0",
+    drowning: "0.24",
     roughness: "1",
     sides: "s",
     growth: "drainage",
@@ -243,6 +243,7 @@ pub static COUNTRIES: &[Preset] = &[
         values: &Country {
             aspect: "2",
             land: "valley",
+            drowning: "0",
             roughness: "0.5",
             attractors: "5000",
             // Loops grow of even bends.
@@ -274,6 +275,7 @@ pub static COUNTRIES: &[Preset] = &[
         help: "Few rivers, far apart, that join at narrow angles.",
         values: &Country {
             land: "continent",
+            drowning: "0.1",
             roughness: "0.8",
             attractors: "12000",
             fall: "0.8",
@@ -307,7 +309,7 @@ pub static COUNTRIES: &[Preset] = &[
         name: "skerries",
         label: "Skerries",
         help: "More sea than land: islets and rocks with short streams.",
-        values: &Country { land: "archipelago", sea: "0.8", width: "10", rounds: "12", ..USUAL }.values(),
+        values: &Country { land: "archipelago", sea: "0.8", drowning: "0.6", width: "10", rounds: "12", ..USUAL }.values(),
         style: None,
     },
     Preset {
@@ -317,6 +319,7 @@ pub static COUNTRIES: &[Preset] = &[
         values: &Country {
             aspect: "1.2",
             sea: "0.5",
+            drowning: "0",
             roughness: "0.6",
             pattern: "radial",
             channel_area: "5",

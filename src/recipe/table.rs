@@ -95,7 +95,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.0, 1.0, 0.02, 0.0),
+            kind: number(0.0, 1.0, 0.02, 0.24),
         },
         Parameter {
             key: Key::Roughness,
