@@ -52,7 +52,7 @@ pub struct Map {
 const PIXELS_A_CELL: u32 = 2;
 
 /// The cell size, as a share of that of the map's own relief, from which another one is worth solving.
-const FINER: f32 = 0.75;
+const FINER: f32 = 0.5;
 
 /// The settings of the relief on some land, with the low stand before it if the sea has risen, and of the rivers that
 /// trimming makes of a tree.

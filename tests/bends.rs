@@ -24,7 +24,10 @@ const ROUNDS: [u32; 3] = [18, 100, 400];
 
 /// The map of a recipe, in country that is bent evenly and little: what winds there does so by meandering.
 fn finished(recipe: &str) -> Map {
-    Session::new(link::read(&format!("{recipe}&bending=1&bending-variation=0")).unwrap()).unwrap().finish().unwrap()
+    Session::new(link::read(&format!("{recipe}&bending=1&bending-variation=0&drowning=0")).unwrap())
+        .unwrap()
+        .finish()
+        .unwrap()
 }
 
 /// The courses of the great rivers.

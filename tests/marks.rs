@@ -264,8 +264,9 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
     for (land, cartouche) in
         [("island", "none"), ("continent", "framed"), ("archipelago", "plain"), ("rectangle", "none")]
     {
-        let link =
-            format!("land={land}&sea=0.7&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}");
+        let link = format!(
+            "land={land}&sea=0.7&drowning=0&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}"
+        );
         let session = finished_link(&link);
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1440.0);

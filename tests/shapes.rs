@@ -1,8 +1,8 @@
 //! The shapes of land against those of nature.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use riverseed::Land;
 use riverseed::recipe::link;
+use riverseed::{Land, Session};
 
 use crate::common::shape::{Measures, Raster, rank_slope};
 use crate::common::tier::{Tier, one_in, pairs, tiers};
@@ -12,6 +12,13 @@ const COLUMNS: usize = 1300;
 
 fn raster(link: &str) -> Raster {
     Raster::of(&Land::of(&link::read(link).unwrap()).unwrap(), COLUMNS)
+}
+
+/// The land of a finished map, after the sea has risen.
+fn drowned(link: &str) -> Raster {
+    let mut session = Session::new(link::read(link).unwrap()).unwrap();
+    session.finish().unwrap();
+    Raster::of(session.land().unwrap(), COLUMNS)
 }
 
 /// The least, the median and the greatest of some measures.
@@ -27,7 +34,7 @@ fn spread(name: &str, values: impl Iterator<Item = f32>) -> [f32; 3] {
 /// GSHHS shorelines.
 fn islands_are_shaped_like_those_of_nature() {
     let measures: Vec<Measures> = one_in(3, 0..36)
-        .map(|seed| raster(&format!("land=island&seed=shape{seed}")).main_island().measures())
+        .map(|seed| drowned(&format!("land=island&seed=shape{seed}")).main_island().measures())
         .collect();
     let [narrowest, boxed, fullest] = spread("box", measures.iter().map(|island| island.boxed));
     let [_, coast, _] = spread("coast", measures.iter().map(|island| island.coast));
@@ -38,7 +45,7 @@ fn islands_are_shaped_like_those_of_nature() {
     assert!(fullest - narrowest > least_spread, "all islands are alike: {narrowest} to {fullest}");
     assert!((2.2..3.2).contains(&coast), "coast {coast}");
     assert!((0.09..0.2).contains(&peninsulas), "peninsulas {peninsulas}");
-    assert!((0.03..0.1).contains(&bays), "bays {bays}");
+    assert!((0.03..0.15).contains(&bays), "bays {bays}");
 }
 
 /// Korčak's law: the sizes of islands fall with a power of their rank.

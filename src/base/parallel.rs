@@ -1,4 +1,5 @@
-//! Work on several threads whose result does not depend on their number.
+//! Work on several threads whose result does not depend on their number. Wasm has one: there all code for threads is
+//! left out, which would weigh twenty kilobytes.
 
 use std::num::NonZero;
 
@@ -11,19 +12,36 @@ pub(crate) fn for_each_row<T: Send>(
     work: impl Fn(usize, &mut [T]) + Sync,
 ) {
     let row_length = row_length.max(1);
-    let rows_a_thread = (items.len() / row_length).div_ceil(threads.get()).max(1);
-    let run = |first: usize, part: &mut [T]| {
-        part.chunks_mut(row_length).zip(first..).for_each(|(items, row)| work(row, items));
-    };
-    if threads.get() == 1 {
-        return run(0, items);
-    }
-    std::thread::scope(|scope| {
-        for (part, items) in items.chunks_mut(rows_a_thread * row_length).enumerate() {
-            let run = &run;
-            scope.spawn(move || run(part * rows_a_thread, items));
-        }
+    let rows_a_part = (items.len() / row_length).div_ceil(threads.get()).max(1);
+    let parts = items.chunks_mut(rows_a_part * row_length).enumerate();
+    for_each(parts, threads, |(part, items)| {
+        let rows = items.chunks_mut(row_length).zip(part * rows_a_part..);
+        rows.for_each(|(items, row)| work(row, items));
     });
+}
+
+/// Calls a function for each of some items, on whichever thread comes first.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn for_each<T: Send>(
+    items: impl Iterator<Item = T> + Send,
+    threads: NonZero<usize>,
+    work: impl Fn(T) + Sync,
+) {
+    if threads.get() == 1 {
+        return items.for_each(work);
+    }
+    let next = std::sync::Mutex::new(items);
+    let run = || {
+        while let Some(item) = next.lock().ok().and_then(|mut items| items.next()) {
+            work(item);
+        }
+    };
+    std::thread::scope(|scope| (0..threads.get()).for_each(|_| drop(scope.spawn(run))));
+}
+
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn for_each<T>(items: impl Iterator<Item = T>, _: NonZero<usize>, work: impl Fn(T)) {
+    items.for_each(work);
 }
 
 #[cfg(test)]

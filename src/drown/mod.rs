@@ -180,7 +180,7 @@ impl Drowning {
 }
 
 /// The hardness at which waves begin to move ground, and at which it is as soft as any.
-const SOFT: (f32, f32) = (0.0, -0.9);
+const SOFT: (f32, f32) = (-0.5, -1.3);
 
 /// The steepness of hard and soft ground as a share of the usual.
 fn of_rock(hardness: f32) -> f32 {

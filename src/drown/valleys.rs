@@ -18,7 +18,7 @@ pub(crate) struct Valleys {
 const AREA: f32 = 16.0;
 
 /// How steep a valley is of that area, and how steep ground is without one, as shares of a hillside.
-const VALLEY: f32 = 0.5;
+const VALLEY: f32 = 0.4;
 const FLANK: f32 = 1.15;
 
 impl Valleys {

@@ -309,7 +309,8 @@ pub static COUNTRIES: &[Preset] = &[
         name: "skerries",
         label: "Skerries",
         help: "More sea than land: islets and rocks with short streams.",
-        values: &Country { land: "archipelago", sea: "0.8", drowning: "0.6", width: "10", rounds: "12", ..USUAL }.values(),
+        values: &Country { land: "archipelago", sea: "0.8", drowning: "0.6", width: "10", rounds: "12", ..USUAL }
+            .values(),
         style: None,
     },
     Preset {

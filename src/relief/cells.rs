@@ -169,6 +169,21 @@ impl Cells {
         (row != other / self.columns && column != one % self.columns).then_some(row * self.columns + column)
     }
 
+    /// The nearest cell of the sea within a few cells; of several the first, row by row. `None` if there is none.
+    pub fn sea_near(&self, cell: usize) -> Option<usize> {
+        const FAR: isize = 4;
+        let (row, column) = ((cell / self.columns) as isize, (cell % self.columns) as isize);
+        let is_inside = |row: isize, column: isize| {
+            row >= 0 && column >= 0 && row < self.rows as isize && column < self.columns as isize
+        };
+        let near = (-FAR..=FAR).flat_map(|down| (-FAR..=FAR).map(move |along| (down, along)));
+        let sea = near.filter(|&(down, along)| is_inside(row + down, column + along)).filter_map(|(down, along)| {
+            let other = ((row + down) as usize) * self.columns + (column + along) as usize;
+            self.is_sea(other).then_some((down * down + along * along, other))
+        });
+        sea.min().map(|(_, sea)| sea)
+    }
+
     /// All cells of the map that are land, row by row.
     pub fn land(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))

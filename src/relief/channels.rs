@@ -5,7 +5,6 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::cells::Cells;
-use super::front::Front;
 use crate::base::geometry::{distance, fast_min};
 use crate::base::memory::{Refused, lengthen, reserve};
 use crate::base::work;
@@ -117,9 +116,10 @@ impl Channels {
         }
     }
 
-    /// Lowers cells of rivers to the lowest of their banks, by the heights of all cells so far. A bank that touches the
-    /// river's next cell does not count: water that runs over it comes back. Returns the sum of all that, in units.
-    pub fn lower_to_banks(&self, cells: &Cells, heights: &[f32], front: &mut Front) -> f32 {
+    /// Calls a function with each cell of a river that stands above a bank, and the height of the lowest, by the heights
+    /// of all cells so far. A bank that touches the river's next cell does not count: water that runs over it comes back.
+    /// Returns the sum of the differences, in units.
+    pub fn find_dams(&self, cells: &Cells, heights: &[f32], mut lower: impl FnMut(usize, f32)) -> f32 {
         work::count(9 * self.steps.len());
         let mut rivers: Vec<u32> = self.steps.iter().map(|step| step.0).collect();
         rivers.sort_unstable();
@@ -135,7 +135,7 @@ impl Channels {
             let lowest = banks.fold(heights[cell], fast_min);
             if lowest < heights[cell] && cells.is_land(cell) {
                 lowered += heights[cell] - lowest;
-                front.lower(cell, lowest);
+                lower(cell, lowest);
             }
         }
         lowered
@@ -213,11 +213,16 @@ impl Walk<'_> {
             let cell = cell as usize;
             let around = cells.around(cell);
             work::count(around.len());
-            let is_there = !cells.is_land(cell) || around.into_iter().any(|beside| cells.is_sea(beside));
+            if !cells.is_land(cell) || around.into_iter().any(|beside| cells.is_sea(beside)) {
+                break;
+            }
             let nearer = around.into_iter().min_by(|&a, &b| cells.inland[a].total_cmp(&cells.inland[b]));
-            match nearer.filter(|&next| !is_there && cells.is_land(next) && cells.inland[next] < cells.inland[cell]) {
+            match nearer.filter(|&next| cells.is_land(next) && cells.inland[next] < cells.inland[cell]) {
                 Some(next) => self.enter(next, height)?,
-                None => break,
+                None => {
+                    let sea = cells.sea_near(cell).map(|sea| (cells.point(sea), height));
+                    return sea.map_or(Ok(()), |sea| self.straight((cells.point(cell), height), sea));
+                }
             }
         }
         Ok(())

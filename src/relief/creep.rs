@@ -104,12 +104,22 @@ mod tests {
     /// A few cells with a rim, of few different heights, some of them nearly equal, some without any.
     fn cells() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<bool>)> {
         (4usize..12, 4usize..12).prop_flat_map(|(columns, rows)| {
-            let height = prop_oneof![4 => 0.01f32..9.0, 2 => Just(1.0), 2 => Just(1f32.next_up()), 1 => Just(f32::INFINITY)];
+            let height =
+                prop_oneof![4 => 0.01f32..9.0, 2 => Just(1.0), 2 => Just(1f32.next_up()), 1 => Just(f32::INFINITY)];
             let heights = prop::collection::vec(height, columns * rows);
             (heights, prop::collection::vec(prop::bool::weighted(0.2), columns * rows)).prop_map(
                 move |(mut heights, is_fixed)| {
-                    let cells = Cells { columns, rows, size: 2.0, inland: vec![1.0; columns * rows] };
-                    (0..columns * rows).filter(|&cell| cells.is_rim(cell)).for_each(|cell| heights[cell] = f32::INFINITY);
+                    let cells = Cells {
+                        columns,
+                        rows,
+                        size: 2.0,
+                        middle: 0.5,
+                        inland: vec![1.0; columns * rows],
+                        ..Cells::default()
+                    };
+                    (0..columns * rows)
+                        .filter(|&cell| cells.is_rim(cell))
+                        .for_each(|cell| heights[cell] = f32::INFINITY);
                     (cells, heights, is_fixed)
                 },
             )
@@ -136,8 +146,9 @@ mod tests {
 
     #[test]
     fn a_ridge_becomes_round_and_a_slope_stays() {
-        let cells = Cells { columns: 9, rows: 9, size: 2.0, inland: vec![1.0; 81] };
-        let height = |cell: usize| if cells.is_rim(cell) { f32::INFINITY } else { 5.0 - (4.0 - (cell % 9) as f32).abs() };
+        let cells = Cells { columns: 9, rows: 9, size: 2.0, middle: 0.5, inland: vec![1.0; 81], ..Cells::default() };
+        let height =
+            |cell: usize| if cells.is_rim(cell) { f32::INFINITY } else { 5.0 - (4.0 - (cell % 9) as f32).abs() };
         let mut creep = Creep::new((0..81).map(height).collect()).unwrap();
         creep.advance(&cells, &[false; 81], NonZero::<usize>::MIN);
         let row = &creep.heights[36..45];

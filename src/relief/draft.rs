@@ -92,8 +92,7 @@ mod tests {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();
         session.finish().unwrap();
         let relief = session.map().unwrap().make_relief().unwrap();
-        let drafts =
-            ReliefDrafts::new(&relief, session.map().unwrap().relief_settings()).unwrap();
+        let drafts = ReliefDrafts::new(&relief, session.map().unwrap().relief_settings()).unwrap();
         (session, drafts)
     }
 
@@ -142,9 +141,7 @@ mod tests {
     fn there_is_no_draft_without_memory() {
         let (session, drafts) = drafts_of("attractors=300");
         let relief = session.map().unwrap().make_relief().unwrap();
-        let made = || {
-            ReliefDrafts::new(&relief, session.map().unwrap().relief_settings()).map(drop)
-        };
+        let made = || ReliefDrafts::new(&relief, session.map().unwrap().relief_settings()).map(drop);
         let refused = with_lists_up_to(1000, || (made().is_err(), drafts.draft(2.0, 100.0).is_err()));
         assert_eq!(refused, (true, true));
     }

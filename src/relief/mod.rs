@@ -1,13 +1,13 @@
 //! Relief: the height field that belongs to a finished network.
 //!
-//! Height is the cost of walking up from the sea, where hillsides are steep and rivers are stairs that cost little: the eikonal
-//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its
-//! height from a lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases
-//! divides.
+//! Height is the cost of walking up from the sea, where hillsides are steep and rivers cost little: the eikonal equation
+//! |∇h| = s(x) with the coast and the rivers as sources (Sethian 1996), and no river higher than upstream. Each cell takes
+//! its height from a lower neighbour, so there is no pit.
 //!
 //! ```text
-//! network ─► heights along rivers ─► rivers on cells ─► march ⇄ lower what stands too high ─► march from the final rivers
-//! land ────► steepness ───────────────────────────────────┘
+//! land ────► steepness ─┬─► profiles ─► rivers on cells ─┐
+//! network ──────────────┘                                ├─► front ─► rivers fall ─► creep
+//! trimmed tree ─► rills ─► steepness, carved ────────────┘
 //! ```
 
 mod cells;

