@@ -85,7 +85,6 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["relief"] => relief::relief(),
         ["map", look] => pictures::pictured_at(link::read(look).ok()?, 1024, 640),
         ["grid", cells, threads] => relief::grid(cells.parse().ok()?, threads.parse().ok()?),
-        ["grid-wall", cells, threads] => relief::grid_wall(cells.parse().ok()?, threads.parse().ok()?),
         ["restyle", land, style] => relief::repaint(land, &relief::restyled(style), true),
         ["restyle-less-painting", land, style] => relief::repaint(land, &relief::restyled(style), false),
         ["reshade", land] => relief::repaint(land, &["style=atlas", "style=atlas&shade=1"].map(String::from), true),

@@ -303,8 +303,8 @@ fn streaks(relief: &Relief) -> f64 {
     let is_land = |left: usize, top: usize| {
         (top..top + SIDE + 2).all(|row| heights[row * columns + left..][..SIDE + 2].iter().all(|height| *height > 0.0))
     };
-    let turn = |i: usize| (std::f64::consts::TAU * (i % SIDE) as f64 / SIDE as f64).sin_cos();
-    let window = |i: usize| 0.5 - 0.5 * (std::f64::consts::TAU * (i as f64 + 0.5) / SIDE as f64).cos();
+    let turn = |i: usize| libm::sincos(std::f64::consts::TAU * (i % SIDE) as f64 / SIDE as f64);
+    let window = |i: usize| 0.5 - 0.5 * libm::cos(std::f64::consts::TAU * (i as f64 + 0.5) / SIDE as f64);
     let (mut axes, mut diagonals) = (0.0, 0.0);
     for top in (0..rows.saturating_sub(SIDE + 2)).step_by(SIDE / 2) {
         for left in (0..columns.saturating_sub(SIDE + 2)).step_by(SIDE / 2) {
@@ -330,8 +330,8 @@ fn streaks(relief: &Relief) -> f64 {
                 for down in 0..SIDE {
                     let signed = |i: usize| if i > SIDE / 2 { i as f64 - SIDE as f64 } else { i as f64 };
                     let (x, y) = (signed(across), signed(down));
-                    let angle = y.atan2(x).to_degrees().rem_euclid(90.0);
-                    if !(8.0..=30.0).contains(&x.hypot(y)) {
+                    let angle = libm::atan2(y, x).to_degrees().rem_euclid(90.0);
+                    if !(8.0..=30.0).contains(&libm::hypot(x, y)) {
                         continue;
                     }
                     let sum = along.iter().enumerate().fold((0.0, 0.0), |sum, (row, value)| {

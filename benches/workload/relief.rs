@@ -1,7 +1,6 @@
 //! The relief of finished rivers, and changes of style afterwards.
 
 use std::num::NonZero;
-use std::time::Instant;
 
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
@@ -35,16 +34,6 @@ pub fn grid(cells: u32, threads: NonZero<usize>) -> Option<Repetition> {
         (settings.grid, settings.threads) = (grid, threads);
         let Ok(finer) = own.on_grid_of(map.network(), settings) else { return 0 };
         finer.heights()[finer.heights().len() / 2].to_bits()
-    }))
-}
-
-/// Returns how long the same takes by the clock, in milliseconds.
-pub fn grid_wall(cells: u32, threads: NonZero<usize>) -> Option<Repetition> {
-    let mut repetition = grid(cells, threads)?;
-    Some(Box::new(move || {
-        let begun = Instant::now();
-        repetition();
-        begun.elapsed().as_millis() as u32
     }))
 }
 

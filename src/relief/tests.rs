@@ -8,9 +8,12 @@ use super::channels::Channels;
 use super::front::Front;
 use crate::property::cases;
 
+/// Cells with the heights of rivers in them, river by river.
+type Rivers = Vec<Vec<(usize, f32)>>;
+
 /// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height that wander from
 /// cell to cell.
-fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<Vec<(usize, f32)>>)> {
+fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Rivers)> {
     (4usize..14, 4usize..14).prop_flat_map(|(columns, rows)| {
         let count = columns * rows;
         let is_rim = move |i: usize| {
@@ -41,7 +44,7 @@ fn wander(cells: &Cells, start: usize, height: f32, steps: &[(usize, f32)]) -> V
 }
 
 /// A front on tiles with a side of so many cells.
-fn front(cells: &Cells, rises: &[f32], rivers: &[Vec<(usize, f32)>], side: usize) -> Front {
+fn front(cells: &Cells, rises: &[f32], rivers: &Rivers, side: usize) -> Front {
     let mut front = Front::new(cells, rises, side).unwrap();
     front.add_coast(cells, rises);
     front.add_rivers(cells, &Channels::of_paths(rivers));
@@ -63,7 +66,7 @@ fn upwind([west, east, north, south]: [f32; 4], rise: f32) -> f32 {
 }
 
 /// The same, where every cell is solved again, and every river falls again, until nothing changes.
-fn relaxed(cells: &Cells, rises: &[f32], rivers: &[Vec<(usize, f32)>]) -> Vec<f32> {
+fn relaxed(cells: &Cells, rises: &[f32], rivers: &Rivers) -> Vec<f32> {
     let mut height = vec![f32::INFINITY; cells.inland.len()];
     let coast = |cell: usize| cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside));
     for cell in cells.land().filter(|&cell| coast(cell)) {
