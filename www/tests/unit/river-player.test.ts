@@ -113,13 +113,13 @@ test("the core reads each link of a moving slider once, and goes over to what it
   const river = one.river as engine.River;
   const [draft, paintDraft] = [vi.spyOn(river, "draft"), vi.spyOn(river, "paintDraft")];
   const [adoptDraft, change] = [vi.spyOn(river, "adoptDraft"), vi.spyOn(river, "change")];
-  one.show({ text: `${link}&mountains=2` }, "settle");
+  one.show({ text: `${link}&mountains=3` }, "settle");
   expect([draft, adoptDraft, change].map(({ mock }) => mock.calls.length)).toEqual([1, 0, 0]);
   frames(display);
   expect(paintDraft.mock.calls.length).toBeGreaterThan(2);
   expect([draft, adoptDraft, change].map(({ mock }) => mock.calls.length)).toEqual([1, 1, 0]);
-  expect([one.state, one.link.includes("mountains=2")]).toEqual(["finished", true]);
-  const [fresh, other] = player(`${link}&mountains=2`);
+  expect([one.state, one.link.includes("mountains=3")]).toEqual(["finished", true]);
+  const [fresh, other] = player(`${link}&mountains=3`);
   fresh.start("still");
   frames(other);
   expect(Buffer.compare(shown(one), shown(fresh))).toBe(0);
@@ -135,7 +135,7 @@ async function rest(display: Display): Promise<void> {
 
 test("wherever a hand goes, and whatever comes between, the map at rest is that of its link", async () => {
   const base = "seed=kea&land=island&attractors=300&style=atlas&labels=some";
-  const wanted = ["&sea=0.6", "&sea=0.65", "&mountains=2", "&roughness=0.3", "&width=25", "&simplify=40", "", "", ""];
+  const wanted = ["&sea=0.6", "&sea=0.65", "&mountains=3", "&roughness=0.3", "&width=25", "&simplify=40", "", "", ""];
   // Any other small numbers would do as well.
   let state = 12345;
   const below = (count: number): number => {
