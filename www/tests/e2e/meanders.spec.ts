@@ -40,7 +40,11 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   const { width, height, sha256, framing } = await shown(page);
   expect(sha256).toBe(pictureOf(LINK, width, height, framing).sha256);
   expect(sha256).not.toBe(second);
-  expect((await phases()).filter((phase) => phase !== "shaping" && phase !== "drowning")).toEqual(["growing", "meandering", "finished"]);
+  expect((await phases()).filter((phase) => phase !== "shaping" && phase !== "drowning")).toEqual([
+    "growing",
+    "meandering",
+    "finished",
+  ]);
 });
 
 test("replay grows and meanders again", async ({ page }) => {
