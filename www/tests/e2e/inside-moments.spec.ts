@@ -168,6 +168,7 @@ test("what a way of growing does not have cannot be asked for", async ({ page })
 test("masks are water and ridges; curvature is there when the map is finished", async ({ page }) => {
   await openFinished(page, DRAINED.replace("island", "valley"));
   const river = new engine.River(DRAINED.replace("island", "valley"));
+  while (river.advance(1000));
   await page.keyboard.press("m");
   await expect.poll(async () => (await laid(page, 1))?.endsWith(ringsOf(river.coasts()))).toBe(true);
   expect(await laid(page, 2)).toBe(linesOf(river.ridges()));
