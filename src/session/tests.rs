@@ -387,7 +387,7 @@ fn drafts_of_drowned_coasts_are_near_the_lands_that_come() {
             let exact = finished(&format!("{text}&{more}")).land().cloned().unwrap();
             let plain = Land::draft_of(&wanted).unwrap();
             let (off, plain) = (difference(&draft, &exact), difference(&plain, &exact));
-            assert!(off < most && off < 1.2 * plain, "{land} {more}: {off}, without drowning {plain}");
+            assert!(off < most && off < 1.25 * plain, "{land} {more}: {off}, without drowning {plain}");
         }
     }
 }
