@@ -72,9 +72,12 @@ fn arcs(draws: &mut Draws, size: Vec2) -> Vec<Curve> {
 /// Moves curves to the middle of a rectangle; too large ones shrink to its inner part.
 fn fitted(curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
     let border = 0.1 * size.min_element();
-    let points = || curves.iter().flat_map(|curve| (0..=8).map(|i| curve.at(i as f32 / 8.0)));
-    let low = points().fold(Vec2::INFINITY, Vec2::min);
-    let high = points().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    for curve in &curves {
+        for at in (0..=8).map(|i| curve.at(i as f32 / 8.0)) {
+            (low, high) = (low.min(at), high.max(at));
+        }
+    }
     let shrunk = ((size - 2.0 * border) / (high - low).max(Vec2::ONE)).min(Vec2::ONE);
     let place = |at: Vec2| (at - (low + high) / 2.0) * shrunk + size / 2.0;
     curves.iter().map(|curve| Curve(curve.0.map(place))).collect()
@@ -107,7 +110,7 @@ fn summit(draws: &mut Draws, [from, to]: [Vec2; 2], width: f32, lean: f32) -> Sp
     // A half width counts beyond the ends, too.
     let inner = half * (1.0 - 0.5 * end * width / length(half).max(width)).max(0.1);
     let curve = Curve::bent(middle - inner, middle + inner, [bend, bend]);
-    curve.spine(6, |t| 1.15 * width * swelling(t, swollen, end))
+    curve.spine(6, &|t| 1.15 * width * swelling(t, swollen, end))
 }
 
 /// A small island beside an arc; `None` if there is no room at the place.
@@ -120,5 +123,5 @@ fn stray(draws: &mut Draws, arcs: &[Curve], spines: &[Spine], size: Vec2) -> Opt
     let half = turned(way, draws.either(0.0, 0.7)) * (width * draws.between(0.4, 2.2));
     let highest = spines.iter().map(|spine| spine.height(at)).fold(f32::NEG_INFINITY, f32::max);
     let has_room = highest < -1.6 * width - 10.0;
-    has_room.then(|| Curve::bent(at - half, at + half, [0.1, 0.1]).spine(3, |t| width * swelling(t, 0.5, 0.5)))
+    has_room.then(|| Curve::bent(at - half, at + half, [0.1, 0.1]).spine(3, &|t| width * swelling(t, 0.5, 0.5)))
 }
