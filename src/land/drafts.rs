@@ -2,7 +2,7 @@
 //!
 //! The ranges are those of 25 real islands, from Madagascar to Skye, by the same measures on GSHHS shorelines.
 
-use glam::Vec2;
+use glam::{Vec2, Vec2Swizzles};
 
 use super::cell::Cell;
 use super::regions::{Region, regions};
@@ -32,7 +32,7 @@ fn extent(domain: &Domain) -> [usize; 2] {
 pub(super) fn best(domain: &Domain, sea: f32, wanted: &Wanted, heights: impl Fn(u32) -> Vec<f32>) -> u32 {
     let mut best = (f32::INFINITY, 0);
     for number in 0..MOST {
-        let fault = Look::of(domain, sea, &heights(number)).fault(wanted);
+        let fault = Look::of(domain, sea, &heights(number), wanted.counted).fault(wanted);
         if fault < best.0 {
             best = (fault, number);
         }
@@ -51,8 +51,8 @@ struct Look {
     coast: f32,
     /// Its share of all land.
     share: f32,
-    /// The sizes of islands, in cells, the largest first.
-    sizes: Vec<u32>,
+    /// The number of islands that are large enough to count.
+    count: f32,
     /// The distance from the nearest side of the domain, in units.
     gap: f32,
     /// The greatest share of its width, or of its height, along which its coast runs beside that of the smallest upright
@@ -61,44 +61,44 @@ struct Look {
 }
 
 impl Look {
-    fn of(domain: &Domain, sea: f32, heights: &[f32]) -> Self {
+    /// Measures the land above the sea, which covers a share of the domain. Islands count from so many cells on.
+    fn of(domain: &Domain, sea: f32, heights: &[f32], counted: u32) -> Self {
         let [columns, rows] = extent(domain);
         let level = sort::quantile(heights, sea);
         let cells: Vec<Cell> = heights.iter().map(|&h| if h > level { Cell::Land } else { Cell::Water }).collect();
         let land = cells.iter().filter(|&&cell| cell == Cell::Land).count();
         let regions = regions(&cells, Cell::Land, columns);
-        let sizes = regions.iter().map(|region| region.cells).collect();
-        let main = regions.into_iter().next().unwrap_or_default();
-        let ends = ends(&main, columns, rows);
-        let count = main.cells as f32;
+        let none = Region::default();
+        let main = regions.first().unwrap_or(&none);
+        let ends = ends(main, columns, rows);
+        let area = main.cells as f32;
         let [low, high] = bounds(&ends, Vec2::X);
         let far = Vec2::new(columns as f32, rows as f32) - high;
         Self {
-            boxed: count / smallest_box(&ends),
-            coast: rim(&main, columns, rows) / (2.0 * (std::f32::consts::PI * count).sqrt()),
-            share: count / (land as f32).max(1.0),
-            sizes,
+            boxed: area / smallest_box(&ends),
+            coast: rim(main, columns, rows) / (2.0 * (std::f32::consts::PI * area).sqrt()),
+            share: area / (land as f32).max(1.0),
+            count: regions.iter().filter(|region| region.cells >= counted).count() as f32,
             gap: low.min_element().min(far.min_element()) * SPACING,
             straight: straight(&ends, low, high),
         }
     }
 
-    /// The number of islands of at least so many cells.
-    fn count(&self, counted: u32) -> f32 {
-        self.sizes.iter().filter(|&&size| size >= counted).count() as f32
-    }
-
     /// The sum of the ways in which the measures are out of the ranges that are wanted; 0 if none is.
     fn fault(&self, wanted: &Wanted) -> f32 {
-        let beyond =
-            |value: f32, [least, most]: [f32; 2]| (least - value).max(value - most).max(0.0) / (most - least).max(1.0);
         beyond(self.boxed, wanted.boxed)
             + beyond(self.coast, wanted.coast)
             + beyond(self.share, wanted.share)
-            + beyond(self.count(wanted.counted), wanted.count.map(|count| count as f32))
+            + beyond(self.count, wanted.count.map(|count| count as f32))
             + (1.0 - self.gap / 32.0).max(0.0)
             + beyond(self.straight, [0.0, wanted.straight])
     }
+}
+
+/// How far a value is out of a range, as a share of the range's width if that is more than 1; 0 within it.
+#[inline(never)] // each copy weighs sixty bytes
+fn beyond(value: f32, [least, most]: [f32; 2]) -> f32 {
+    (least - value).max(value - most).max(0.0) / (most - least).max(1.0)
 }
 
 /// The ranges of a draft's measures.
@@ -126,11 +126,13 @@ fn ends(region: &Region, columns: usize, rows: usize) -> Vec<Vec2> {
         }
     }
     let mut corners = Vec::new();
-    for (row, ends) in across.iter().enumerate().filter(|(_, ends)| ends[1] > 0) {
-        corners.extend(ends.map(|x| Vec2::new(x as f32, row as f32 + 0.5)));
-    }
-    for (column, ends) in down.iter().enumerate().filter(|(_, ends)| ends[1] > 0) {
-        corners.extend(ends.map(|y| Vec2::new(column as f32 + 0.5, y as f32)));
+    for (lines, are_upright) in [(&across, false), (&down, true)] {
+        for (line, ends) in lines.iter().enumerate().filter(|(_, ends)| ends[1] > 0) {
+            for end in ends {
+                let at = Vec2::new(*end as f32, line as f32 + 0.5);
+                corners.push(if are_upright { at.yx() } else { at });
+            }
+        }
     }
     corners
 }

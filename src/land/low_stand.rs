@@ -41,10 +41,16 @@ impl LowStand {
         let today = shape.coast_distance(spacing)?;
         let drowning = recipe.number(NumberKey::Drowning);
         // The lower the sea, the likelier is a part between ridges without a coast.
-        let mut lands = LOWERINGS.iter().filter_map(|share| land(&shape, &today, low_sea(&shape, drowning * share)));
-        let lowest = lands.next()?;
-        let land = if has_coasts(&lowest) { lowest } else { lands.find(has_coasts).unwrap_or(lowest) };
-        Some(Self { land: land.into(), today, sea: shape.sea })
+        let mut lowest = None;
+        for share in LOWERINGS {
+            let land = land(&shape, &today, low_sea(&shape, drowning * share))?;
+            if has_coasts(&land) {
+                lowest = Some(land);
+                break;
+            }
+            lowest.get_or_insert(land);
+        }
+        Some(Self { land: lowest?.into(), today, sea: shape.sea })
     }
 
     /// Returns `true` if the sea rises in a recipe: over the valleys of drainage, on a shaped coast.
