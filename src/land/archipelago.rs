@@ -76,7 +76,7 @@ fn arcs(draws: &mut Draws, size: Vec2) -> Vec<Curve> {
 }
 
 /// Moves curves to the middle of a rectangle; too large ones shrink to its inner part.
-fn fitted(curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
+fn fitted(mut curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
     let border = 0.1 * size.min_element();
     let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
     for curve in &curves {
@@ -86,7 +86,10 @@ fn fitted(curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
     }
     let shrunk = ((size - 2.0 * border) / (high - low).max(Vec2::ONE)).min(Vec2::ONE);
     let place = |at: Vec2| (at - (low + high) / 2.0) * shrunk + size / 2.0;
-    curves.iter().map(|curve| Curve(curve.0.map(place))).collect()
+    for curve in &mut curves {
+        curve.0 = curve.0.map(place);
+    }
+    curves
 }
 
 /// Adds a row of islands of these areas along an arc. They are as long as leaves straits between them.

@@ -67,6 +67,7 @@ impl CoastDistance {
 
     /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
     /// its area.
+    #[inline(never)] // one copy for all lands
     pub(crate) fn squares_around(&self, domain: &Domain) -> Vec<u32> {
         let mut squares = vec![0; self.heights.len()];
         let is_inside = |&i: &usize| domain.contains(self.corner(i) + self.spacing / 2.0);
@@ -74,6 +75,16 @@ impl CoastDistance {
             [i, i + 1, i + self.columns, i + self.columns + 1].into_iter().for_each(|corner| squares[corner] += 1);
         }
         squares
+    }
+
+    /// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
+    /// such square, so it counts for the area around it.
+    fn heights_of_squares(&self, domain: &Domain) -> Vec<f32> {
+        let mut of_squares = Vec::with_capacity(4 * self.heights.len());
+        for (height, squares) in self.heights.iter().zip(self.squares_around(domain)) {
+            (0..squares).for_each(|_| of_squares.push(*height));
+        }
+        of_squares
     }
 
     /// The distances from the line of height 0, without islets and ponds.
@@ -128,7 +139,7 @@ impl CoastDistance {
         /// The distance between corners of the coarsest lattice, in units.
         const FAR: f32 = 16.0;
         let mut lattice = Self::with_heights(domain, FAR, &|at, _| height(at));
-        let level = sort::quantile(&of_squares(domain, FAR, &lattice.heights, lattice.columns), share);
+        let level = sort::quantile(&lattice.heights_of_squares(domain), share);
         lattice.heights.iter_mut().for_each(|height| *height -= level);
         while lattice.spacing > spacing {
             lattice = Self::with_heights(domain, lattice.spacing / 2.0, &|at, place| {
@@ -175,14 +186,12 @@ impl CoastDistance {
         const ISLET: f32 = 200.0;
         const LEVELLED: f32 = 1.0;
         let (islet, pond) = ((ISLET / (self.spacing * self.spacing)) as u32, self.heights.len() as u32 / 100);
-        for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < islet).flat_map(|land| &land.runs)
-        {
-            self.row(run).fill(-LEVELLED);
-        }
-        for run in
-            self.regions(Cell::Water).iter().skip(1).filter(|water| water.cells < pond).flat_map(|water| &water.runs)
-        {
-            self.row(run).fill(LEVELLED);
+        for (kind, least, level) in [(Cell::Land, islet, -LEVELLED), (Cell::Water, pond, LEVELLED)] {
+            for region in self.regions(kind).iter().skip(1).filter(|region| region.cells < least) {
+                for run in &region.runs {
+                    self.row(run).fill(level);
+                }
+            }
         }
     }
 
@@ -298,17 +307,6 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     let x = x.max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
-}
-
-/// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
-/// such square, so it counts for the area around it.
-fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
-    let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
-    let mut of_squares = Vec::with_capacity(4 * heights.len());
-    for i in (0..heights.len()).filter(is_inside) {
-        of_squares.extend([i, i + 1, i + columns, i + columns + 1].map(|i| heights[i]));
-    }
-    of_squares
 }
 
 /// The nearest piece of coast for each corner. It is known beside the coast and passed on from corner to corner, as in

@@ -55,7 +55,12 @@ fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) 
         spines.push(beside(draws, curve, long));
     }
     let widened = widened(&spines, area * draws.between(0.86, 0.95));
-    (spines.iter().map(|spine| spine.widened(widened)).collect(), curves)
+    for spine in &mut spines {
+        for (_, width) in spine.points_mut() {
+            *width *= widened;
+        }
+    }
+    (spines, curves)
 }
 
 /// The main spine: widest at one place, with waists and swellings.

@@ -22,7 +22,7 @@ pub(super) fn roomier(draws: &mut Draws, size: Vec2) -> Vec2 {
 }
 
 /// Moves spines to a random place of a rectangle where there is room for them; too large ones shrink.
-pub(super) fn placed(draws: &mut Draws, spines: Vec<Spine>, size: Vec2) -> Vec<Spine> {
+pub(super) fn placed(draws: &mut Draws, mut spines: Vec<Spine>, size: Vec2) -> Vec<Spine> {
     let border = 0.06 * size.min_element();
     let stretch = 0.045 * size.min_element();
     let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
@@ -35,6 +35,11 @@ pub(super) fn placed(draws: &mut Draws, spines: Vec<Spine>, size: Vec2) -> Vec<S
     let shrunk = (inner / (high - low).max(Vec2::ONE)).min_element().min(1.0);
     let free = (inner - (high - low) * shrunk).max(Vec2::ZERO);
     let corner = border + free * Vec2::new(draws.middling(), draws.middling());
-    let place = |(at, width): &(Vec2, f32)| ((*at - low) * shrunk + corner, width * shrunk);
-    spines.iter().map(|spine| Spine::new(spine.points().iter().map(place).collect())).collect()
+    for spine in &mut spines {
+        for (at, width) in spine.points_mut() {
+            *at = (*at - low) * shrunk + corner;
+            *width *= shrunk;
+        }
+    }
+    spines
 }

@@ -26,9 +26,9 @@ impl Spine {
         self.0.iter().map(|(_, width)| *width).fold(0.0, f32::max)
     }
 
-    /// The same line with half widths greater by a factor.
-    pub fn widened(&self, factor: f32) -> Self {
-        Self(self.0.iter().map(|(at, width)| (*at, width * factor)).collect())
+    /// The points and half widths, to be changed.
+    pub fn points_mut(&mut self) -> &mut [(Vec2, f32)] {
+        &mut self.0
     }
 
     /// The height of the spine at a point: the half width at the nearest place less the distance from it, in units,
