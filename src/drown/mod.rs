@@ -109,6 +109,7 @@ impl Drowning {
         Ok(drowned)
     }
 
+    #[inline(never)] // one copy for sessions and drafts
     fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Drowned>), Refused> {
         let next = match part {
             Part::Begin => Part::Mark(Marking::new(tree, self.lattice(), self.drainage.spacing)?),

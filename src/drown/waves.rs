@@ -102,7 +102,10 @@ impl Waves {
     /// The heights without the rim, row by row.
     pub fn into_heights(self) -> Vec<f32> {
         let Self { heights, columns, rows, .. } = self;
-        let inside = (1..rows - 1).flat_map(|row| &heights[row * columns + 1..(row + 1) * columns - 1]);
-        inside.copied().collect()
+        let mut inside = Vec::with_capacity((columns - 2) * (rows - 2));
+        for row in 1..rows - 1 {
+            inside.extend_from_slice(&heights[row * columns + 1..(row + 1) * columns - 1]);
+        }
+        inside
     }
 }

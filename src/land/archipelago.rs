@@ -14,9 +14,10 @@ pub(super) fn archipelago(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine
     const FALL: f32 = 0.7;
     let arcs = arcs(draws, size);
     let count = draws.count(12, 17);
-    let shares: Vec<f32> = (1..=count).map(|rank| libm::powf(rank as f32, -FALL)).collect();
-    let whole: f32 = shares.iter().sum();
-    let rows = dealt(draws, &arcs, shares.iter().map(|share| share / whole * area));
+    let mut areas: Vec<f32> = (1..=count).map(|rank| libm::powf(rank as f32, -FALL)).collect();
+    let whole: f32 = areas.iter().sum();
+    areas.iter_mut().for_each(|share| *share = *share / whole * area);
+    let rows = dealt(draws, &arcs, &areas);
     let mut spines: Vec<Spine> = Vec::new();
     for (arc, areas) in arcs.iter().zip(&rows) {
         row(draws, arc, areas, &mut spines);
@@ -28,11 +29,16 @@ pub(super) fn archipelago(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine
 }
 
 /// Deals the areas of islands out to arcs, most likely to those that have room for more. The largest come first.
-fn dealt(draws: &mut Draws, arcs: &[Curve], areas: impl Iterator<Item = f32>) -> Vec<Vec<f32>> {
+fn dealt(draws: &mut Draws, arcs: &[Curve], areas: &[f32]) -> Vec<Vec<f32>> {
     let mut rows: Vec<(f32, Vec<f32>)> = arcs.iter().map(|arc| (arc.length(), Vec::new())).collect();
-    for area in areas {
-        let chances: Vec<f32> = rows.iter().map(|(room, _)| room * draws.between(0.4, 1.0)).collect();
-        let best = (1..rows.len()).fold(0, |best, row| if chances[row] > chances[best] { row } else { best });
+    for &area in areas {
+        let (mut best, mut greatest) = (0, f32::NEG_INFINITY);
+        for (row, (room, _)) in rows.iter().enumerate() {
+            let chance = room * draws.between(0.4, 1.0);
+            if chance > greatest {
+                (best, greatest) = (row, chance);
+            }
+        }
         let (room, row) = &mut rows[best];
         *room -= laid(area);
         // As likely at one end of a row as at the other.
@@ -70,14 +76,20 @@ fn arcs(draws: &mut Draws, size: Vec2) -> Vec<Curve> {
 }
 
 /// Moves curves to the middle of a rectangle; too large ones shrink to its inner part.
-fn fitted(curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
+fn fitted(mut curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
     let border = 0.1 * size.min_element();
-    let points = || curves.iter().flat_map(|curve| (0..=8).map(|i| curve.at(i as f32 / 8.0)));
-    let low = points().fold(Vec2::INFINITY, Vec2::min);
-    let high = points().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    for curve in &curves {
+        for at in (0..=8).map(|i| curve.at(i as f32 / 8.0)) {
+            (low, high) = (low.min(at), high.max(at));
+        }
+    }
     let shrunk = ((size - 2.0 * border) / (high - low).max(Vec2::ONE)).min(Vec2::ONE);
     let place = |at: Vec2| (at - (low + high) / 2.0) * shrunk + size / 2.0;
-    curves.iter().map(|curve| Curve(curve.0.map(place))).collect()
+    for curve in &mut curves {
+        curve.0 = curve.0.map(place);
+    }
+    curves
 }
 
 /// Adds a row of islands of these areas along an arc. They are as long as leaves straits between them.
@@ -85,11 +97,11 @@ fn row(draws: &mut Draws, arc: &Curve, areas: &[f32], spines: &mut Vec<Spine>) {
     let long = arc.length();
     let lengths: Vec<f32> = areas.iter().map(|area| area.sqrt() * draws.between(1.5, 2.8)).collect();
     let straits: Vec<f32> = areas.iter().map(|_| draws.between(45.0, 130.0)).collect();
-    let laid: f32 = lengths.iter().chain(&straits).sum();
+    let laid = straits.iter().fold(lengths.iter().sum::<f32>(), |laid, strait| laid + strait);
     let fitted = (long / laid.max(1.0)).min(1.3);
     let lean = draws.either(0.0, 0.4);
     let mut t = draws.between(0.0, 1.0) * (1.0 - fitted * laid / long).max(0.0);
-    for ((area, length), strait) in areas.iter().zip(lengths).zip(straits) {
+    for ((area, length), strait) in areas.iter().zip(&lengths).zip(&straits) {
         let (length, end) = (length * fitted, t + length * fitted / long);
         let ends = [arc.at(t), arc.at(end.min(1.0))];
         t = end + strait * fitted / long;
@@ -107,7 +119,7 @@ fn summit(draws: &mut Draws, [from, to]: [Vec2; 2], width: f32, lean: f32) -> Sp
     // A half width counts beyond the ends, too.
     let inner = half * (1.0 - 0.5 * end * width / length(half).max(width)).max(0.1);
     let curve = Curve::bent(middle - inner, middle + inner, [bend, bend]);
-    curve.spine(6, |t| 1.15 * width * swelling(t, swollen, end))
+    curve.spine(6, &|t| 1.15 * width * swelling(t, swollen, end))
 }
 
 /// A small island beside an arc; `None` if there is no room at the place.
@@ -120,5 +132,5 @@ fn stray(draws: &mut Draws, arcs: &[Curve], spines: &[Spine], size: Vec2) -> Opt
     let half = turned(way, draws.either(0.0, 0.7)) * (width * draws.between(0.4, 2.2));
     let highest = spines.iter().map(|spine| spine.height(at)).fold(f32::NEG_INFINITY, f32::max);
     let has_room = highest < -1.6 * width - 10.0;
-    has_room.then(|| Curve::bent(at - half, at + half, [0.1, 0.1]).spine(3, |t| width * swelling(t, 0.5, 0.5)))
+    has_room.then(|| Curve::bent(at - half, at + half, [0.1, 0.1]).spine(3, &|t| width * swelling(t, 0.5, 0.5)))
 }

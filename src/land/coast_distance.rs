@@ -41,16 +41,16 @@ impl CoastDistance {
 
     /// The land where a height function is high, on a lattice with this spacing. The sea covers the given share of the
     /// domain, where the function is lowest.
-    pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+    pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: &dyn Fn(Vec2) -> f32) -> Self {
         Self::sampled(domain, spacing, share, height).settled()
     }
 
     /// The same land with some corners under water, by their numbers.
-    pub(super) fn flooded(mut self, corners: impl Iterator<Item = usize>) -> Self {
+    pub(super) fn flooded(mut self, corners: &[usize]) -> Self {
         // The coast between a flooded corner and its neighbour shall lie midway, however far inland they were.
         let far = self.spacing;
         self.heights.iter_mut().for_each(|height| *height = height.max(-far).min(far));
-        corners.for_each(|corner| self.heights[corner] = -far);
+        corners.iter().for_each(|&corner| self.heights[corner] = -far);
         self.settled()
     }
 
@@ -67,6 +67,7 @@ impl CoastDistance {
 
     /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
     /// its area.
+    #[inline(never)] // one copy for all lands
     pub(crate) fn squares_around(&self, domain: &Domain) -> Vec<u32> {
         let mut squares = vec![0; self.heights.len()];
         let is_inside = |&i: &usize| domain.contains(self.corner(i) + self.spacing / 2.0);
@@ -76,7 +77,18 @@ impl CoastDistance {
         squares
     }
 
+    /// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
+    /// such square, so it counts for the area around it.
+    fn heights_of_squares(&self, domain: &Domain) -> Vec<f32> {
+        let mut of_squares = Vec::with_capacity(4 * self.heights.len());
+        for (height, squares) in self.heights.iter().zip(self.squares_around(domain)) {
+            (0..squares).for_each(|_| of_squares.push(*height));
+        }
+        of_squares
+    }
+
     /// The distances from the line of height 0, without islets and ponds.
+    #[inline(never)] // one copy for all lands
     fn settled(mut self) -> Self {
         self.remove_islets_and_ponds();
         let coast = self.contour();
@@ -123,14 +135,14 @@ impl CoastDistance {
     /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, from one
     /// lattice to that with half the spacing, the function is called only where the coast may pass; elsewhere only the
     /// sign of the height matters.
-    fn sampled(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+    fn sampled(domain: &Domain, spacing: f32, share: f32, height: &dyn Fn(Vec2) -> f32) -> Self {
         /// The distance between corners of the coarsest lattice, in units.
         const FAR: f32 = 16.0;
-        let mut lattice = Self::with_heights(domain, FAR, |at, _| height(at));
-        let level = sort::quantile(&of_squares(domain, FAR, &lattice.heights, lattice.columns), share);
+        let mut lattice = Self::with_heights(domain, FAR, &|at, _| height(at));
+        let level = sort::quantile(&lattice.heights_of_squares(domain), share);
         lattice.heights.iter_mut().for_each(|height| *height -= level);
         while lattice.spacing > spacing {
-            lattice = Self::with_heights(domain, lattice.spacing / 2.0, |at, place| {
+            lattice = Self::with_heights(domain, lattice.spacing / 2.0, &|at, place| {
                 lattice.certain(place).unwrap_or_else(|| height(at) - level)
             });
         }
@@ -138,7 +150,7 @@ impl CoastDistance {
     }
 
     /// A lattice with a height for each place and its column and row.
-    fn with_heights(domain: &Domain, spacing: f32, height: impl Fn(Vec2, [usize; 2]) -> f32) -> Self {
+    fn with_heights(domain: &Domain, spacing: f32, height: &dyn Fn(Vec2, [usize; 2]) -> f32) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
         let mut heights = Vec::with_capacity(columns * rows);
         for row in 0..rows {
@@ -174,14 +186,12 @@ impl CoastDistance {
         const ISLET: f32 = 200.0;
         const LEVELLED: f32 = 1.0;
         let (islet, pond) = ((ISLET / (self.spacing * self.spacing)) as u32, self.heights.len() as u32 / 100);
-        for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < islet).flat_map(|land| &land.runs)
-        {
-            self.row(run).fill(-LEVELLED);
-        }
-        for run in
-            self.regions(Cell::Water).iter().skip(1).filter(|water| water.cells < pond).flat_map(|water| &water.runs)
-        {
-            self.row(run).fill(LEVELLED);
+        for (kind, least, level) in [(Cell::Land, islet, -LEVELLED), (Cell::Water, pond, LEVELLED)] {
+            for region in self.regions(kind).iter().skip(1).filter(|region| region.cells < least) {
+                for run in &region.runs {
+                    self.row(run).fill(level);
+                }
+            }
         }
     }
 
@@ -208,9 +218,13 @@ impl CoastDistance {
                 if land % 4 == 0 {
                     continue;
                 }
-                let crossings: Vec<Vec2> =
-                    (0..4).filter_map(|side| self.crossing(round[side], round[(side + 1) % 4])).collect();
-                pieces.extend(crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]));
+                let mut from = None;
+                for at in (0..4).filter_map(|side| self.crossing(round[side], round[(side + 1) % 4])) {
+                    match from.take() {
+                        None => from = Some(at),
+                        Some(from) => pieces.push([from, at]),
+                    }
+                }
             }
         }
         pieces
@@ -229,6 +243,7 @@ impl CoastDistance {
     }
 
     /// Replaces the heights by distances from a coast and keeps their signs.
+    #[inline(never)] // one copy for all lands
     fn measured(mut self, coast: &[Piece]) -> Self {
         let nearest = Nearest::of(coast, &self);
         for (height, squared) in self.heights.iter_mut().zip(nearest.squared) {
@@ -292,17 +307,6 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     let x = x.max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
-}
-
-/// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
-/// such square, so it counts for the area around it.
-fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
-    let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
-    let mut of_squares = Vec::with_capacity(4 * heights.len());
-    for i in (0..heights.len()).filter(is_inside) {
-        of_squares.extend([i, i + 1, i + columns, i + columns + 1].map(|i| heights[i]));
-    }
-    of_squares
 }
 
 /// The nearest piece of coast for each corner. It is known beside the coast and passed on from corner to corner, as in
@@ -400,7 +404,7 @@ mod tests {
         let centre = domain.size / 2.0;
         // A round island, defined by its height and by its coast.
         let cone = |point: Vec2| -(point - centre).length();
-        let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, cone);
+        let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, &cone);
         let radius = (0.4e6 / std::f32::consts::PI).sqrt();
         let at = |i: usize| {
             let angle = i as f32 / 200.0 * std::f32::consts::TAU;

@@ -12,6 +12,7 @@ pub(super) struct Curve(pub [Vec2; 4]);
 
 impl Curve {
     /// A curve between two points that bends aside by shares of its length, after a third and after two thirds of it.
+    #[inline(never)] // each copy weighs a hundred bytes
     pub fn bent(from: Vec2, to: Vec2, bends: [f32; 2]) -> Self {
         let (along, aside) = (to - from, (to - from).perp());
         let control = |share: f32, bend: f32| from + along * share + aside * (bend * 4.0 / 3.0);
@@ -42,19 +43,21 @@ impl Curve {
     }
 
     /// A spine along the curve, with a half width at each place.
-    pub fn spine(&self, pieces: u32, width: impl Fn(f32) -> f32) -> Spine {
+    pub fn spine(&self, pieces: u32, width: &dyn Fn(f32) -> f32) -> Spine {
         let place = |i: u32| i as f32 / pieces as f32;
         Spine::new((0..=pieces).map(|i| (self.at(place(i)), width(place(i)))).collect())
     }
 }
 
 /// A share that grows from `end` at both ends to 1 at `middle`.
+#[inline(never)]
 pub(super) fn swelling(t: f32, middle: f32, end: f32) -> f32 {
     let off = if t < middle { (middle - t) / middle } else { (t - middle) / (1.0 - middle) };
     end + (1.0 - end) * (1.0 - off * off)
 }
 
 /// Rotates a vector by an angle of up to π.
+#[inline(never)] // each copy weighs a hundred bytes
 pub(super) fn turned(vector: Vec2, angle: f32) -> Vec2 {
     let (sine, cosine) = sine_and_cosine(angle);
     Vec2::new(cosine, sine).rotate(vector)

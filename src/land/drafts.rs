@@ -2,7 +2,7 @@
 //!
 //! The ranges are those of 25 real islands, from Madagascar to Skye, by the same measures on GSHHS shorelines.
 
-use glam::Vec2;
+use glam::{Vec2, Vec2Swizzles};
 
 use super::cell::Cell;
 use super::regions::{Region, regions};
@@ -32,7 +32,7 @@ fn extent(domain: &Domain) -> [usize; 2] {
 pub(super) fn best(domain: &Domain, sea: f32, wanted: &Wanted, heights: impl Fn(u32) -> Vec<f32>) -> u32 {
     let mut best = (f32::INFINITY, 0);
     for number in 0..MOST {
-        let fault = Look::of(domain, sea, &heights(number)).fault(wanted);
+        let fault = Look::of(domain, sea, &heights(number), wanted.counted).fault(wanted);
         if fault < best.0 {
             best = (fault, number);
         }
@@ -51,8 +51,8 @@ struct Look {
     coast: f32,
     /// Its share of all land.
     share: f32,
-    /// The sizes of islands, in cells, the largest first.
-    sizes: Vec<u32>,
+    /// The number of islands that are large enough to count.
+    count: f32,
     /// The distance from the nearest side of the domain, in units.
     gap: f32,
     /// The greatest share of its width, or of its height, along which its coast runs beside that of the smallest upright
@@ -61,45 +61,44 @@ struct Look {
 }
 
 impl Look {
-    fn of(domain: &Domain, sea: f32, heights: &[f32]) -> Self {
+    /// Measures the land above the sea, which covers a share of the domain. Islands count from so many cells on.
+    fn of(domain: &Domain, sea: f32, heights: &[f32], counted: u32) -> Self {
         let [columns, rows] = extent(domain);
         let level = sort::quantile(heights, sea);
         let cells: Vec<Cell> = heights.iter().map(|&h| if h > level { Cell::Land } else { Cell::Water }).collect();
         let land = cells.iter().filter(|&&cell| cell == Cell::Land).count();
         let regions = regions(&cells, Cell::Land, columns);
-        let sizes = regions.iter().map(|region| region.cells).collect();
-        let main = regions.into_iter().next().unwrap_or_default();
-        let ends = ends(&main, columns, rows);
-        let count = main.cells as f32;
-        let low = ends.iter().fold(Vec2::INFINITY, |low, &at| low.min(at));
-        let high = ends.iter().fold(Vec2::NEG_INFINITY, |high, &at| high.max(at));
+        let none = Region::default();
+        let main = regions.first().unwrap_or(&none);
+        let ends = ends(main, columns, rows);
+        let area = main.cells as f32;
+        let [low, high] = bounds(&ends, Vec2::X);
         let far = Vec2::new(columns as f32, rows as f32) - high;
         Self {
-            boxed: count / smallest_box(&ends),
-            coast: rim(&main, columns) / (2.0 * (std::f32::consts::PI * count).sqrt()),
-            share: count / (land as f32).max(1.0),
-            sizes,
+            boxed: area / smallest_box(&ends),
+            coast: rim(main, columns, rows) / (2.0 * (std::f32::consts::PI * area).sqrt()),
+            share: area / (land as f32).max(1.0),
+            count: regions.iter().filter(|region| region.cells >= counted).count() as f32,
             gap: low.min_element().min(far.min_element()) * SPACING,
             straight: straight(&ends, low, high),
         }
     }
 
-    /// The number of islands of at least so many cells.
-    fn count(&self, counted: u32) -> f32 {
-        self.sizes.iter().filter(|&&size| size >= counted).count() as f32
-    }
-
     /// The sum of the ways in which the measures are out of the ranges that are wanted; 0 if none is.
     fn fault(&self, wanted: &Wanted) -> f32 {
-        let beyond =
-            |value: f32, [least, most]: [f32; 2]| (least - value).max(value - most).max(0.0) / (most - least).max(1.0);
         beyond(self.boxed, wanted.boxed)
             + beyond(self.coast, wanted.coast)
             + beyond(self.share, wanted.share)
-            + beyond(self.count(wanted.counted), wanted.count.map(|count| count as f32))
+            + beyond(self.count, wanted.count.map(|count| count as f32))
             + (1.0 - self.gap / 32.0).max(0.0)
             + beyond(self.straight, [0.0, wanted.straight])
     }
+}
+
+/// How far a value is out of a range, as a share of the range's width if that is more than 1; 0 within it.
+#[inline(never)] // each copy weighs sixty bytes
+fn beyond(value: f32, [least, most]: [f32; 2]) -> f32 {
+    (least - value).max(value - most).max(0.0) / (most - least).max(1.0)
 }
 
 /// The ranges of a draft's measures.
@@ -126,11 +125,24 @@ fn ends(region: &Region, columns: usize, rows: usize) -> Vec<Vec2> {
             *column = [column[0].min(run.row), column[1].max(run.row + 1)];
         }
     }
-    let across = (0..).zip(across).filter(|(_, ends)| ends[1] > 0);
-    let down = (0..).zip(down).filter(|(_, ends)| ends[1] > 0);
-    let across = across.flat_map(|(row, ends)| ends.map(|x| Vec2::new(x as f32, row as f32 + 0.5)));
-    let down = down.flat_map(|(column, ends)| ends.map(|y| Vec2::new(column as f32 + 0.5, y as f32)));
-    across.chain(down).collect()
+    let mut corners = Vec::new();
+    for (lines, are_upright) in [(&across, false), (&down, true)] {
+        for (line, ends) in lines.iter().enumerate().filter(|(_, ends)| ends[1] > 0) {
+            for end in ends {
+                let at = Vec2::new(*end as f32, line as f32 + 0.5);
+                corners.push(if are_upright { at.yx() } else { at });
+            }
+        }
+    }
+    corners
+}
+
+/// The least and the greatest coordinates of points along a direction and across it.
+fn bounds(points: &[Vec2], way: Vec2) -> [Vec2; 2] {
+    points.iter().fold([Vec2::INFINITY, Vec2::NEG_INFINITY], |[low, high], at| {
+        let turned = Vec2::new(way.x * at.x + way.y * at.y, way.x * at.y - way.y * at.x);
+        [low.min(turned), high.max(turned)]
+    })
 }
 
 /// The area of the smallest turned rectangle around points.
@@ -138,34 +150,24 @@ fn smallest_box(points: &[Vec2]) -> f32 {
     const TURNS: u32 = 12;
     let area = |turn: u32| {
         let (sine, cosine) = sine_and_cosine(turn as f32 / TURNS as f32 * std::f32::consts::FRAC_PI_2);
-        let turned = points.iter().map(|at| Vec2::new(cosine * at.x + sine * at.y, cosine * at.y - sine * at.x));
-        let low = turned.clone().fold(Vec2::INFINITY, Vec2::min);
-        let size = turned.fold(Vec2::NEG_INFINITY, Vec2::max) - low;
+        let [low, high] = bounds(points, Vec2::new(cosine, sine));
+        let size = high - low;
         size.x * size.y
     };
     (0..TURNS).map(area).fold(f32::INFINITY, f32::min).max(1.0)
 }
 
 /// The length of a region's border, in cells, as that of a line that runs in all directions alike: π/4 of its edges.
-fn rim(region: &Region, columns: usize) -> f32 {
-    let mut edges = 0;
-    let mut above: Vec<bool> = vec![false; columns];
-    let mut row = Vec::new();
-    let mut next = region.runs.first().map_or(0, |run| run.row);
-    let mut runs = region.runs.iter().peekable();
-    while runs.peek().is_some() {
-        row.clear();
-        row.resize(columns, false);
-        while let Some(run) = runs.next_if(|run| run.row == next) {
-            row[run.start as usize..run.end as usize].fill(true);
-            edges += 2;
-        }
-        edges += row.iter().zip(&above).filter(|(here, above)| here != above).count();
-        std::mem::swap(&mut row, &mut above);
-        next += 1;
+fn rim(region: &Region, columns: usize, rows: usize) -> f32 {
+    // A row above the first and one below the last are empty.
+    let mut cells = vec![false; columns * (rows + 2)];
+    for run in &region.runs {
+        let first = (run.row as usize + 1) * columns;
+        cells[first + run.start as usize..first + run.end as usize].fill(true);
     }
-    edges += above.iter().filter(|&&is_land| is_land).count();
-    edges as f32 * std::f32::consts::FRAC_PI_4
+    let upright = 2 * region.runs.len();
+    let level = cells.iter().zip(&cells[columns..]).filter(|(above, below)| above != below).count();
+    (upright + level) as f32 * std::f32::consts::FRAC_PI_4
 }
 
 /// The greatest share of the points' width or height along which they lie at the border of the upright rectangle from
@@ -174,9 +176,12 @@ fn straight(points: &[Vec2], low: Vec2, high: Vec2) -> f32 {
     /// So many cells from the border a point counts.
     const BESIDE: f32 = 1.1;
     let size = (high - low).max(Vec2::ONE);
-    let count = |is_beside: &dyn Fn(Vec2) -> bool| points.iter().filter(|at| is_beside(**at)).count() as f32;
-    let upright = [count(&|at| at.x - low.x < BESIDE), count(&|at| high.x - at.x < BESIDE)];
-    let level = [count(&|at| at.y - low.y < BESIDE), count(&|at| high.y - at.y < BESIDE)];
-    let shares = upright.map(|points| points / size.y).into_iter().chain(level.map(|points| points / size.x));
-    shares.fold(0.0, f32::max)
+    let (mut west, mut east, mut north, mut south) = (0, 0, 0, 0);
+    for at in points {
+        west += u32::from(at.x - low.x < BESIDE);
+        east += u32::from(high.x - at.x < BESIDE);
+        north += u32::from(at.y - low.y < BESIDE);
+        south += u32::from(high.y - at.y < BESIDE);
+    }
+    (west.max(east) as f32 / size.y).max(north.max(south) as f32 / size.x)
 }

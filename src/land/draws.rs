@@ -20,6 +20,7 @@ impl Draws {
     }
 
     /// A number from `least` to `most`.
+    #[inline(never)] // each copy weighs sixty bytes, and layouts draw often
     pub fn between(&mut self, least: f32, most: f32) -> f32 {
         /// Apart from all other items of land.
         const LAYOUT: u32 = 100;
@@ -33,6 +34,7 @@ impl Draws {
     }
 
     /// Tells whether a thing of some likelihood happens.
+    #[inline(never)]
     pub fn is(&mut self, likelihood: f32) -> bool {
         self.between(0.0, 1.0) < likelihood
     }
@@ -44,6 +46,7 @@ impl Draws {
     }
 
     /// A whole number from `least` to `most`.
+    #[inline(never)]
     pub fn count(&mut self, least: u32, most: u32) -> u32 {
         (self.between(least as f32, most as f32 + 1.0) as u32).min(most)
     }

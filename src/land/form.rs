@@ -26,7 +26,7 @@ impl Shape {
             return None;
         }
         let form = Form::of(self);
-        Some(CoastDistance::with_sea(&self.domain, spacing, sea, |point| form.height(point)))
+        Some(CoastDistance::with_sea(&self.domain, spacing, sea, &|point| form.height(point)))
     }
 }
 

@@ -55,14 +55,19 @@ fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) 
         spines.push(beside(draws, curve, long));
     }
     let widened = widened(&spines, area * draws.between(0.86, 0.95));
-    (spines.iter().map(|spine| spine.widened(widened)).collect(), curves)
+    for spine in &mut spines {
+        for (_, width) in spine.points_mut() {
+            *width *= widened;
+        }
+    }
+    (spines, curves)
 }
 
 /// The main spine: widest at one place, with waists and swellings.
 fn main_spine(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     let (middle, end) = (draws.between(0.2, 0.8), draws.between(0.05, 0.45));
     let (waves, phase, depth) = (draws.between(1.0, 2.6), draws.between(-0.5, 0.5), draws.between(0.1, 0.5));
-    curve.spine(10, |t| {
+    curve.spine(10, &|t| {
         let (wave, _) = sine_and_cosine(wrapped(waves * t + phase));
         0.12 * long * swelling(t, middle, end) * (1.0 + depth * wave)
     })
@@ -86,7 +91,7 @@ fn branch(draws: &mut Draws, curve: Curve, long: f32) -> (Spine, Curve) {
     let tip = draws.between(0.1, 0.6);
     let from = curve.at(t);
     let branch = Curve::bent(from, from + out * reach, [bend, bend]);
-    (branch.spine(6, |t| width * (1.0 + (tip - 1.0) * t)), branch)
+    (branch.spine(6, &|t| width * (1.0 + (tip - 1.0) * t)), branch)
 }
 
 /// A lesser spine beside the main one, shifted along it: en échelon.
@@ -98,7 +103,7 @@ fn beside(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     let bend = draws.either(0.0, 0.2);
     let width = long * draws.between(0.04, 0.09);
     let highest = draws.between(0.3, 0.7);
-    Curve::bent(middle - half, middle + half, [bend, bend]).spine(6, |t| width * swelling(t, highest, 0.2))
+    Curve::bent(middle - half, middle + half, [bend, bend]).spine(6, &|t| width * swelling(t, highest, 0.2))
 }
 
 /// Islets that go on where a curve ends, from a half width on smaller and smaller.
@@ -112,7 +117,7 @@ fn islets(draws: &mut Draws, curve: &Curve, widest: f32, spines: &mut Vec<Spine>
         let half = turned(way, draws.either(0.0, 0.8)) * (width * draws.between(0.3, 1.2));
         let off = way.perp() * (width * draws.either(0.0, 0.8));
         let islet = Curve::bent(at + off - half, at + off + half, [0.1, 0.1]);
-        spines.push(islet.spine(3, |t| width * swelling(t, 0.5, 0.5)));
+        spines.push(islet.spine(3, &|t| width * swelling(t, 0.5, 0.5)));
         width *= draws.between(0.55, 0.9);
     }
 }

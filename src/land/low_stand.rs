@@ -9,7 +9,6 @@ use super::cell::Cell;
 use super::coast_distance::CoastDistance;
 use super::kinds::Shape;
 use super::queries::Land;
-use super::regions::Region;
 use super::straits::straits;
 use crate::recipe::{GrowthMethod, LandKind, NumberKey, Recipe};
 
@@ -42,10 +41,16 @@ impl LowStand {
         let today = shape.coast_distance(spacing)?;
         let drowning = recipe.number(NumberKey::Drowning);
         // The lower the sea, the likelier is a part between ridges without a coast.
-        let mut lands = LOWERINGS.iter().filter_map(|share| land(&shape, &today, low_sea(&shape, drowning * share)));
-        let lowest = lands.next()?;
-        let land = if has_coasts(&lowest) { lowest } else { lands.find(has_coasts).unwrap_or(lowest) };
-        Some(Self { land: land.into(), today, sea: shape.sea })
+        let mut lowest = None;
+        for share in LOWERINGS {
+            let land = land(&shape, &today, low_sea(&shape, drowning * share))?;
+            if has_coasts(&land) {
+                lowest = Some(land);
+                break;
+            }
+            lowest.get_or_insert(land);
+        }
+        Some(Self { land: lowest?.into(), today, sea: shape.sea })
     }
 
     /// Returns `true` if the sea rises in a recipe: over the valleys of drainage, on a shaped coast.
@@ -62,8 +67,9 @@ const LOWERINGS: [f32; 4] = [1.0, 0.6, 0.3, 0.0];
 /// The land where the sea covers a share of the domain, with today's straits, and without losing any of today's seas.
 fn land(shape: &Shape, today: &CoastDistance, sea: f32) -> Option<Land> {
     let low = shape.coast_distance_at(today.spacing(), sea)?;
-    let kept = [straits(today), lost_seas(today, &low)].concat();
-    let low = if kept.is_empty() { low } else { low.flooded(kept.into_iter()) };
+    let mut kept = straits(today);
+    kept.extend(lost_seas(today, &low));
+    let low = if kept.is_empty() { low } else { low.flooded(&kept) };
     Some(Land::new(&shape.domain, low, shape.ridges()))
 }
 
@@ -86,10 +92,16 @@ fn low_sea(shape: &Shape, drowning: f32) -> f32 {
 /// The corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
 fn lost_seas(today: &CoastDistance, low: &CoastDistance) -> Vec<usize> {
     let columns = today.size().0;
-    let corners = |sea: &Region| {
-        let runs = sea.runs.iter().map(|run| (run.row as usize * columns, run.start as usize, run.end as usize));
-        runs.flat_map(|(row, start, end)| row + start..row + end).collect::<Vec<_>>()
-    };
-    let seas = today.regions(Cell::Water).into_iter().map(|sea| corners(&sea));
-    seas.filter(|sea| sea.iter().all(|&corner| low.heights()[corner] > 0.0)).flatten().collect()
+    let mut lost = Vec::new();
+    for sea in today.regions(Cell::Water) {
+        let before = lost.len();
+        for run in &sea.runs {
+            let row = run.row as usize * columns;
+            lost.extend(row + run.start as usize..row + run.end as usize);
+        }
+        if lost[before..].iter().any(|&corner| low.heights()[corner] <= 0.0) {
+            lost.truncate(before);
+        }
+    }
+    lost
 }

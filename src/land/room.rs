@@ -22,16 +22,24 @@ pub(super) fn roomier(draws: &mut Draws, size: Vec2) -> Vec2 {
 }
 
 /// Moves spines to a random place of a rectangle where there is room for them; too large ones shrink.
-pub(super) fn placed(draws: &mut Draws, spines: Vec<Spine>, size: Vec2) -> Vec<Spine> {
+pub(super) fn placed(draws: &mut Draws, mut spines: Vec<Spine>, size: Vec2) -> Vec<Spine> {
     let border = 0.06 * size.min_element();
     let stretch = 0.045 * size.min_element();
-    let all = || spines.iter().flat_map(|spine| spine.points());
-    let low = all().map(|(at, width)| *at - 0.8 * width - stretch).fold(Vec2::INFINITY, Vec2::min);
-    let high = all().map(|(at, width)| *at + 0.8 * width + stretch).fold(Vec2::NEG_INFINITY, Vec2::max);
+    let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    for spine in &spines {
+        for &(at, width) in spine.points() {
+            (low, high) = (low.min(at - 0.8 * width - stretch), high.max(at + 0.8 * width + stretch));
+        }
+    }
     let inner = size - 2.0 * border;
     let shrunk = (inner / (high - low).max(Vec2::ONE)).min_element().min(1.0);
     let free = (inner - (high - low) * shrunk).max(Vec2::ZERO);
     let corner = border + free * Vec2::new(draws.middling(), draws.middling());
-    let place = |(at, width): &(Vec2, f32)| ((*at - low) * shrunk + corner, width * shrunk);
-    spines.iter().map(|spine| Spine::new(spine.points().iter().map(place).collect())).collect()
+    for spine in &mut spines {
+        for (at, width) in spine.points_mut() {
+            *at = (*at - low) * shrunk + corner;
+            *width *= shrunk;
+        }
+    }
+    spines
 }

@@ -26,9 +26,9 @@ impl Spine {
         self.0.iter().map(|(_, width)| *width).fold(0.0, f32::max)
     }
 
-    /// The same line with half widths greater by a factor.
-    pub fn widened(&self, factor: f32) -> Self {
-        Self(self.0.iter().map(|(at, width)| (*at, width * factor)).collect())
+    /// The points and half widths, to be changed.
+    pub fn points_mut(&mut self) -> &mut [(Vec2, f32)] {
+        &mut self.0
     }
 
     /// The height of the spine at a point: the half width at the nearest place less the distance from it, in units,
@@ -59,6 +59,7 @@ struct Piece {
 }
 
 impl Piece {
+    #[inline(never)] // each copy weighs a hundred bytes
     fn between(spine: u32, (from, width): (Vec2, f32), (to, last): (Vec2, f32)) -> Self {
         let along = to - from;
         let (shortness, swelling) = (1.0 / along.length_squared().max(1.0), last - width);
@@ -97,13 +98,15 @@ impl Spines {
     /// Makes the field of some spines. Two that are about as high, nearer than `round` units, meet in a rounded slope,
     /// as at the foot of a spur.
     pub fn new(spines: &[Spine], size: Vec2, round: f32) -> Self {
-        let pieces: Vec<Piece> = (0..).zip(spines).flat_map(|(number, spine)| spine.pieces(number)).collect();
+        let mut pieces = Vec::new();
+        for (number, spine) in (0..).zip(spines) {
+            pieces.extend(spine.pieces(number));
+        }
         let [columns, rows] = [size.x, size.y].map(|length| ((length + 2.0 * Self::AROUND) / Self::TILE) as usize + 1);
         let mut this = Self { pieces, of_tiles: Vec::new(), ends: Vec::new(), columns, rows, round };
-        let mut heights = Vec::new();
         for tile in 0..columns * rows {
             let place = Vec2::new((tile % columns) as f32, (tile / columns) as f32) + 0.5;
-            this.add_tile(place * Self::TILE - Self::AROUND, &mut heights);
+            this.add_tile(place * Self::TILE - Self::AROUND);
         }
         work::count(this.pieces.len() * columns * rows);
         this
@@ -111,14 +114,18 @@ impl Spines {
 
     /// Adds the pieces that may matter in the tile around a point: those that may be higher somewhere than what is
     /// certainly the greatest height, or little less high.
-    fn add_tile(&mut self, middle: Vec2, heights: &mut Vec<(f32, f32)>) {
+    fn add_tile(&mut self, middle: Vec2) {
         let corner = Self::TILE * std::f32::consts::FRAC_1_SQRT_2;
-        heights.clear();
-        heights.extend(self.pieces.iter().map(|piece| (piece.height(middle), piece.steepness * corner)));
-        let certain = heights.iter().map(|(height, change)| height - change).fold(LOWEST, f32::max);
+        let mut certain = LOWEST;
+        for piece in &self.pieces {
+            certain = fast_max(certain, piece.height(middle) - piece.steepness * corner);
+        }
         let least = certain - 1.25 * self.round;
-        let may_matter = |&(_, (height, change)): &(u32, &(f32, f32))| height + change >= least;
-        self.of_tiles.extend((0..).zip(&*heights).filter(may_matter).map(|(piece, _)| piece));
+        for (number, piece) in (0..).zip(&self.pieces) {
+            if piece.height(middle) + piece.steepness * corner >= least {
+                self.of_tiles.push(number);
+            }
+        }
         self.ends.push(self.of_tiles.len() as u32);
     }
 

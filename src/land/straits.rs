@@ -13,10 +13,9 @@ pub(super) fn straits(today: &CoastDistance) -> Vec<usize> {
     let nearest = nearest_island(today);
     let is_between = |corner: &usize| {
         let (column, row) = (corner % columns, corner / columns);
-        let around = (row.saturating_sub(1)..(row + 2).min(rows)).flat_map(|row| {
-            (column.saturating_sub(1)..(column + 2).min(columns)).map(move |column| row * columns + column)
-        });
-        around.into_iter().any(|beside| nearest[beside] != nearest[*corner])
+        let (west, east) = (column.saturating_sub(1), (column + 2).min(columns));
+        let mut around = (row.saturating_sub(1)..(row + 2).min(rows)).map(|row| &nearest[row * columns..][west..east]);
+        around.any(|row| row.iter().any(|beside| *beside != nearest[*corner]))
     };
     let is_sea = |corner: &usize| today.heights()[*corner] <= 0.0;
     (0..nearest.len()).filter(is_sea).filter(is_between).collect()
