@@ -15,8 +15,11 @@ fn order_of(keys: &[u32]) -> Vec<usize> {
 
 /// Returns pairs in ascending order of the first of each, and of the second among those of the same first.
 pub(crate) fn sorted_pairs(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
-    let items = pairs.iter().map(|&(first, second)| u64::from(first) << 32 | u64::from(second)).collect();
-    sorted_from(items, 0).into_iter().map(|item| ((item >> 32) as u32, item as u32)).collect()
+    let mut items = Vec::with_capacity(pairs.len());
+    pairs.iter().for_each(|&(first, second)| items.push(u64::from(first) << 32 | u64::from(second)));
+    let mut sorted = Vec::with_capacity(pairs.len());
+    sorted_from(items, 0).iter().for_each(|item| sorted.push(((item >> 32) as u32, *item as u32)));
+    sorted
 }
 
 /// Returns items in ascending order of their bits from one on, which is the first of a byte. Items that are equal in these keep

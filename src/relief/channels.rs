@@ -122,12 +122,7 @@ impl Channels {
     ///
     /// # Errors
     /// Fails if there is not enough memory.
-    pub fn find_dams(
-        &self,
-        cells: &Cells,
-        heights: &[f32],
-        mut lower: impl FnMut(usize, f32),
-    ) -> Result<f32, Refused> {
+    pub fn find_dams(&self, cells: &Cells, heights: &[f32], mut lower: impl FnMut(usize, f32)) -> Result<f32, Refused> {
         work::count(9 * self.steps.len());
         let mut is_river = Vec::new();
         lengthen(&mut is_river, heights.len(), false)?;
@@ -135,9 +130,8 @@ impl Channels {
         let mut lowered = 0.0;
         for pair in self.paths().flat_map(|path| path.windows(2)) {
             let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
-            let is_bank = |&beside: &usize| {
-                heights[beside] < heights[cell] && !is_river[beside] && !cells.touch(beside, next)
-            };
+            let is_bank =
+                |&beside: &usize| heights[beside] < heights[cell] && !is_river[beside] && !cells.touch(beside, next);
             let banks = cells.around(cell).into_iter().filter(is_bank).map(|bank| heights[bank]);
             let lowest = banks.fold(heights[cell], fast_min);
             if lowest < heights[cell] && cells.is_land(cell) {

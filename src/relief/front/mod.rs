@@ -67,7 +67,7 @@ impl Front {
                 tiles.push(tile);
             }
         }
-        Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land().count() })
+        Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land_count() })
     }
 
     /// Adds the coast: cells of land beside the sea are as high as their way from it.
