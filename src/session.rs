@@ -179,7 +179,9 @@ impl Session {
         let stage = self.recipe.first_difference(&recipe);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
             let coasts = match (stage, self.coasts.planted()) {
-                (_, Some(land)) if self.coasts.are_given => check_map(&recipe, land).map(|()| self.coasts.clone())?,
+                (_, Some(land)) if self.coasts.are_given => {
+                    check_map(&recipe, land).map(|()| self.coasts.before_growth(&recipe))?
+                }
                 (Some(Stage::Land), _) => Coasts::of(&recipe),
                 _ => self.coasts.before_growth(&recipe),
             };

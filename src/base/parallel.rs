@@ -5,6 +5,7 @@ use std::num::NonZero;
 
 /// Calls a function for each row of a list with so many items in a row; it gets the row's number and its items. Rows are
 /// shared out among the threads in contiguous parts.
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn for_each_row<T: Send>(
     items: &mut [T],
     row_length: usize,
@@ -18,6 +19,13 @@ pub(crate) fn for_each_row<T: Send>(
         let rows = items.chunks_mut(row_length).zip(part * rows_a_part..);
         rows.for_each(|(items, row)| work(row, items));
     });
+}
+
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn for_each_row<T>(items: &mut [T], row_length: usize, _: NonZero<usize>, work: impl Fn(usize, &mut [T])) {
+    for (row, items) in items.chunks_mut(row_length.max(1)).enumerate() {
+        work(row, items);
+    }
 }
 
 /// Calls a function for each of some items, on whichever thread comes first.

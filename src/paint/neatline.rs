@@ -64,7 +64,7 @@ impl Neatline {
 
     /// Paints what lies beyond the map in some rows of a ground. Nothing is land there, and no river is seen.
     pub fn lay(&self, view: &View, rows: Rows, pixels: &mut [[u8; 4]]) {
-        self.for_each(view, rows, pixels, |pixel, _, out| {
+        self.for_each(view, rows, pixels, &mut |pixel, _, out| {
             let [r, g, b] = self.colour(out);
             *pixel = [r, g, b, 0];
         });
@@ -72,16 +72,17 @@ impl Neatline {
 
     /// Puts back what lies beyond the map in some rows that have been painted over. `before` are the same rows.
     pub fn restore(&self, view: &View, rows: Rows, before: &[[u8; 4]], pixels: &mut [[u8; 4]]) {
-        self.for_each(view, rows, pixels, |pixel, i, _| *pixel = before[i]);
+        self.for_each(view, rows, pixels, &mut |pixel, i, _| *pixel = before[i]);
     }
 
     /// Calls `visit` for each pixel of some rows beyond the map, with its number in them and its distance from the map in pixels, from 1.
+    #[inline(never)] // one copy
     fn for_each(
         &self,
         view: &View,
         rows: Rows,
         pixels: &mut [[u8; 4]],
-        mut visit: impl FnMut(&mut [u8; 4], usize, i32),
+        visit: &mut dyn FnMut(&mut [u8; 4], usize, i32),
     ) {
         let ([[left, top], [right, bottom]], width) = (self.map, view.width as usize);
         // Columns may lie beyond the picture.

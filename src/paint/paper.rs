@@ -15,6 +15,7 @@ pub(super) struct Ageing<'a> {
 }
 
 impl<'a> Ageing<'a> {
+    #[inline(never)] // one copy
     pub fn new(view: &'a View, paper: &'a Paper) -> Self {
         let mut noise = FastNoiseLite::with_seed(1);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));

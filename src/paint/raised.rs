@@ -10,7 +10,7 @@ use super::palette::{LAND_ONLY, Palette, ReliefLook};
 use super::relief::{Inks, Prepared, Sheet};
 use super::rivers::{Exaggerated, Rivers, Widening, draw_network};
 use super::styles::palette;
-use super::view::View;
+use super::view::{Rows, View};
 use crate::land::Land;
 use crate::relief::Relief;
 
@@ -27,7 +27,7 @@ impl LandShares {
         let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, &LAND_ONLY));
         let mut shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
         if coast.is_none() && view.shows_beyond() {
-            beyond::for_each(view, 0..view.height, &mut shares, |share, _| *share = 0);
+            drop_beyond(view, 0..view.height, &mut shares);
         }
         Self { coast, shares }
     }
@@ -39,7 +39,7 @@ impl LandShares {
         coast.paint(view, shown, rows.clone(), &mut pixels);
         self.shares.extend(pixels.into_iter().map(|[share, ..]| share));
         if view.shows_beyond() {
-            beyond::for_each(view, rows.clone(), &mut self.shares[view.range(rows.clone())], |share, _| *share = 0);
+            drop_beyond(view, rows.clone(), &mut self.shares[view.range(rows.clone())]);
         }
         self.coast.take_if(|_| rows.end == view.height);
         self.coast.is_some()
@@ -48,6 +48,12 @@ impl LandShares {
     pub fn of_pixels(&self) -> &[u8] {
         &self.shares
     }
+}
+
+/// Makes the pixels of some rows that lie beyond the map no land.
+#[inline(never)] // one copy
+fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
+    beyond::for_each(view, rows, shares, |share, _| *share = 0);
 }
 
 /// Ground with relief, as far as it is painted.

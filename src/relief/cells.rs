@@ -91,12 +91,13 @@ impl Cells {
 
     /// All is land; the sea lies beyond some sides.
     fn open(&mut self, settings: &ReliefSettings) {
-        let is_open = |side| settings.sides.contains(side);
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let at = Vec2::new(self.coordinate(column), self.coordinate(row));
-                let open = settings.domain.sides(at).into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
-                let nearest = open.fold(f32::INFINITY, f32::min);
+                let mut nearest = f32::INFINITY;
+                for (side, far) in settings.domain.sides(at) {
+                    nearest = if settings.sides.contains(side) { nearest.min(far) } else { nearest };
+                }
                 let is_rim_row = row == 0 || row + 1 == self.rows;
                 let is_rim_column = column == 0 || column + 1 == self.columns;
                 self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {
@@ -172,16 +173,23 @@ impl Cells {
     /// The nearest cell of the sea within a few cells; of several the first, row by row. `None` if there is none.
     pub fn sea_near(&self, cell: usize) -> Option<usize> {
         const FAR: isize = 4;
+        const SIDE: isize = 2 * FAR + 1;
         let (row, column) = ((cell / self.columns) as isize, (cell % self.columns) as isize);
         let is_inside = |row: isize, column: isize| {
             row >= 0 && column >= 0 && row < self.rows as isize && column < self.columns as isize
         };
-        let near = (-FAR..=FAR).flat_map(|down| (-FAR..=FAR).map(move |along| (down, along)));
-        let sea = near.filter(|&(down, along)| is_inside(row + down, column + along)).filter_map(|(down, along)| {
-            let other = ((row + down) as usize) * self.columns + (column + along) as usize;
-            self.is_sea(other).then_some((down * down + along * along, other))
-        });
-        sea.min().map(|(_, sea)| sea)
+        let mut nearest: Option<(isize, usize)> = None;
+        for (down, along) in (0..SIDE * SIDE).map(|i| (i / SIDE - FAR, i % SIDE - FAR)) {
+            let far = down * down + along * along;
+            if !is_inside(row + down, column + along) || nearest.is_some_and(|(least, _)| least <= far) {
+                continue;
+            }
+            let other = (row + down) as usize * self.columns + (column + along) as usize;
+            if self.is_sea(other) {
+                nearest = Some((far, other));
+            }
+        }
+        nearest.map(|(_, sea)| sea)
     }
 
     /// All cells of the map that are land, row by row.
@@ -189,9 +197,15 @@ impl Cells {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))
     }
 
+    /// The number of cells of the map that are land.
+    #[inline(never)] // one copy
+    pub fn land_count(&self) -> usize {
+        self.land().count()
+    }
+
     /// The area of all land, in square units.
     pub fn land_area(&self) -> f32 {
-        self.land().count() as f32 * self.size * self.size
+        self.land_count() as f32 * self.size * self.size
     }
 
     /// Where the middle of a cell lies.

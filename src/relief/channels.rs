@@ -119,18 +119,19 @@ impl Channels {
     /// Calls a function with each cell of a river that stands above a bank, and the height of the lowest, by the heights
     /// of all cells so far. A bank that touches the river's next cell does not count: water that runs over it comes back.
     /// Returns the sum of the differences, in units.
-    pub fn find_dams(&self, cells: &Cells, heights: &[f32], mut lower: impl FnMut(usize, f32)) -> f32 {
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn find_dams(&self, cells: &Cells, heights: &[f32], mut lower: impl FnMut(usize, f32)) -> Result<f32, Refused> {
         work::count(9 * self.steps.len());
-        let mut rivers: Vec<u32> = self.steps.iter().map(|step| step.0).collect();
-        rivers.sort_unstable();
+        let mut is_river = Vec::new();
+        lengthen(&mut is_river, heights.len(), false)?;
+        self.steps.iter().for_each(|step| is_river[step.0 as usize] = true);
         let mut lowered = 0.0;
         for pair in self.paths().flat_map(|path| path.windows(2)) {
             let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
-            let is_bank = |&beside: &usize| {
-                heights[beside] < heights[cell]
-                    && !cells.touch(beside, next)
-                    && rivers.binary_search(&(beside as u32)).is_err()
-            };
+            let is_bank =
+                |&beside: &usize| heights[beside] < heights[cell] && !is_river[beside] && !cells.touch(beside, next);
             let banks = cells.around(cell).into_iter().filter(is_bank).map(|bank| heights[bank]);
             let lowest = banks.fold(heights[cell], fast_min);
             if lowest < heights[cell] && cells.is_land(cell) {
@@ -138,7 +139,7 @@ impl Channels {
                 lower(cell, lowest);
             }
         }
-        lowered
+        Ok(lowered)
     }
 
     /// The number of steps of all paths.

@@ -42,7 +42,7 @@ impl ReliefDrafts {
         let height = |cell| if cells.is_land(cell) { relief.heights[cells.without_rim(cell)] } else { f32::INFINITY };
         let heights: Vec<f32> = (0..cells.inland.len()).map(height).collect();
         let mut order = argsort(heights.iter().map(|&height| key(height)));
-        order.truncate(cells.land().count());
+        order.truncate(cells.land_count());
         work::count(4 * heights.len());
         Ok(Self { relief: relief.clone(), settings, cells, heights, order })
     }

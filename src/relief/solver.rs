@@ -31,8 +31,8 @@ pub enum ReliefError {
 #[derive(Clone, Debug)]
 pub struct ReliefSolver {
     settings: ReliefSettings,
-    /// The height of the water at each vertex, if another relief has found it: here it may only be lowered.
-    given: Option<Vec<f32>>,
+    /// The rivers' heights, if another relief has found them: here they may only be lowered.
+    given: Option<GivenWater>,
     /// About how much memory it takes.
     bytes: usize,
     next: Part,
@@ -44,6 +44,15 @@ pub struct ReliefSolver {
     creep: Creep,
     /// Whether a river passes each cell.
     is_river: Vec<bool>,
+}
+
+/// Rivers that are as high as another relief has them.
+#[derive(Clone, Debug)]
+struct GivenWater {
+    /// The height of the water at each vertex, in units.
+    heights: Vec<f32>,
+    /// [`ReliefSolver::lower_to_banks`]. Called through this, it is left out of programs that make no relief of this kind.
+    lower: fn(&mut ReliefSolver) -> Result<bool, Refused>,
 }
 
 /// What the next step does, or goes on with.
@@ -115,7 +124,8 @@ impl ReliefSolver {
         settings: ReliefSettings,
         water: Vec<f32>,
     ) -> Result<Self, ReliefError> {
-        Ok(Self { given: Some(water), ..Self::new(network, settings)? })
+        let given = GivenWater { heights: water, lower: Self::lower_to_banks };
+        Ok(Self { given: Some(given), ..Self::new(network, settings)? })
     }
 
     /// About how many bytes of memory it takes.
@@ -197,9 +207,7 @@ impl ReliefSolver {
             }
             Part::Front(times) => match self.front.advance(ENTRIES_A_STEP, self.settings.threads) {
                 true => self.next,
-                false if self.given.is_some() && times < MOST_LOWERINGS && self.lower_to_banks()? => {
-                    Part::Front(times + 1)
-                }
+                false if times < MOST_LOWERINGS && self.lower_given()? => Part::Front(times + 1),
                 false => self.settle()?,
             },
             Part::Creep => match self.creep.advance(&self.cells, &self.is_river, self.settings.threads) {
@@ -216,8 +224,10 @@ impl ReliefSolver {
         const BYTES_A_VERTEX: usize = 20;
         ask(network.vertices.len() * BYTES_A_VERTEX)?;
         work::count(4 * network.vertices.len());
-        let law = || elevations(network, self.settings.total_discharge, &self.cells, &self.steepness);
-        Ok(self.given.clone().unwrap_or_else(law))
+        if let Some(given) = &self.given {
+            return Ok(given.heights.clone());
+        }
+        Ok(elevations(network, self.settings.total_discharge, &self.cells, &self.steepness))
     }
 
     /// Walks some rills, and carves once all are walked.
@@ -230,6 +240,11 @@ impl ReliefSolver {
         Part::Valleys(0)
     }
 
+    /// Lowers rivers whose heights were given. Returns `true` if the front has to move again.
+    fn lower_given(&mut self) -> Result<bool, Refused> {
+        self.given.as_ref().map(|given| given.lower).map_or(Ok(false), |lower| lower(self))
+    }
+
     /// Lowers rivers to their banks: on a grid finer than the one that their heights are of, hillsides come out a little
     /// lower, and rivers would stand on dams. Returns `true` if that is more than next to nothing.
     fn lower_to_banks(&mut self) -> Result<bool, Refused> {
@@ -239,7 +254,7 @@ impl ReliefSolver {
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
         self.front.write(&mut heights);
         let Self { channels, cells, front, .. } = self;
-        let lowered = channels.find_dams(cells, &heights, |cell, height| front.lower(cell, height));
+        let lowered = channels.find_dams(cells, &heights, |cell, height| front.lower(cell, height))?;
         Ok(lowered > ENOUGH * self.channels.len() as f32)
     }
 

@@ -79,7 +79,7 @@ impl Steepness {
                 // A floor gentler than the river would lower the river.
                 let least = profile::share_of_slope(vertex.discharge as f32 * catchment);
                 let factor = |share: f32| least + (1.0 - least) * share * share;
-                self.come_near(cells, vertex.at, radius, |share, before| fast_min(factor(share), before));
+                self.come_near(cells, vertex.at, radius, &|share, before| fast_min(factor(share), before));
             }
         }
         self.multiply();
@@ -100,7 +100,7 @@ impl Steepness {
             for i in 0..=count as usize {
                 let factor = |share: f32| MOST + (1.0 - MOST) * share;
                 let at = pair[0].lerp(pair[1], i as f32 / count);
-                self.come_near(cells, at, RADIUS, |share, before| fast_max(factor(share), before));
+                self.come_near(cells, at, RADIUS, &|share, before| fast_max(factor(share), before));
             }
         }
         self.multiply();
@@ -109,7 +109,8 @@ impl Steepness {
 
     /// Changes the factors of the cells around a point, by their distance as a share of the radius and by what they
     /// were before.
-    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: impl Fn(f32, f32) -> f32) {
+    #[inline(never)] // one copy
+    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: &dyn Fn(f32, f32) -> f32) {
         let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
         let (left, right) = (first % cells.columns, last % cells.columns);
         for row in first / cells.columns..=last / cells.columns {

@@ -45,7 +45,8 @@ impl Coasts {
     /// The same coasts before the sea has risen, for a recipe that differs in its growth at most.
     pub fn before_growth(&self, recipe: &Recipe) -> Self {
         if self.are_given || self.low_stand.is_some() == LowStand::is_wanted(recipe) {
-            return Self { rising: None, drowned: None, ..self.clone() };
+            let (planted, low_stand) = (self.planted.clone(), self.low_stand.clone());
+            return Self { planted, are_given: self.are_given, low_stand, rising: None, drowned: None };
         }
         Self::of(recipe)
     }

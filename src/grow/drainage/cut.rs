@@ -23,14 +23,17 @@ impl Drainage {
     /// go. Every edge that crosses the coast gets a mouth there. Places and discharge stay.
     pub(in crate::grow) fn cut(&mut self, land: &Land) -> Result<(), Refused> {
         let Cut { tree, node, .. } = Cut::of(&self.tree, land)?;
-        let is_on_land = |parcel: &u32| land.at(self.parcels.at[*parcel as usize]) == Cell::Land;
-        let unreached: Vec<u32> =
-            (0..self.parcels()).filter(|&parcel| self.node[parcel as usize] == NONE).filter(is_on_land).collect();
-        self.node.iter_mut().for_each(|of| *of = node.get(*of as usize).copied().unwrap_or(NONE));
+        let (mut reached, mut unreached) = (0, Vec::new());
+        for (parcel, of) in (0..).zip(&mut self.node) {
+            let had_none = std::mem::replace(of, node.get(*of as usize).copied().unwrap_or(NONE)) == NONE;
+            reached += u32::from(*of != NONE);
+            if had_none && land.at(self.parcels.at[parcel as usize]) == Cell::Land {
+                unreached.push(parcel);
+            }
+        }
         self.mouths = tree.mouths() as u32;
         self.largest_basin = Hydrology::of(&tree).discharge.into_iter().max();
         self.tree = tree.into();
-        let reached = self.node.iter().filter(|node| **node != NONE).count() as u32;
         self.left = Some(Left { parcels: reached + unreached.len() as u32, unreached });
         let middle = self.settings.domain.size / 2.0;
         identities::assign(std::sync::Arc::make_mut(&mut self.tree), &self.parcels, &self.node, middle);

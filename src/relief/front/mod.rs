@@ -17,6 +17,7 @@ use super::cells::Cells;
 use super::channels::Channels;
 use crate::base::memory::{Refused, ask};
 use crate::base::parallel::for_each;
+use crate::base::sort::sorted_pairs;
 use crate::base::work;
 
 /// A front on the cells of a map.
@@ -66,7 +67,7 @@ impl Front {
                 tiles.push(tile);
             }
         }
-        Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land().count() })
+        Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land_count() })
     }
 
     /// Adds the coast: cells of land beside the sea are as high as their way from it.
@@ -99,10 +100,10 @@ impl Front {
                 }
             }
         }
-        for (tile, ways) in self.tiles.iter_mut().zip(&mut ways).filter(|(_, ways)| !ways.is_empty()) {
-            ways.sort_unstable();
+        for (tile, ways) in self.tiles.iter_mut().zip(&ways).filter(|(_, ways)| !ways.is_empty()) {
+            let mut ways = sorted_pairs(ways);
             ways.dedup();
-            tile.set_ways(ways);
+            tile.set_ways(&ways);
         }
     }
 
