@@ -17,8 +17,8 @@ const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"]
 const LIMITS = [
   ["element and loader", ["river-seed.js"], 7_350],
   ["glue", withImports("core.js"), 4_200],
-  ["whole embed", EMBED, 226_800],
-  ["whole embed, without a worker", EMBED_HERE, 227_400],
+  ["whole embed", EMBED, 264_000],
+  ["whole embed, without a worker", EMBED_HERE, 264_600],
 ];
 
 for (const [what, files, limit] of LIMITS) {
