@@ -25,7 +25,7 @@ DIRECTIONS = (64, 128, 1, 2, 4, 8, 16, 32)
 OFFSETS = ((-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1))
 # How near, in cells, and on which share of the length of rivers of order 2 and more.
 NEAR = 2
-SHARE = 0.95
+SHARE = 0.93
 # Two readers may part water on slopes in other ways: a cell is our river's if at least this much of its water gathers there.
 HALF = 0.5
 
