@@ -21,7 +21,7 @@ pub(super) struct Level {
 /// The difference between the share of sea and what is asked for that is near enough.
 const NEAR: f32 = 5e-4;
 
-/// How many levels are tried at most.
+/// The greatest number of levels that are tried.
 const TRIES: u32 = 4;
 
 impl Level {

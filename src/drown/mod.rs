@@ -16,6 +16,7 @@ mod waves;
 
 use std::sync::Arc;
 
+use crate::base::geometry::smooth_step;
 use crate::base::memory::{Refused, ask};
 use crate::base::random::DEVIATION;
 use crate::base::work;
@@ -41,7 +42,7 @@ pub(crate) struct Drowning {
     next: Part,
 }
 
-/// What the next step does, or goes on with.
+/// The part that the next step does, or goes on with.
 #[derive(Clone, Debug)]
 enum Part {
     Begin,
@@ -57,7 +58,7 @@ enum Part {
     Between,
 }
 
-/// What the sea has left, and the valleys that it rose into.
+/// The land that the sea has left, and the valleys that it rose into.
 #[derive(Clone, Debug)]
 pub(crate) struct Drowned {
     pub land: Arc<Land>,
@@ -174,7 +175,7 @@ impl Drowning {
         Ok((0..corners).map(hardness).collect())
     }
 
-    /// How easily waves move the ground at each corner, from 0 to 1.
+    /// The ease with which waves move the ground at each corner, from 0 to 1.
     fn softness(&self) -> Vec<f32> {
         self.rock.iter().map(|&rock| smooth(SOFT.0, SOFT.1, rock)).collect()
     }
@@ -198,8 +199,7 @@ fn of_shelf(inland: f32) -> f32 {
     SHELF + (1.0 - SHELF) * smooth(-0.5 * BLEND, 0.5 * BLEND, inland)
 }
 
-/// A smooth step from 0 to 1, as a value goes from one number to another.
+/// Rises smoothly from 0 to 1 as a value goes from one number to another.
 fn smooth(from: f32, to: f32, value: f32) -> f32 {
-    let share = ((value - from) / (to - from)).clamp(0.0, 1.0);
-    share * share * (3.0 - 2.0 * share)
+    smooth_step((value - from) / (to - from))
 }

@@ -39,7 +39,7 @@ fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
         for sea in [0.45, 0.6, 0.7, 0.8].into_iter().filter(|sea| *sea > low_stand.land.share_of_sea()) {
             let land = at(&low_stand, &heights, sea);
             let corners = before.coast_distance().heights().iter().zip(land.coast_distance().heights());
-            // What was a speck may be part of a cape.
+            // A former speck may be part of a cape.
             let risen = corners.filter(|(was, is)| **was <= 0.0 && **is > 0.0).count();
             assert!(risen < 4, "{risen} corners have come out of the sea at {sea}");
             // Between corners the coast is less exact.

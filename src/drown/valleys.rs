@@ -17,7 +17,7 @@ pub(crate) struct Valleys {
 /// The area from which on slopes fall as more drains, in square units.
 const AREA: f32 = 16.0;
 
-/// How steep a valley is of that area, and how steep ground is without one, as shares of a hillside.
+/// The steepness of a valley of that area, and of ground without one, as shares of a hillside's.
 const VALLEY: f32 = 0.4;
 const FLANK: f32 = 1.15;
 
@@ -44,7 +44,7 @@ impl Valleys {
 #[derive(Clone, Debug)]
 pub(super) struct Marking {
     valleys: Valleys,
-    /// What each node drains, in parcels.
+    /// The discharge of each node, in parcels.
     discharge: Vec<u32>,
     /// The area of a parcel, in square units.
     parcel: f32,

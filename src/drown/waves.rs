@@ -20,7 +20,7 @@ pub(super) struct Waves {
     round: u32,
 }
 
-/// How many rounds of blur there are, and how many of them a step takes.
+/// The number of rounds of blur, and of those that a step takes.
 const ROUNDS: u32 = 24;
 const ROUNDS_A_STEP: u32 = 4;
 

@@ -8,6 +8,7 @@
 use glam::Vec2;
 
 use super::Land;
+use crate::base::geometry::smooth_step;
 use crate::base::random::{ItemHash, Purpose, Seed};
 use crate::base::work;
 
@@ -64,7 +65,7 @@ impl CoastDetail {
     /// unit. Between two coasts distances hardly rise, and any move would make specks of land and water.
     pub fn shift(&self, at: Vec2, distance: f32, slope: f32) -> (f32, Vec2) {
         let way = (1.0 - distance.abs() / REACH).max(0.0);
-        let share = smooth(way) * smooth(slope.min(1.0)) * self.free.at(at);
+        let share = smooth_step(way) * smooth_step(slope) * self.free.at(at);
         if share <= 0.0 {
             return (0.0, Vec2::ZERO);
         }
@@ -94,12 +95,12 @@ fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
     /// The amplitude as a share of the wavelength, for smooth and for rough coasts.
     const SMOOTH: f32 = 0.04;
     const ROUGH: f32 = 0.24;
-    /// What it falls to with each octave: a coast of steep small waves looks like foam.
+    /// The share of it that is left with each octave: a coast of steep small waves looks like foam.
     const LESS: f32 = 0.8;
     let share = SMOOTH + (ROUGH - SMOOTH) * roughness.clamp(0.0, 1.0);
     let octave = |number: u32| {
         let wavelength = BROADEST / (1 << number) as f32;
-        let seen = smooth(((wavelength * per_unit - FIRST_SEEN) / (ALL_SEEN - FIRST_SEEN)).clamp(0.0, 1.0));
+        let seen = smooth_step((wavelength * per_unit - FIRST_SEEN) / (ALL_SEEN - FIRST_SEEN));
         // Gradient noise has its crests about two squares apart.
         Octave { number, per_unit: 2.0 / wavelength, amplitude: wavelength * share * seen }
     };
@@ -113,10 +114,6 @@ fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
 /// Returns `true` if a place of a river is so near to the coast that its banks may reach what moves.
 fn is_near(land: &Land, (at, half): (Vec2, f32)) -> bool {
     land.coast_distance().height(at).abs() < half + REACH + FAR
-}
-
-fn smooth(way: f32) -> f32 {
-    way * way * (3.0 - 2.0 * way)
 }
 
 /// Gradient noise (Perlin 1985, with the fade of 2002), from about -1 to 1, and its gradient.
@@ -165,7 +162,7 @@ const SLOPES: [Vec2; 8] = {
 const NEAR: f32 = 1.5;
 const FAR: f32 = 4.5;
 
-/// How free the coast is to move, on a lattice with a corner at every unit, in 255ths: not at all near rivers.
+/// The freedom of the coast to move, on a lattice with a corner at every unit, in 255ths: not at all near rivers.
 #[derive(Clone, Debug)]
 struct Free {
     columns: usize,
@@ -193,7 +190,7 @@ impl Free {
             let off = Vec2::new(column as f32, row as f32) - from;
             let way = (off.dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
             let away = (off - along * way).length() - (half_from + (half_to - half_from) * way);
-            let free = smooth(((away - NEAR) / (FAR - NEAR)).clamp(0.0, 1.0));
+            let free = smooth_step((away - NEAR) / (FAR - NEAR));
             let share = &mut self.shares[row * self.columns + column];
             *share = (*share).min((free * 255.0) as u8);
         }

@@ -95,7 +95,7 @@ impl Look {
     }
 }
 
-/// How far a value is out of a range, as a share of the range's width if that is more than 1; 0 within it.
+/// The distance of a value from a range, as a share of the range's width if that is more than 1; 0 within it.
 #[inline(never)] // each copy weighs sixty bytes
 fn beyond(value: f32, [least, most]: [f32; 2]) -> f32 {
     (least - value).max(value - most).max(0.0) / (most - least).max(1.0)

@@ -74,7 +74,7 @@ impl<'a> Form<'a> {
 
     /// The height of a point with other spines and the relief at the point.
     fn with(&self, spines: &Spines, point: Vec2, relief: &Relief) -> f32 {
-        /// How much steeper the sea bed of an archipelago is than its land, or noise would join islands.
+        /// The steepness of the sea bed of an archipelago over that of its land: less, and noise would join islands.
         const STEEP: f32 = 2.5;
         let moat = || self.moat(point, relief.rise / self.shape.span(), relief.stray);
         let spines = || spines.height(relief.at);
@@ -157,7 +157,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
     }
 }
 
-/// How far noise moves the coasts of a kind of land.
+/// The distances by which noise moves the coasts of a kind of land.
 fn amplitudes(kind: LandKind) -> Amplitudes {
     match kind {
         LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },

@@ -14,7 +14,7 @@ const SHALLOWEST: f32 = 1.0;
 pub(crate) fn above(low: &Land, heights: &[f32], level: f32) -> Land {
     /// The least area of an island, in cells.
     const SPECK: u32 = 40;
-    /// How often specks are looked for: each time there are fewer corners of land.
+    /// The number of times that specks are looked for: each time there are fewer corners of land.
     const ROUNDS: usize = 8;
     let domain = Domain { size: low.size() };
     let mut over: Vec<f32> = heights.iter().map(|height| height - level).collect();

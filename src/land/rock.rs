@@ -25,7 +25,7 @@ pub(super) struct Rock {
     roughness: f32,
 }
 
-/// What rock does at a point.
+/// The effect of rock at a point.
 pub(super) struct Relief {
     /// The point from which land is taken there.
     pub at: Vec2,

@@ -25,7 +25,7 @@ pub(super) fn thinned(scale: f32) -> f32 {
 #[derive(Clone, Copy)]
 pub(super) struct ShownCoast<'a> {
     pub smooth: &'a SmoothedDistance,
-    /// What there is between its corners; `None` if pixels are too large for that.
+    /// The detail between its corners; `None` if pixels are too large for that.
     pub detail: Option<&'a CoastDetail>,
 }
 
@@ -138,7 +138,7 @@ enum Span {
     Uneven(Stretch, Holds),
 }
 
-/// What a stretch holds besides tints.
+/// The lines of a stretch, besides its tints.
 #[derive(Clone, Copy, Debug)]
 enum Holds {
     Tints,
@@ -205,7 +205,7 @@ impl Shades {
         spans
     }
 
-    /// What there is between two heights, on a coast with or without detail.
+    /// The area between two heights, on a coast with or without detail.
     fn holds(&self, least: f32, most: f32, has_detail: bool) -> Holds {
         if has_detail && least < REACH && most > -REACH {
             return Holds::Detail;

@@ -24,7 +24,7 @@ pub(super) struct Cells {
     pub middle: f32,
     /// How far inland the middle of each lies, in units; 0 or less at sea.
     pub inland: Vec<f32>,
-    /// How far the middle of each lies from the coast of the low stand, in units, if the sea has risen since; else empty.
+    /// The distance of each middle from the coast of the low stand, in units, if the sea has risen since; else empty.
     pub from_low_stand: Vec<f32>,
 }
 
@@ -115,7 +115,7 @@ impl Cells {
         self.inland[cell] > 0.0
     }
 
-    /// How far a cell of land lies from the coast by which hillsides steepen, in units: that of the low stand, if the sea has
+    /// The distance of a cell of land from the coast by which hillsides steepen, in units: that of the low stand, if the sea has
     /// risen. Drowned valleys are as steep at the water as they were at that height.
     #[inline]
     pub fn way_inland(&self, cell: usize) -> f32 {

@@ -9,7 +9,7 @@ use crate::base::memory::{Refused, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
 
-/// How often hillsides are averaged with their neighbours.
+/// The number of times that hillsides are averaged with their neighbours.
 const ROUNDS: u32 = 2;
 
 /// The share by which a cell comes nearer to the average of its neighbours in a round.
@@ -18,7 +18,7 @@ const SHARE: f32 = 0.75;
 /// Heights that creep, in the making.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Creep {
-    /// Those of all cells, the rim included; infinite where there is no land.
+    /// The heights of all cells, the rim included; infinite where there is no land.
     pub heights: Vec<f32>,
     next: Vec<f32>,
     rounds: u32,

@@ -25,7 +25,7 @@ pub(crate) struct LowStandRelief {
     front: Front,
 }
 
-/// How many entries of its queue the front moves on by in a step.
+/// The number of entries of its queue by which the front moves on in a step.
 const ENTRIES_A_STEP: usize = 40_000;
 
 impl LowStandRelief {

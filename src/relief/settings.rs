@@ -35,7 +35,7 @@ pub struct ReliefSettings {
     pub plains: f32,
     /// The number of threads that may work on it. The result does not depend on it.
     pub threads: NonZero<usize>,
-    /// How far rills carve the hillsides, from 0 to 1.
+    /// The strength with which rills carve the hillsides, from 0 to 1.
     pub rills: f32,
     /// The hard and soft ground that rivers grew on, if they did: its wavelength, in units, and its contrast.
     pub(crate) rock: Option<(f32, f32)>,

@@ -42,7 +42,7 @@ pub struct ReliefSolver {
     channels: Channels,
     front: Front,
     creep: Creep,
-    /// Whether a river passes each cell.
+    /// For each cell, `true` if a river passes it.
     is_river: Vec<bool>,
 }
 
@@ -55,7 +55,7 @@ struct GivenWater {
     lower: fn(&mut ReliefSolver) -> Result<bool, Refused>,
 }
 
-/// What the next step does, or goes on with.
+/// The part that the next step does, or goes on with.
 #[derive(Clone, Copy, Debug)]
 enum Part {
     /// Finds the cells that are land.
@@ -82,7 +82,7 @@ enum Part {
     Finish,
 }
 
-/// How many entries of its queue the front moves on by in a step.
+/// The number of entries of its queue by which the front moves on in a step.
 const ENTRIES_A_STEP: usize = 20_000;
 
 /// The greatest number of times that rivers are lowered to their banks.

@@ -7,7 +7,7 @@ use super::cells::Cells;
 use super::profile;
 use super::rills::{Gentleness, RillCells};
 use super::settings::ReliefSettings;
-use crate::base::geometry::{distance, fast_max, fast_min};
+use crate::base::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::base::memory::{Refused, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::random::DEVIATION;
@@ -141,7 +141,7 @@ pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
     AT_THE_COAST + (settings.mountains - AT_THE_COAST).max(0.0) * way * way * (3.0 - 2.0 * way)
 }
 
-/// The sides of the map at which land runs on. What lies beyond is not known, so all water runs inward there: on usual
+/// The sides of the map at which land runs on. The land beyond is not known, so all water runs inward there: on usual
 /// slopes the border would be a wall.
 struct Border {
     domain: Domain,
@@ -164,14 +164,8 @@ impl Border {
         for ((_, far), runs_on) in self.domain.sides(at).into_iter().zip(self.runs_on) {
             nearest = if runs_on { fast_min(nearest, far) } else { nearest };
         }
-        LEAST + (1.0 - LEAST) * smoothstep(nearest / FAR)
+        LEAST + (1.0 - LEAST) * smooth_step(nearest / FAR)
     }
-}
-
-/// Rises smoothly from 0 at 0 to 1 at 1.
-fn smoothstep(share: f32) -> f32 {
-    let share = fast_max(share, 0.0);
-    share * share * (3.0 - 2.0 * share)
 }
 
 /// Steeper and gentler ground, sampled wide apart: it changes little from cell to cell.

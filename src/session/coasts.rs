@@ -12,11 +12,11 @@ use crate::tree::Tree;
 /// The lands of a session.
 #[derive(Clone, Debug)]
 pub(super) struct Coasts {
-    /// What the tree grows on; `None` if all of the domain is land.
+    /// The land on which the tree grows; `None` if all of the domain is land.
     planted: Option<Arc<Land>>,
     /// `true` if the land was given instead of being shaped by the recipe.
     pub are_given: bool,
-    /// What the sea rises from once the tree has grown; `None` if it does not.
+    /// The low stand from which the sea rises once the tree has grown; `None` if it does not.
     low_stand: Option<Arc<LowStand>>,
     rising: Option<Box<Drowning>>,
     drowned: Option<Risen>,
@@ -66,7 +66,7 @@ impl Coasts {
         self.drowned.as_ref().map(|risen| &risen.from)
     }
 
-    /// What the sea has left after it has risen, and the land that it rose over.
+    /// The land that the risen sea has left, and the land that it rose over.
     pub fn drowned(&self) -> Option<(&Drowned, &Land)> {
         Some((&self.drowned.as_ref()?.drowned, self.planted.as_deref()?))
     }

@@ -9,7 +9,7 @@ use crate::base::work;
 use crate::land::{Cell, Land};
 use crate::tree::{Hydrology, NO_PARENT, Tree};
 
-/// What is left of the parcels after the sea has risen.
+/// The parcels that the risen sea has left.
 #[derive(Clone, Debug)]
 pub(super) struct Left {
     /// The number of parcels on land.

@@ -67,7 +67,7 @@ pub struct Drainage {
     /// The number of parcels that the largest river drains, once growth has ended.
     largest_basin: Option<u32>,
     ending: Option<Ending>,
-    /// What the sea has left; `None` if it has not risen.
+    /// The land that the risen sea has left; `None` if it has not risen.
     left: Option<Left>,
 }
 
