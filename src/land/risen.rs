@@ -1,6 +1,6 @@
 //! The land that a risen sea leaves: what lies above a level of heights over a low stand.
 
-use super::cell::CELL_SIZE;
+use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
 use super::grid::Grid;
 use super::queries::Land;
@@ -23,11 +23,13 @@ pub(crate) fn above(low: &Land, heights: &[f32], level: f32) -> Land {
         let coast = CoastDistance::above(low.coast_distance(), &over, SHALLOWEST);
         let grid = Grid::above_water(&domain, &coast);
         let specks: Vec<Region> = regions_of(&grid.runs).into_iter().filter(|region| region.cells < SPECK).collect();
+        let bare = corners_without_cells(&coast, &grid);
         round += 1;
-        if specks.is_empty() || round == ROUNDS {
+        if (specks.is_empty() && bare.is_empty()) || round == ROUNDS {
             return Land::on(grid, coast, low.ridges().to_vec());
         }
         sink(&specks, &coast, &mut over);
+        bare.into_iter().for_each(|corner| over[corner] = over[corner].min(-SHALLOWEST));
     }
 }
 
@@ -42,6 +44,29 @@ fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
             over[corner] = over[corner].min(-SHALLOWEST);
         }
     }
+}
+
+/// The corners of parts of the land without a single cell. There would still be a coast around them, and water lines.
+fn corners_without_cells(coast: &CoastDistance, grid: &Grid) -> Vec<usize> {
+    let (columns, _) = coast.size();
+    let apart = (coast.spacing() / CELL_SIZE) as i32;
+    let has_cell = |corner: usize| {
+        let (column, row) = ((corner % columns) as i32 * apart, (corner / columns) as i32 * apart);
+        let touching = [(column, row), (column - 1, row), (column, row - 1), (column - 1, row - 1)];
+        touching.into_iter().any(|(column, row)| grid.cell(column, row) == Cell::Land)
+    };
+    let mut bare = Vec::new();
+    for region in coast.regions(Cell::Land) {
+        let before = bare.len();
+        for run in &region.runs {
+            let row = run.row as usize * columns;
+            bare.extend(row + run.start as usize..row + run.end as usize);
+        }
+        if bare[before..].iter().any(|&corner| has_cell(corner)) {
+            bare.truncate(before);
+        }
+    }
+    bare
 }
 
 /// The corners of all lattice squares that a region has cells in, or only those that touch a cell.
@@ -59,4 +84,25 @@ fn corners_around(region: &Region, coast: &CoastDistance, is_touching: bool) -> 
         }
     }
     corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    #[test]
+    fn no_coast_is_without_land() {
+        for land in ["island", "archipelago", "continent"] {
+            for seed in ["skye", "galicia", "orinoco"] {
+                let text = format!("seed={seed}&land={land}&attractors=6000&drowning=0.4");
+                let mut session = Session::new(link::read(&text).unwrap()).unwrap();
+                session.finish().unwrap();
+                let coast = session.land().unwrap().coast_distance();
+                let grid = Grid::above_water(&session.domain(), coast);
+                assert_eq!(corners_without_cells(coast, &grid), Vec::<usize>::new(), "{text}");
+            }
+        }
+    }
 }
