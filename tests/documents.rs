@@ -106,3 +106,16 @@ fn every_page_is_linked_from_readme() {
         assert!(linked.contains(&name.as_str()), "README does not link to {name}");
     }
 }
+
+#[test]
+fn fuzzing_begins_with_every_key() {
+    if is_published() {
+        return;
+    }
+    let [link, json] = ["link", "json"].map(|target| read(format!("fuzz/seeds/{target}/every-key")));
+    for parameter in &riverseed::recipe::table::TABLE {
+        let name = parameter.name;
+        assert!(link.split('&').any(|pair| pair == format!("{name}=1")), "no {name} in the seed of links");
+        assert!(json.contains(&format!("\"{name}\":1")), "no {name} in the seed of files");
+    }
+}

@@ -4,7 +4,7 @@ use crate::base::memory::{Refused, ask};
 use crate::base::sort;
 use crate::base::work;
 use crate::domain::Domain;
-use crate::land::{Land, above};
+use crate::land::{Land, RisenSea};
 
 /// The search for a level, in heights at the corners of a low stand's lattice.
 #[derive(Clone, Debug)]
@@ -16,13 +16,15 @@ pub(super) struct Level {
     sea: f32,
     share: f32,
     tries: u32,
+    /// `true` until a level is nearly right.
+    is_rough: bool,
 }
 
 /// The difference between the share of sea and what is asked for that is near enough.
 const NEAR: f32 = 5e-4;
 
 /// The greatest number of levels that are tried.
-const TRIES: u32 = 4;
+const TRIES: u32 = 6;
 
 impl Level {
     /// Sorts heights over a low stand; the sea shall cover a share of the domain.
@@ -34,18 +36,30 @@ impl Level {
         let squares = low_stand.coast_distance().squares_around(&Domain { size: low_stand.size() });
         let order = sort::argsort(heights.iter().map(|&height| sort::key(height)));
         let sorted = order.into_iter().map(|corner| (corner as u32, squares[corner])).collect();
-        Ok(Self { heights, sorted, sea, share: sea, tries: 0 })
+        Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true })
     }
 
-    /// Tries a level. Returns the land above it if it leaves the right share.
+    /// Tries a level. Returns the land above it if it leaves the right share. Where exactly its coast runs is found out
+    /// only once a level is nearly right.
     pub fn advance(&mut self, low_stand: &Land) -> Option<Land> {
         // Below the low stand the sea would have fallen.
         let level = self.quantile(self.share).max(0.0);
-        let land = above(low_stand, &self.heights, level);
-        let off = self.sea - land.share_of_sea();
+        let sea = RisenSea::new(low_stand, &self.heights, level);
+        let is_last = level == 0.0 || self.tries + 1 == TRIES;
+        if self.is_rough && !is_last {
+            self.is_rough = !self.is_right(sea.share());
+            return None;
+        }
+        let land = sea.into_land();
+        (self.is_right(land.share_of_sea()) || is_last).then_some(land)
+    }
+
+    /// Returns `true` if that share of the domain is near enough to what is asked for. The next try is nearer.
+    fn is_right(&mut self, share: f32) -> bool {
+        let off = self.sea - share;
         self.share = (self.share + off).clamp(0.0, 1.0);
         self.tries += 1;
-        (off.abs() < NEAR || self.tries == TRIES || level == 0.0).then_some(land)
+        off.abs() < NEAR
     }
 
     /// The heights, in units.

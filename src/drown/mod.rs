@@ -162,17 +162,17 @@ impl Drowning {
         self.low_stand.land.coast_distance()
     }
 
-    /// Finds how hard the ground is at each corner.
+    /// Finds how hard the ground is at each corner of the low stand; as hard as usual at sea, where nobody asks.
     fn rock(&self) -> Result<Vec<f32>, Refused> {
         let (lattice, noise) = (self.lattice(), self.drainage.rock());
         let corners = lattice.heights().len();
         ask(size_of_val(lattice.heights()))?;
         work::count(4 * corners);
-        let hardness = |corner| {
+        let hardness = |(corner, &height): (usize, &f32)| {
             let at = lattice.corner(corner);
-            DEVIATION * noise.get_noise_2d(at.x, at.y)
+            if height > 0.0 { DEVIATION * noise.get_noise_2d(at.x, at.y) } else { 0.0 }
         };
-        Ok((0..corners).map(hardness).collect())
+        Ok(lattice.heights().iter().enumerate().map(hardness).collect())
     }
 
     /// The ease with which waves move the ground at each corner, from 0 to 1.

@@ -4,11 +4,14 @@
 //! growth, which uses cells. Pictures show the coast without facets (`smoothed_distance.rs`). To make a field, all that
 //! is needed is a coast as line pieces, and which side of it is land.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::cell::Cell;
 use super::regions::{Region, Run, regions};
 use super::walk::walk;
+use crate::base::geometry::{fast_max, fast_min};
 use crate::base::sort;
 use crate::base::work;
 use crate::domain::Domain;
@@ -39,30 +42,51 @@ impl CoastDistance {
     /// than the width of a coast line. It divides the other spacings and is a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
-    /// The land where a height function is high, on a lattice with this spacing. The sea covers the given share of the
-    /// domain, where the function is lowest.
+    /// The land where a height function is high, on a lattice with this spacing, without islets and ponds. The sea covers
+    /// the given share of the domain, where the function is lowest. Heights are those of the function until the land is
+    /// [settled](Self::settled).
     pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: &dyn Fn(Vec2) -> f32) -> Self {
-        Self::sampled(domain, spacing, share, height).settled()
-    }
-
-    /// The same land with some corners under water, by their numbers.
-    pub(super) fn flooded(mut self, corners: &[usize]) -> Self {
-        // The coast between a flooded corner and its neighbour shall lie midway, however far inland they were.
-        let far = self.spacing;
-        self.heights.iter_mut().for_each(|height| *height = height.max(-far).min(far));
-        corners.iter().for_each(|&corner| self.heights[corner] = -far);
-        self.settled()
-    }
-
-    /// The land above height 0 of heights at the corners of a lattice, row by row. Water is at least `shallowest` units
-    /// deep at its corners, so that it is connected as they are, however narrow it is.
-    pub(super) fn above(template: &Self, heights: &[f32], shallowest: f32) -> Self {
-        let &Self { columns, rows, spacing, .. } = template;
-        let this = Self { heights: heights.to_vec(), columns, rows, spacing };
-        let coast = this.contour();
-        let mut this = this.measured(&coast);
-        this.heights.iter_mut().filter(|height| **height <= 0.0).for_each(|height| *height = height.min(-shallowest));
+        let mut this = Self::sampled(domain, spacing, share, height);
+        this.remove_islets_and_ponds();
         this
+    }
+
+    /// The same land with some corners under water, by their numbers. It is to be [settled](Self::settled).
+    pub(super) fn flooded(mut self, corners: &[usize]) -> Self {
+        let depth = self.spacing;
+        for &corner in corners {
+            self.heights[corner] = -depth;
+            // The coast between a flooded corner and its neighbour shall lie midway, however high that is.
+            let [column, row] = [corner % self.columns, corner / self.columns];
+            for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
+                for column in column.saturating_sub(1)..(column + 2).min(self.columns) {
+                    let beside = &mut self.heights[row * self.columns + column];
+                    *beside = beside.min(depth);
+                }
+            }
+        }
+        self.remove_islets_and_ponds();
+        self
+    }
+
+    /// The distances from the line of height 0.
+    #[inline(never)] // one copy for all lands
+    pub(super) fn settled(self) -> Self {
+        let coast = self.contour();
+        self.measured(&coast)
+    }
+
+    /// The land above height 0 of heights at the corners of a lattice like this one, row by row, with these for distances
+    /// until it is [settled](Self::settled).
+    pub(super) fn with_heights_of(&self, heights: &[f32]) -> Self {
+        let &Self { columns, rows, spacing, .. } = self;
+        Self { heights: heights.to_vec(), columns, rows, spacing }
+    }
+
+    /// Deepens water to so many units at its corners, so that it is connected as they are, however narrow it is.
+    pub(super) fn deepened(mut self, shallowest: f32) -> Self {
+        self.heights.iter_mut().filter(|height| **height <= 0.0).for_each(|height| *height = height.min(-shallowest));
+        self
     }
 
     /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
@@ -85,14 +109,6 @@ impl CoastDistance {
             (0..squares).for_each(|_| of_squares.push(*height));
         }
         of_squares
-    }
-
-    /// The distances from the line of height 0, without islets and ponds.
-    #[inline(never)] // one copy for all lands
-    fn settled(mut self) -> Self {
-        self.remove_islets_and_ponds();
-        let coast = self.contour();
-        self.measured(&coast)
     }
 
     /// The land within a coast, on a lattice with this spacing; `is_land` lists the corners row by row.
@@ -189,7 +205,7 @@ impl CoastDistance {
         for (kind, least, level) in [(Cell::Land, islet, -LEVELLED), (Cell::Water, pond, LEVELLED)] {
             for region in self.regions(kind).iter().skip(1).filter(|region| region.cells < least) {
                 for run in &region.runs {
-                    self.row(run).fill(level);
+                    self.heights[corners_of_run(run, self.columns)].fill(level);
                 }
             }
         }
@@ -201,9 +217,10 @@ impl CoastDistance {
         regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)
     }
 
-    fn row(&mut self, run: &Run) -> &mut [f32] {
-        let start = run.row as usize * self.columns;
-        &mut self.heights[start + run.start as usize..start + run.end as usize]
+    /// The corners of a region, by their numbers.
+    pub(super) fn corners_of<'a>(&self, region: &'a Region) -> impl Iterator<Item = usize> + 'a {
+        let columns = self.columns;
+        region.runs.iter().flat_map(move |run| corners_of_run(run, columns))
     }
 
     /// The line of height 0, from the squares of the lattice (marching squares).
@@ -275,6 +292,24 @@ impl CoastDistance {
         }
     }
 
+    /// The first of some intervals between a row of corners and the next one, those that a coast may run through, and
+    /// those after them.
+    pub(super) fn coasts_between(&self, row: usize, intervals: usize) -> Vec<u32> {
+        let corners = |row: usize| self.heights[row.min(self.rows - 1) * self.columns..][..=intervals].windows(2);
+        let mut coasts = Vec::new();
+        // 0 for water on all sides, 4 for land.
+        let mut before = usize::MAX;
+        for (interval, (upper, lower)) in (0..).zip(corners(row).zip(corners(row + 1))) {
+            let land = [upper[0], upper[1], lower[0], lower[1]].map(|height| usize::from(height > 0.0));
+            let land = land[0] + land[1] + land[2] + land[3];
+            if land % 4 != 0 || land != before {
+                coasts.push(interval);
+            }
+            before = land;
+        }
+        coasts
+    }
+
     /// The distance of a point from the coast, in units; negative at sea. Points outside the domain have the value of
     /// its border.
     #[inline]
@@ -297,6 +332,12 @@ impl CoastDistance {
     }
 }
 
+/// The corners of a run, by their numbers.
+fn corners_of_run(run: &Run, columns: usize) -> Range<usize> {
+    let start = run.row as usize * columns;
+    start + run.start as usize..start + run.end as usize
+}
+
 fn corner(i: usize, columns: usize, spacing: f32) -> Vec2 {
     Vec2::new((i % columns) as f32, (i / columns) as f32) * spacing
 }
@@ -311,19 +352,20 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
 
 /// The nearest piece of coast for each corner. It is known beside the coast and passed on from corner to corner, as in
 /// a distance transform (Danielsson 1980).
-struct Nearest<'a> {
-    coast: &'a [Piece],
+struct Nearest {
+    coast: Vec<Side>,
     piece: Vec<u32>,
     squared: Vec<f32>,
     columns: usize,
     spacing: f32,
 }
 
-impl<'a> Nearest<'a> {
-    fn of(coast: &'a [Piece], lattice: &CoastDistance) -> Self {
+impl Nearest {
+    fn of(coast: &[Piece], lattice: &CoastDistance) -> Self {
         let &CoastDistance { columns, rows, spacing, .. } = lattice;
         let squared = vec![FARTHEST * FARTHEST; columns * rows];
-        let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns, spacing };
+        let sides = coast.iter().map(|&[from, to]| Side::between(from, to)).collect();
+        let mut this = Self { coast: sides, piece: vec![u32::MAX; columns * rows], squared, columns, spacing };
         for (piece, [from, to]) in (0..).zip(coast) {
             for (column, row) in walk(*from / spacing, *to / spacing) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
@@ -375,9 +417,9 @@ impl<'a> Nearest<'a> {
             return;
         }
         work::count(1);
-        if let Some([from, to]) = self.coast.get(piece as usize) {
+        if let Some(side) = self.coast.get(piece as usize) {
             let corner = Vec2::new(column as f32, row as f32) * self.spacing;
-            let squared = squared_distance(corner, *from, *to);
+            let squared = side.squared_distance(corner);
             if squared < self.squared[i] {
                 (self.squared[i], self.piece[i]) = (squared, piece);
             }
@@ -385,12 +427,27 @@ impl<'a> Nearest<'a> {
     }
 }
 
-/// The squared distance of a point from a straight piece.
-fn squared_distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
-    let (along, off) = (to - from, point - from);
-    let length = along.length_squared();
-    let t = if length > 0.0 { (off.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (off - along * t).length_squared()
+/// A straight piece of coast, prepared for distances from it.
+struct Side {
+    from: Vec2,
+    along: Vec2,
+    /// One over the square of the length; 0 if that is 0.
+    shortness: f32,
+}
+
+impl Side {
+    fn between(from: Vec2, to: Vec2) -> Self {
+        let along = to - from;
+        let squared = along.length_squared();
+        Self { from, along, shortness: if squared > 0.0 { 1.0 / squared } else { 0.0 } }
+    }
+
+    #[inline]
+    fn squared_distance(&self, point: Vec2) -> f32 {
+        let off = point - self.from;
+        let t = fast_min(fast_max(off.dot(self.along) * self.shortness, 0.0), 1.0);
+        (off - self.along * t).length_squared()
+    }
 }
 
 #[cfg(test)]
@@ -404,7 +461,7 @@ mod tests {
         let centre = domain.size / 2.0;
         // A round island, defined by its height and by its coast.
         let cone = |point: Vec2| -(point - centre).length();
-        let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, &cone);
+        let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, &cone).settled();
         let radius = (0.4e6 / std::f32::consts::PI).sqrt();
         let at = |i: usize| {
             let angle = i as f32 / 200.0 * std::f32::consts::TAU;
@@ -446,7 +503,8 @@ mod tests {
             CoastDistance::of_coast(&domain, CoastDistance::SPACING, &coast, &vec![true; columns * rows]);
         let mut far_off = 0;
         for (i, height) in coast_distance.heights.iter().enumerate() {
-            let exact = coast.iter().map(|[from, to]| squared_distance(coast_distance.corner(i), *from, *to));
+            let exact =
+                coast.iter().map(|&[from, to]| Side::between(from, to).squared_distance(coast_distance.corner(i)));
             let exact = exact.fold(f32::INFINITY, f32::min).sqrt();
             assert!(height - exact > -0.01 && height - exact < 2.0, "{height} is not {exact}");
             far_off += u32::from(height - exact > 0.01);

@@ -17,16 +17,7 @@ impl Shape {
     /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
     /// land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
-        self.coast_distance_at(spacing, self.sea)
-    }
-
-    /// The same at another level of the sea, at which that covers another share of the domain.
-    pub fn coast_distance_at(&self, spacing: f32, sea: f32) -> Option<CoastDistance> {
-        if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
-            return None;
-        }
-        let form = Form::of(self);
-        Some(CoastDistance::with_sea(&self.domain, spacing, sea, &|point| form.height(point)))
+        Some(Form::of(self)?.with_sea(spacing, self.sea).settled())
     }
 }
 
@@ -40,12 +31,21 @@ pub(super) struct Form<'a> {
 }
 
 impl<'a> Form<'a> {
-    /// Makes the form of a shape. Where layouts are drafted, neither the share of the sea nor roughness decides which
-    /// draft is taken: they change a coast a little, but never for another one.
-    pub fn of(shape: &'a Shape) -> Self {
+    /// Makes the form of a shape; `None` for the plain rectangle and for a drawn land. Where layouts are drafted, neither
+    /// the share of the sea nor roughness decides which draft is taken: they change a coast a little, but never for
+    /// another one.
+    pub fn of(shape: &'a Shape) -> Option<Self> {
+        if matches!(shape.kind, LandKind::Rectangle | LandKind::Drawn) {
+            return None;
+        }
         let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, ..shape.clone() };
         let draft = wanted(shape.kind).map_or(0, |wanted| Form::with_draft(&usual, 0).best_draft(&wanted));
-        Self::with_draft(shape, draft)
+        Some(Self::with_draft(shape, draft))
+    }
+
+    /// The land where the sea covers a share of the domain, not [settled](CoastDistance::settled) yet.
+    pub fn with_sea(&self, spacing: f32, sea: f32) -> CoastDistance {
+        CoastDistance::with_sea(&self.shape.domain, spacing, sea, &|point| self.height(point))
     }
 
     fn with_draft(shape: &'a Shape, draft: u32) -> Self {

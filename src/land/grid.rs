@@ -33,11 +33,14 @@ impl Grid {
         // The number of cells in an interval of the lattice.
         let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
         let mut heights = vec![0.0; columns.div_ceil(cells) + 1];
-        let mut runs = Vec::new();
+        let (mut runs, mut coasts) = (Vec::new(), Vec::new());
         for row in 0..rows {
+            if row.is_multiple_of(cells) {
+                coasts = coast_distance.coasts_between(row / cells, heights.len() - 1);
+            }
             let y = ((row % cells) as f32 + 0.5) / cells as f32;
             coast_distance.corners_between(row / cells, y, &mut heights);
-            land_of_row(row as u32, (columns, cells), &heights, &mut runs);
+            land_of_row(row as u32, (columns, cells), (&coasts, &heights), &mut runs);
         }
         Self::of_runs(domain, runs)
     }
@@ -189,8 +192,9 @@ fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
 }
 
 /// Adds the stretches of a row's cells that lie above water. The height is linear from one lattice corner to the next,
-/// so most cells need not be looked at one by one. The pair holds the number of columns and of cells in an interval.
-fn land_of_row(row: u32, (columns, cells): (usize, usize), heights: &[f32], runs: &mut Vec<Run>) {
+/// so most cells need not be looked at one by one. The pairs hold the number of columns and of cells in an interval, and
+/// the intervals to look at with the heights at the ends of all.
+fn land_of_row(row: u32, (columns, cells): (usize, usize), (coasts, heights): (&[u32], &[f32]), runs: &mut Vec<Run>) {
     let mut start = None;
     let mut turn = |column: usize, is_land: bool| match start {
         None if is_land => start = Some(column as u32),
@@ -200,8 +204,8 @@ fn land_of_row(row: u32, (columns, cells): (usize, usize), heights: &[f32], runs
         }
         _ => {}
     };
-    for (interval, ends) in heights.windows(2).enumerate() {
-        let (first, [left, right]) = (interval * cells, [ends[0], ends[1]]);
+    for interval in coasts.iter().map(|&interval| interval as usize) {
+        let (first, [left, right]) = (interval * cells, [heights[interval], heights[interval + 1]]);
         if (left > 0.0) == (right > 0.0) {
             turn(first, left > 0.0);
             continue;

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::cell::Cell;
 use super::coast_distance::CoastDistance;
+use super::form::Form;
 use super::kinds::Shape;
 use super::queries::Land;
 use super::straits::straits;
@@ -38,12 +39,13 @@ impl LowStand {
             return None;
         }
         let shape = Shape::of(recipe);
-        let today = shape.coast_distance(spacing)?;
+        let form = Form::of(&shape)?;
+        let today = form.with_sea(spacing, shape.sea).settled();
         let drowning = recipe.number(NumberKey::Drowning);
         // The lower the sea, the likelier is a part between ridges without a coast.
         let mut lowest = None;
         for share in LOWERINGS {
-            let land = land(&shape, &today, low_sea(&shape, drowning * share))?;
+            let land = land(&shape, &form, &today, low_sea(&shape, drowning * share));
             if has_coasts(&land) {
                 lowest = Some(land);
                 break;
@@ -65,12 +67,11 @@ impl LowStand {
 const LOWERINGS: [f32; 4] = [1.0, 0.6, 0.3, 0.0];
 
 /// The land where the sea covers a share of the domain, with today's straits, and without losing any of today's seas.
-fn land(shape: &Shape, today: &CoastDistance, sea: f32) -> Option<Land> {
-    let low = shape.coast_distance_at(today.spacing(), sea)?;
+fn land(shape: &Shape, form: &Form, today: &CoastDistance, sea: f32) -> Land {
+    let low = form.with_sea(today.spacing(), sea);
     let mut kept = straits(today);
     kept.extend(lost_seas(today, &low));
-    let low = if kept.is_empty() { low } else { low.flooded(&kept) };
-    Some(Land::new(&shape.domain, low, shape.ridges()))
+    Land::new(&shape.domain, low.flooded(&kept).settled(), shape.ridges())
 }
 
 /// Returns `true` if every part of a land that is large enough for rivers has a coast.
@@ -91,17 +92,7 @@ fn low_sea(shape: &Shape, drowning: f32) -> f32 {
 
 /// The corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
 fn lost_seas(today: &CoastDistance, low: &CoastDistance) -> Vec<usize> {
-    let columns = today.size().0;
-    let mut lost = Vec::new();
-    for sea in today.regions(Cell::Water) {
-        let before = lost.len();
-        for run in &sea.runs {
-            let row = run.row as usize * columns;
-            lost.extend(row + run.start as usize..row + run.end as usize);
-        }
-        if lost[before..].iter().any(|&corner| low.heights()[corner] <= 0.0) {
-            lost.truncate(before);
-        }
-    }
-    lost
+    let mut seas = today.regions(Cell::Water);
+    seas.retain(|sea| today.corners_of(sea).all(|corner| low.heights()[corner] > 0.0));
+    seas.iter().flat_map(|sea| today.corners_of(sea)).collect()
 }

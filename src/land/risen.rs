@@ -10,26 +10,55 @@ use crate::domain::Domain;
 /// The least depth of water at the corners of the lattice, in units: so every channel is some cells wide.
 const SHALLOWEST: f32 = 1.0;
 
-/// The land above a level, in units, of heights at the corners of the low stand's lattice. Specks of it sink.
-pub(crate) fn above(low: &Land, heights: &[f32], level: f32) -> Land {
-    /// The least area of an island, in cells.
-    const SPECK: u32 = 40;
-    /// The number of times that specks are looked for: each time there are fewer corners of land.
-    const ROUNDS: usize = 8;
-    let domain = Domain { size: low.size() };
-    let mut over: Vec<f32> = heights.iter().map(|height| height - level).collect();
-    let mut round = 0;
-    loop {
-        let coast = CoastDistance::above(low.coast_distance(), &over, SHALLOWEST);
-        let grid = Grid::above_water(&domain, &coast);
-        let specks: Vec<Region> = regions_of(&grid.runs).into_iter().filter(|region| region.cells < SPECK).collect();
-        let bare = corners_without_cells(&coast, &grid);
-        round += 1;
-        if (specks.is_empty() && bare.is_empty()) || round == ROUNDS {
-            return Land::on(grid, coast, low.ridges().to_vec());
+/// A sea that has risen to a level, over a low stand.
+#[derive(Clone, Debug)]
+pub(crate) struct RisenSea<'a> {
+    low: &'a Land,
+    /// The heights above the level at the corners of the low stand's lattice, in units, with specks of land sunk.
+    over: Vec<f32>,
+    /// The share of the domain that is sea.
+    share: f32,
+}
+
+impl<'a> RisenSea<'a> {
+    /// Raises the sea to a level, in units, of heights at the corners. Specks of land sink.
+    pub fn new(low: &'a Land, heights: &[f32], level: f32) -> Self {
+        let mut this = Self { low, over: heights.iter().map(|height| height - level).collect(), share: 0.0 };
+        this.share = 1.0 - this.sink_specks(|lattice| lattice).1.share_of_land();
+        this
+    }
+
+    /// The share of the domain that is sea, nearly: without the distances that decide where exactly a coast runs.
+    pub fn share(&self) -> f32 {
+        self.share
+    }
+
+    /// The land that the sea has left.
+    pub fn into_land(mut self) -> Land {
+        // Where exactly the coast runs, another speck may be left.
+        let (coast, grid) = self.sink_specks(CoastDistance::settled);
+        Land::on(grid, coast, self.low.ridges().to_vec())
+    }
+
+    /// Sinks specks of land until there are none, as far as `settle` tells where the coast runs. Returns what is left.
+    fn sink_specks(&mut self, settle: fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+        /// The least area of an island, in cells.
+        const SPECK: u32 = 40;
+        /// The number of times that specks are looked for: each time there are fewer corners of land.
+        const ROUNDS: usize = 8;
+        let mut round = 1;
+        loop {
+            let coast = settle(self.low.coast_distance().with_heights_of(&self.over)).deepened(SHALLOWEST);
+            let grid = Grid::above_water(&Domain { size: self.low.size() }, &coast);
+            let specks: Vec<Region> = regions_of(&grid.runs).into_iter().filter(|part| part.cells < SPECK).collect();
+            let bare = corners_without_cells(&coast, &grid);
+            if (specks.is_empty() && bare.is_empty()) || round == ROUNDS {
+                return (coast, grid);
+            }
+            sink(&specks, &coast, &mut self.over);
+            bare.into_iter().for_each(|corner| self.over[corner] = self.over[corner].min(-SHALLOWEST));
+            round += 1;
         }
-        sink(&specks, &coast, &mut over);
-        bare.into_iter().for_each(|corner| over[corner] = over[corner].min(-SHALLOWEST));
     }
 }
 
@@ -55,18 +84,9 @@ fn corners_without_cells(coast: &CoastDistance, grid: &Grid) -> Vec<usize> {
         let touching = [(column, row), (column - 1, row), (column, row - 1), (column - 1, row - 1)];
         touching.into_iter().any(|(column, row)| grid.cell(column, row) == Cell::Land)
     };
-    let mut bare = Vec::new();
-    for region in coast.regions(Cell::Land) {
-        let before = bare.len();
-        for run in &region.runs {
-            let row = run.row as usize * columns;
-            bare.extend(row + run.start as usize..row + run.end as usize);
-        }
-        if bare[before..].iter().any(|&corner| has_cell(corner)) {
-            bare.truncate(before);
-        }
-    }
-    bare
+    let mut parts = coast.regions(Cell::Land);
+    parts.retain(|part| !coast.corners_of(part).any(has_cell));
+    parts.iter().flat_map(|part| coast.corners_of(part)).collect()
 }
 
 /// The corners of all lattice squares that a region has cells in, or only those that touch a cell.

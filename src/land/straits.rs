@@ -29,11 +29,9 @@ fn nearest_island(today: &CoastDistance) -> Vec<u16> {
     let mut nearest = vec![u16::MAX; columns * rows];
     let mut reached = Vec::new();
     for (number, island) in (0..).zip(today.regions(Cell::Land).iter().filter(|island| island.cells >= least)) {
-        for run in &island.runs {
-            let start = run.row as usize * columns;
-            let corners = start + run.start as usize..start + run.end as usize;
-            nearest[corners.clone()].fill(number);
-            reached.extend(corners.map(|corner| corner as u32));
+        for corner in today.corners_of(island) {
+            nearest[corner] = number;
+            reached.push(corner as u32);
         }
     }
     work::count(5 * nearest.len());

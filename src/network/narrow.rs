@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::centerline::middle;
-use super::{Banks, NONE, Network, Place, Vertex};
+use super::{Banks, NONE, Network, Place, River, Vertex};
 use crate::base::geometry::{distance, doubled_area, fast_max, fast_min, length, meet};
 use crate::base::work;
 use crate::recipe::CourseShape;
@@ -26,10 +26,11 @@ const STRAIGHT: f32 = 0.98;
 const LESS: f32 = 0.85;
 const TRIES: u32 = 96;
 
-/// Returns the network with all rivers as narrow as they need be for banks that do not meet, in smooth courses; `None` if they all are.
-pub(super) fn narrowed(network: &Network) -> Option<Network> {
+/// Returns the network with some of its rivers as narrow as they need be for banks that do not meet, in smooth courses; `None` if they
+/// all are.
+pub(super) fn narrowed<'a>(network: &Network, rivers: impl Iterator<Item = &'a River>) -> Option<Network> {
     let mut drawn: Option<Network> = None;
-    for river in &network.rivers {
+    for river in rivers {
         let course: Vec<&Vertex> = network.course(river).collect();
         let own = river.vertex_range().len();
         let Some(shares) = shares(&course, own, river.junction != NONE) else { continue };
@@ -244,7 +245,8 @@ mod tests {
 
     /// A river of a width along a line, as it is drawn; `None` if that is with all its width.
     fn drawn(line: &[Vec2], width: f32) -> Option<Network> {
-        narrowed(&river(line, width))
+        let network = river(line, width);
+        narrowed(&network, network.rivers.iter())
     }
 
     /// Two limbs so far apart, and a half circle between.

@@ -27,7 +27,7 @@ use super::ranking::simplified;
 use super::settings::NetworkSettings;
 use super::smooth::{SHARE_OF_CLEARANCE, has_room, limits, smooth};
 use super::width::widen;
-use super::{NONE, Network, Vertex};
+use super::{NONE, Network, River, Vertex};
 use crate::base::geometry::{fast_max, fast_min, length};
 use crate::domain::Domain;
 use crate::recipe::{CourseShape, MeanderModel};
@@ -109,11 +109,14 @@ impl Meander {
     /// The network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself, that banks would meet.
     /// Rivers as grown keep their width, which is that of their tree.
     pub fn drawn(&self) -> &Arc<Network> {
-        self.drawn.get_or_init(|| {
-            let is_smooth = self.settings.courses == CourseShape::Smooth;
-            let narrowed = if is_smooth { narrowed(&self.network) } else { None };
-            narrowed.map_or_else(|| self.network.clone(), Arc::new)
-        })
+        self.drawn.get_or_init(|| self.narrowed(self.network.rivers.iter()))
+    }
+
+    /// The network with some of its rivers as they are drawn.
+    fn narrowed<'a>(&'a self, rivers: impl Iterator<Item = &'a River>) -> Arc<Network> {
+        let is_smooth = self.settings.courses == CourseShape::Smooth;
+        let narrowed = if is_smooth { narrowed(&self.network, rivers) } else { None };
+        narrowed.map_or_else(|| self.network.clone(), Arc::new)
     }
 
     /// The network with all its width.
@@ -169,7 +172,9 @@ impl Meander {
     /// Keeps the courses before another round if they are to be kept.
     fn keep_courses(&mut self) {
         if self.past.wants(self.round, self.settings.rounds) {
-            let drawn = self.drawn().clone();
+            // Only the great ones are kept, and to narrow all of them takes longer than the round.
+            let great = self.past.great_rivers().iter().map(|&river| &self.network.rivers[river as usize]);
+            let drawn = self.narrowed(great);
             Arc::make_mut(&mut self.past).keep(&drawn, self.round);
         }
     }
