@@ -37,18 +37,23 @@ impl Level {
         Ok(Self { heights, sorted, sea, share: sea, tries: 0 })
     }
 
-    /// Tries a level. Returns the land above it if it leaves the right share.
-    pub fn advance(&mut self, low_stand: &Land) -> Option<Land> {
+    /// Tries a level. Returns it, and the land above it, if it leaves the right share.
+    pub fn advance(&mut self, low_stand: &Land) -> Option<(f32, Land)> {
         // Below the low stand the sea would have fallen.
         let level = self.quantile(self.share).max(0.0);
         let land = above(low_stand, &self.heights, level);
         let off = self.sea - land.share_of_sea();
         self.share = (self.share + off).clamp(0.0, 1.0);
         self.tries += 1;
-        (off.abs() < NEAR || self.tries == TRIES || level == 0.0).then_some(land)
+        (off.abs() < NEAR || self.tries == TRIES || level == 0.0).then_some((level, land))
     }
 
-    /// The heights, in units.
+    /// The heights at the corners, in units.
+    pub fn into_heights(self) -> Vec<f32> {
+        self.heights
+    }
+
+    /// The heights at the corners, in units.
     #[cfg(test)]
     pub fn heights(&self) -> &[f32] {
         &self.heights
