@@ -52,9 +52,10 @@ impl Tide {
         }
     }
 
-    /// Makes the land that lies above the sea after a share of the rise.
+    /// Makes the land that lies above the sea after a share of the rise. The sea is slow at first, since the shelf is flat
+    /// and would drown at once.
     pub(super) fn land_at(&self, share: f32) -> Land {
-        above(&self.low_stand.land, &self.heights, share * self.level)
+        above(&self.low_stand.land, &self.heights, share * share.sqrt() * self.level)
     }
 
     /// What the sea leaves once it has risen.
