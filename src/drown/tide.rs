@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::Drowned;
-use crate::land::{Land, LowStand, above};
+use crate::land::{Land, LowStand, all_above};
 
 /// The rise of the sea in even steps to a level that is known.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ impl Tide {
     /// Makes the land that lies above the sea after a share of the rise. The sea is slow at first, since the shelf is flat
     /// and would drown at once.
     pub(super) fn land_at(&self, share: f32) -> Land {
-        above(&self.low_stand.land, &self.heights, share * share.sqrt() * self.level)
+        all_above(&self.low_stand.land, &self.heights, share * share.sqrt() * self.level)
     }
 
     /// What the sea leaves once it has risen.

@@ -46,7 +46,7 @@ pub use queries::Land;
 #[doc(hidden)]
 pub use regions::{Cells, Run};
 pub use regions::{Region, Shore};
-pub(crate) use risen::above;
+pub(crate) use risen::{above, all_above};
 #[doc(hidden)]
 pub use smoothed_distance::SmoothedDistance;
 pub(crate) use smoothed_distance::{Across, Parabola, beside, nearest};
