@@ -44,6 +44,8 @@ pub struct Picture {
     /// The annotation laid over a finished map, and the map and style that it belongs to.
     annotation: Option<(AnnotationKey, Arc<AnnotationMasks>)>,
     drafts: SessionDrafts,
+    /// The land in a rising sea, with the session and the step of the rise that it belongs to.
+    tide: Option<((Generation, u32), Arc<Land>)>,
     /// The relief on a finer grid than its map's own, for a large picture.
     finer: Option<(MapId, Arc<Relief>)>,
     /// The next annotation, while it is being made.
@@ -66,6 +68,7 @@ impl Picture {
             rivers_of: None,
             annotation: None,
             drafts: SessionDrafts::default(),
+            tide: None,
             finer: None,
             #[cfg(feature = "names")]
             builder: None,
@@ -143,9 +146,13 @@ impl Picture {
         if is_kept && self.rivers_of == tree && self.is_on_land_of(session) {
             return Painted::Whole(None);
         }
-        self.forget_what_is_over(Source::Session(session.generation()), session.domain(), session.land());
+        if self.make_land_in_tide(session) {
+            return Painted::Part;
+        }
+        let land = self.tide.as_ref().map(|(_, land)| land).or(session.land()).cloned();
+        self.forget_what_is_over(Source::Session(session.generation()), session.domain(), land.as_ref());
         self.rivers_of = tree.filter(|_| session.network().is_some());
-        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
+        let (recipe, land) = (session.recipe(), land.as_deref());
         let key = AnnotationKey::of(session.map_id(), recipe);
         if self.advance_annotation(key, is_to_be_annotated(session), || session.map()) {
             return Painted::Part;
@@ -153,6 +160,10 @@ impl Picture {
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = self.finer_or(session.map_id(), session.relief().cloned());
             return self.paint_rivers(network, past, rounds, relief.as_ref(), (recipe, session.is_finished()), land);
+        }
+        // While the sea rises, each picture has another ground.
+        if session.tide().is_some() && self.painter.lay_ground(land, recipe.get()) {
+            return Painted::Part;
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -165,6 +176,17 @@ impl Picture {
             land,
             style: recipe.get(),
         }))
+    }
+
+    /// Makes the land in the sea that is seen rising in a session, or forgets that in an earlier sea. Returns `true` if it
+    /// made one.
+    fn make_land_in_tide(&mut self, session: &Session) -> bool {
+        let now = session.tide().map(|tide| (session.generation(), tide.step()));
+        if self.tide.as_ref().map(|(of, _)| *of) == now {
+            return false;
+        }
+        self.tide = now.zip(session.tide().map(|tide| tide.land()));
+        self.tide.is_some()
     }
 
     /// Solves the relief of a map again for this picture, if its pixels are much smaller than the cells of the map's own
@@ -446,6 +468,47 @@ mod tests {
         let growing = Session::new(link::read(SMALL).unwrap()).unwrap();
         picture.paint(&growing);
         assert!(picture.pixmap().data() == painted(&growing));
+    }
+
+    #[test]
+    fn the_sea_is_seen_rising_over_the_rivers() {
+        for style in ["ink", "skeleton"] {
+            let text = format!("seed=kea&attractors=2000&land=island&drowning=0.6&style={style}");
+            let mut session = Session::new(link::read(&text).unwrap()).unwrap();
+            let mut picture = Picture::new(300, 240).unwrap();
+            while session.tide().is_none() {
+                session.advance(1).unwrap();
+                picture.paint(&session);
+            }
+            let mut before = picture.pixmap().data().to_vec();
+            while session.phase() == Phase::Drowning {
+                assert_eq!(picture.paint(&session), None, "{style}: painted twice");
+                session.advance(1).unwrap();
+                assert!(picture.paint(&session).is_some(), "{style}");
+                let mut fresh = Picture::new(300, 240).unwrap();
+                fresh.paint(&session);
+                assert!(
+                    picture.pixmap().data() == fresh.pixmap().data(),
+                    "{style}: it depends on what was shown before"
+                );
+                assert!(picture.pixmap().data() != before, "{style}: nothing has risen");
+                before = picture.pixmap().data().to_vec();
+                assert_no_river_at_sea(&picture, &session, style);
+            }
+        }
+    }
+
+    /// Checks that rivers of a skeleton, which are white, have gone where the sea of the moment is.
+    fn assert_no_river_at_sea(picture: &Picture, session: &Session, style: &str) {
+        let Some(land) = session.tide().map(|tide| tide.land()).filter(|_| style == "skeleton") else { return };
+        let mut drowned = 0;
+        for at in session.tree().at.iter().filter(|at| land.coast_distance().height(**at) < -3.0) {
+            let [x, y] = picture.view().pixel(*at).to_array().map(|of| of as u32);
+            let pixel = picture.pixmap().pixel(x, y).unwrap();
+            assert!(pixel.red() < 255, "a river is left at {at}");
+            drowned += 1;
+        }
+        assert!(drowned > 0);
     }
 
     #[test]

@@ -17,6 +17,7 @@ use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::Domain;
+use crate::drown::Tide;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::map::{Map, MapId, relief_settings};
@@ -67,7 +68,8 @@ pub struct Session {
 pub enum Phase {
     /// A tick of growth.
     Growing,
-    /// Part of the rise of the sea over land that rivers have cut, if the recipe has any.
+    /// Part of the rise of the sea over land that rivers have cut, if the recipe has any: first the search for its level,
+    /// then even steps to it, which a picture shows.
     Drowning,
     /// One of the few steps that make rivers from the tree.
     Shaping,
@@ -379,6 +381,11 @@ impl Session {
         };
         self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
         Ok(true)
+    }
+
+    /// The sea while it is to be seen rising; its lands are for pictures alone.
+    pub(crate) fn tide(&self) -> Option<&Tide> {
+        self.coasts.tide()
     }
 
     /// The relief; `None` until rivers are finished, and in a style that shows none. It is kept for a later style that

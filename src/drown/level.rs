@@ -39,9 +39,9 @@ impl Level {
         Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true })
     }
 
-    /// Tries a level. Returns the land above it if it leaves the right share. Where exactly its coast runs is found out
-    /// only once a level is nearly right.
-    pub fn advance(&mut self, low_stand: &Land) -> Option<Land> {
+    /// Tries a level. Returns it, and the land above it, if it leaves the right share. Where exactly its coast runs is
+    /// found out only once a level is nearly right.
+    pub fn advance(&mut self, low_stand: &Land) -> Option<(f32, Land)> {
         // Below the low stand the sea would have fallen.
         let level = self.quantile(self.share).max(0.0);
         let sea = RisenSea::new(low_stand, &self.heights, level);
@@ -51,7 +51,7 @@ impl Level {
             return None;
         }
         let land = sea.into_land();
-        (self.is_right(land.share_of_sea()) || is_last).then_some(land)
+        (self.is_right(land.share_of_sea()) || is_last).then_some((level, land))
     }
 
     /// Returns `true` if that share of the domain is near enough to what is asked for. The next try is nearer.
@@ -62,7 +62,12 @@ impl Level {
         off.abs() < NEAR
     }
 
-    /// The heights, in units.
+    /// The heights at the corners, in units.
+    pub fn into_heights(self) -> Vec<f32> {
+        self.heights
+    }
+
+    /// The heights at the corners, in units.
     #[cfg(test)]
     pub fn heights(&self) -> &[f32] {
         &self.heights

@@ -11,6 +11,7 @@
 mod level;
 #[cfg(test)]
 mod tests;
+mod tide;
 mod valleys;
 mod waves;
 
@@ -29,9 +30,10 @@ use level::Level;
 use valleys::Marking;
 use waves::Waves;
 
+pub(crate) use tide::Tide;
 pub(crate) use valleys::Valleys;
 
-/// The rise of the sea, in progress: a stepper.
+/// The search for the level to which the sea rises, in progress: a stepper.
 #[derive(Clone, Debug)]
 pub(crate) struct Drowning {
     low_stand: Arc<LowStand>,
@@ -99,19 +101,19 @@ impl Drowning {
         }
     }
 
-    /// Makes a step; `tree` is the tree that grew on the low stand. Returns the land, once it is known.
+    /// Makes a step; `tree` is the tree that grew on the low stand. Returns the tide, once its level is known.
     ///
     /// # Errors
     /// Fails if there is not enough memory. A further call begins again.
-    pub fn step(&mut self, tree: &Tree) -> Result<Option<Drowned>, Refused> {
+    pub fn step(&mut self, tree: &Tree) -> Result<Option<Tide>, Refused> {
         let part = std::mem::replace(&mut self.next, Part::Begin);
-        let (next, drowned) = self.advance(part, tree)?;
+        let (next, tide) = self.advance(part, tree)?;
         self.next = next;
-        Ok(drowned)
+        Ok(tide)
     }
 
     #[inline(never)] // one copy for sessions and drafts
-    fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Drowned>), Refused> {
+    fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Tide>), Refused> {
         let next = match part {
             Part::Begin => Part::Mark(Marking::new(tree, self.lattice(), self.drainage.spacing)?),
             Part::Mark(mut marking) => match marking.advance(tree) {
@@ -141,8 +143,10 @@ impl Drowning {
             },
             Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land) {
                 None => Part::Level(valleys, level),
-                Some(land) => {
-                    return Ok((Part::Between, Some(Drowned { land: land.into(), valleys })));
+                Some((reached, land)) => {
+                    let drowned = Drowned { land: land.into(), valleys };
+                    let tide = Tide::new(self.low_stand.clone(), level.into_heights(), reached, drowned);
+                    return Ok((Part::Between, Some(tide)));
                 }
             },
             Part::Between => Part::Begin,

@@ -6,13 +6,19 @@ use crate::grow::{Growth, GrowthSettings};
 use crate::land::Cell;
 use crate::recipe::link;
 
-/// The heights of a recipe's low stand, after waves.
-fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
+/// A recipe's sea at its low stand, with the tree that has grown there, before the search for its level.
+fn at_the_low_stand(text: &str) -> (Arc<LowStand>, Growth, Drowning) {
     let recipe = link::read(text).unwrap();
     let low_stand = Arc::new(LowStand::of(&recipe, CoastDistance::SPACING).unwrap());
     let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
     while growth.tick() {}
-    let mut drowning = Drowning::new(&recipe, low_stand.clone());
+    let drowning = Drowning::new(&recipe, low_stand.clone());
+    (low_stand, growth, drowning)
+}
+
+/// The heights of a recipe's low stand, after waves.
+fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
+    let (low_stand, growth, mut drowning) = at_the_low_stand(text);
     loop {
         drowning.step(growth.tree()).unwrap();
         if let Part::Level(_, level) = &drowning.next {
@@ -21,11 +27,35 @@ fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
     }
 }
 
+/// A recipe's sea about to rise to its level.
+fn tide(text: &str) -> (Arc<LowStand>, Tide) {
+    let (low_stand, growth, mut drowning) = at_the_low_stand(text);
+    loop {
+        if let Some(tide) = drowning.step(growth.tree()).unwrap() {
+            return (low_stand, tide);
+        }
+    }
+}
+
+/// Checks that one land lies in another, as exactly as coasts are.
+fn assert_lies_in(land: &Land, before: &Land, what: &str) {
+    let corners = before.coast_distance().heights().iter().zip(land.coast_distance().heights());
+    // A former speck may be part of a cape.
+    let risen = corners.filter(|(was, is)| **was <= 0.0 && **is > 0.0).count();
+    assert!(risen < 4, "{risen} corners have come out of the sea {what}");
+    // Between corners the coast is less exact.
+    let cells = (0..land.rows()).flat_map(|row| (0..land.columns()).map(move |column| (column, row)));
+    let is_new =
+        |&(column, row): &(i32, i32)| before.cell(column, row) == Cell::Water && land.cell(column, row) != Cell::Water;
+    let new = cells.filter(is_new).count();
+    assert!(new < 100, "{new} cells have come out of the sea {what}");
+}
+
 /// The land at the level where the sea covers a share of the domain.
 fn at(low_stand: &LowStand, heights: &[f32], sea: f32) -> Land {
     let mut level = Level::new(&low_stand.land, heights.to_vec(), sea).unwrap();
     loop {
-        if let Some(land) = level.advance(&low_stand.land) {
+        if let Some((_, land)) = level.advance(&low_stand.land) {
             return land;
         }
     }
@@ -38,20 +68,32 @@ fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
         let mut before = low_stand.land.clone();
         for sea in [0.45, 0.6, 0.7, 0.8].into_iter().filter(|sea| *sea > low_stand.land.share_of_sea()) {
             let land = at(&low_stand, &heights, sea);
-            let corners = before.coast_distance().heights().iter().zip(land.coast_distance().heights());
-            // A former speck may be part of a cape.
-            let risen = corners.filter(|(was, is)| **was <= 0.0 && **is > 0.0).count();
-            assert!(risen < 4, "{risen} corners have come out of the sea at {sea}");
-            // Between corners the coast is less exact.
-            let cells = (0..land.rows()).flat_map(|row| (0..land.columns()).map(move |column| (column, row)));
-            let is_new = |&(column, row): &(i32, i32)| {
-                before.cell(column, row) == Cell::Water && land.cell(column, row) != Cell::Water
-            };
-            let new = cells.filter(is_new).count();
-            assert!(new < 100, "{new} cells have come out of the sea at {sea}");
+            assert_lies_in(&land, &before, &format!("at {sea}"));
             assert!((land.share_of_sea() - sea).abs() < 0.002, "{} for {sea}", land.share_of_sea());
             before = land.into();
         }
+    }
+}
+
+#[test]
+fn the_tide_goes_from_the_low_stand_to_the_risen_sea_and_never_falls() {
+    for land in ["island", "archipelago", "valley&sea=0.4"] {
+        let (low_stand, mut tide) = tide(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
+        let mut before = tide.land();
+        assert!(Arc::ptr_eq(&before, &low_stand.land), "{land}: it begins elsewhere");
+        for step in 1..Tide::STEPS {
+            assert!(tide.rise().is_none(), "{land}: it is over after {step} steps");
+            let now = tide.land();
+            assert_lies_in(&now, &before, &format!("{land}, step {step}"));
+            assert!(now.share_of_sea() > before.share_of_sea(), "{land}: nothing is seen of step {step}");
+            before = now;
+        }
+        let left = tide.rise().unwrap().land.clone();
+        assert_lies_in(&left, &before, &format!("{land}, at the end"));
+        assert!(Arc::ptr_eq(&tide.land(), &left), "{land}: it ends elsewhere");
+        let off = tide.land_at(1.0).share_of_sea() - left.share_of_sea();
+        assert!((-0.005..=0.0).contains(&off), "{land}: specks on the way are {off} of the map");
+        assert!(tide.rise().is_some(), "{land}: what has risen stays");
     }
 }
 

@@ -40,6 +40,12 @@ impl<'a> RisenSea<'a> {
         Land::on(grid, coast, self.low.ridges().to_vec())
     }
 
+    /// The same for a picture that is soon gone, in half the time: here and there it may have a speck.
+    pub fn into_passing_land(self) -> Land {
+        let (coast, grid) = self.coast(CoastDistance::settled);
+        Land::on(grid, coast, self.low.ridges().to_vec())
+    }
+
     /// Sinks specks of land until there are none, as far as `settle` tells where the coast runs. Returns what is left.
     fn sink_specks(&mut self, settle: fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
         /// The least area of an island, in cells.
@@ -48,8 +54,7 @@ impl<'a> RisenSea<'a> {
         const ROUNDS: usize = 8;
         let mut round = 1;
         loop {
-            let coast = settle(self.low.coast_distance().with_heights_of(&self.over)).deepened(SHALLOWEST);
-            let grid = Grid::above_water(&Domain { size: self.low.size() }, &coast);
+            let (coast, grid) = self.coast(settle);
             let specks: Vec<Region> = regions_of(&grid.runs).into_iter().filter(|part| part.cells < SPECK).collect();
             let bare = corners_without_cells(&coast, &grid);
             if (specks.is_empty() && bare.is_empty()) || round == ROUNDS {
@@ -59,6 +64,12 @@ impl<'a> RisenSea<'a> {
             bare.into_iter().for_each(|corner| self.over[corner] = self.over[corner].min(-SHALLOWEST));
             round += 1;
         }
+    }
+
+    fn coast(&self, settle: fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+        let coast = settle(self.low.coast_distance().with_heights_of(&self.over)).deepened(SHALLOWEST);
+        let grid = Grid::above_water(&Domain { size: self.low.size() }, &coast);
+        (coast, grid)
     }
 }
 

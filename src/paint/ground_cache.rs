@@ -107,9 +107,9 @@ impl GroundCache {
         self.prepared = None;
     }
 
-    /// Paints flat ground, unless it is already painted.
-    pub fn lay(&mut self, view: &View, land: Option<&Land>, style: Style) {
-        while self.advance_flat(view, land, style) {}
+    /// Paints a part of flat ground, if any is missing. Returns `true` if there is more.
+    pub fn lay(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
+        self.advance_flat(view, land, style)
     }
 
     /// Makes a part of the ground, if any is missing. Returns `true` if there is more.

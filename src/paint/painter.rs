@@ -85,6 +85,8 @@ pub struct Painter {
     ground: GroundCache,
     /// `true` if nothing of the picture can be kept.
     is_blank: bool,
+    /// `true` if the land is new, and its ground not in the picture yet.
+    is_on_new_ground: bool,
     /// `true` if the picture shows a finished tree.
     is_finished: bool,
     /// The round of meandering that the picture shows; `None` while it shows a tree.
@@ -123,6 +125,7 @@ impl Painter {
             flow,
             ground: GroundCache::default(),
             is_blank: true,
+            is_on_new_ground: true,
             is_finished: false,
             round: None,
             drawn_rivers: None,
@@ -140,6 +143,7 @@ impl Painter {
     pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
         self.ground = GroundCache::default();
+        self.is_on_new_ground = true;
     }
 
     /// Shows a part of the domain, or all of it for `None`.
@@ -193,7 +197,9 @@ impl Painter {
 
     /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint(&mut self, progress: &Progress<'_>) -> Option<Rect> {
-        if self.is_finished {
+        // The sea may rise over a tree that stays as it is.
+        let is_on_new_ground = std::mem::take(&mut self.is_on_new_ground);
+        if self.is_finished && !is_on_new_ground {
             return None;
         }
         let is_blank = std::mem::take(&mut self.is_blank);
@@ -201,22 +207,21 @@ impl Painter {
             self.forget_drawing();
         }
         self.tongues.clear();
-        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
-        if progress.finished || self.flow.is_stale(tree) {
-            self.flow.measure(tree, &pen, progress.trim);
-            self.draw_changes(progress, &pen);
-        } else if progress.trim.heads.channel_area == 0 {
-            let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
-            let radii = &self.flow.radii;
-            near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
+        if !self.is_finished {
+            self.draw_tree(progress);
         }
         self.is_finished = progress.finished;
-        if is_blank || (progress.finished && palette(progress.style).lines == Lines::Skeleton) {
+        if is_blank || is_on_new_ground || (progress.finished && palette(progress.style).lines == Lines::Skeleton) {
             self.coverage.touch_all();
         }
-        self.ground.forget_relief();
-        self.ground.lay(&self.view, progress.land, progress.style);
+        while self.lay_ground(progress.land, progress.style) {}
         self.compose(progress.style)
+    }
+
+    /// Lays a part of the ground of a tree, which `paint` would lay at once. Returns `true` if there is more.
+    pub fn lay_ground(&mut self, land: Option<&Land>, style: Style) -> bool {
+        self.ground.forget_relief();
+        self.ground.lay(&self.view, land, style)
     }
 
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
@@ -301,6 +306,19 @@ impl Painter {
             self.coverage.clear();
             draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, Widening::NONE);
             self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
+        }
+    }
+
+    /// Draws what is new of a tree.
+    fn draw_tree(&mut self, progress: &Progress<'_>) {
+        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
+        if progress.finished || self.flow.is_stale(tree) {
+            self.flow.measure(tree, &pen, progress.trim);
+            self.draw_changes(progress, &pen);
+        } else if progress.trim.heads.channel_area == 0 {
+            let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
+            let radii = &self.flow.radii;
+            near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
     }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::base::memory::Refused;
-use crate::drown::{Drowned, Drowning};
+use crate::drown::{Drowned, Drowning, Tide};
 use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::Recipe;
 use crate::relief::ReliefError;
@@ -18,8 +18,17 @@ pub(super) struct Coasts {
     pub are_given: bool,
     /// The low stand from which the sea rises once the tree has grown; `None` if it does not.
     low_stand: Option<Arc<LowStand>>,
-    rising: Option<Box<Drowning>>,
+    rising: Option<Rise>,
     drowned: Option<Risen>,
+}
+
+/// The rise of the sea, in progress.
+#[derive(Clone, Debug)]
+enum Rise {
+    /// The level is not known yet.
+    Unknown(Box<Drowning>),
+    /// The sea is on its way to the level.
+    Seen(Tide),
 }
 
 /// The coasts after the sea has risen.
@@ -76,12 +85,21 @@ impl Coasts {
         self.low_stand.is_some() && self.drowned.is_none()
     }
 
-    /// Makes a step of the sea's rise over a grown tree. Returns what it has left, once that is known, for
+    /// Makes a step of the sea's rise over a grown tree. Returns what it has left, once it has reached its level, for
     /// [`Coasts::drown`].
     pub fn rise(&mut self, recipe: &Recipe, tree: &Tree) -> Result<Option<Drowned>, ReliefError> {
         let Some(low_stand) = &self.low_stand else { return Ok(None) };
-        let rising = self.rising.get_or_insert_with(|| Drowning::new(recipe, low_stand.clone()).into());
-        rising.step(tree).map_err(|Refused| ReliefError::OutOfMemory { megabytes: Drowning::MEGABYTES })
+        let begin = || Rise::Unknown(Drowning::new(recipe, low_stand.clone()).into());
+        match self.rising.get_or_insert_with(begin) {
+            Rise::Seen(tide) => return Ok(tide.rise().cloned()),
+            Rise::Unknown(drowning) => {
+                let refused = |Refused| ReliefError::OutOfMemory { megabytes: Drowning::MEGABYTES };
+                if let Some(tide) = drowning.step(tree).map_err(refused)? {
+                    self.rising = Some(Rise::Seen(tide));
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// Takes over what the sea has left.
@@ -90,14 +108,32 @@ impl Coasts {
         (self.drowned, self.rising) = (from.map(|from| Risen { drowned, from }), None);
     }
 
+    /// The sea on its way to its level; `None` before that is known, and after it is reached.
+    pub fn tide(&self) -> Option<&Tide> {
+        match &self.rising {
+            Some(Rise::Seen(tide)) => Some(tide),
+            Some(Rise::Unknown(_)) | None => None,
+        }
+    }
+
     /// The progress of the rise, from 0 to 1.
     pub fn progress(&self) -> f32 {
-        self.rising.as_ref().map_or(0.0, |rising| rising.progress())
+        /// The share of the search for the level: in an animation it takes its time, and there is nothing to see.
+        const SEARCH: f32 = 0.2;
+        match &self.rising {
+            None => 0.0,
+            Some(Rise::Unknown(drowning)) => SEARCH * drowning.progress(),
+            Some(Rise::Seen(tide)) => SEARCH + (1.0 - SEARCH) * tide.share(),
+        }
     }
 
     /// The approximate memory of a copy, in bytes. Lands are shared.
     pub fn bytes(&self) -> usize {
-        const OF_RISE: usize = Drowning::MEGABYTES as usize * 1_000_000;
-        if self.rising.is_some() { OF_RISE } else { 0 }
+        const OF_SEARCH: usize = Drowning::MEGABYTES as usize * 1_000_000;
+        match &self.rising {
+            None => 0,
+            Some(Rise::Unknown(_)) => OF_SEARCH,
+            Some(Rise::Seen(tide)) => tide.bytes(),
+        }
     }
 }

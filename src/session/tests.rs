@@ -408,3 +408,60 @@ fn each_step_of_the_seas_rise_can_be_refused_and_made_again() {
     assert_eq!(refused, 40, "so little memory is never enough");
     assert!(session.finish().unwrap().land() == finished(text).land());
 }
+
+/// A session of drowned coasts whose sea is about to be seen rising.
+fn before_the_tide(text: &str) -> Session {
+    let mut session = Session::new(link::read(text).unwrap()).unwrap();
+    while session.tide().is_none() {
+        assert!(session.advance(1).unwrap());
+    }
+    session
+}
+
+#[test]
+fn a_tide_that_nobody_looks_at_is_no_work() {
+    let mut session = before_the_tide("seed=kea&attractors=2000&land=island&drowning=0.5");
+    let (mut before, mut steps) = (session.progress(), 0);
+    while session.tide().is_some_and(|tide| tide.step() + 1 < Tide::STEPS) {
+        let work = work::steps();
+        session.advance(1).unwrap();
+        assert_eq!(work::steps(), work, "step {steps}");
+        assert!(session.progress() > before && session.phase() == Phase::Drowning);
+        (before, steps) = (session.progress(), steps + 1);
+    }
+    session.advance(1).unwrap();
+    assert!(steps == Tide::STEPS - 1 && session.tide().is_none() && session.phase() == Phase::Shaping);
+}
+
+#[test]
+fn a_copy_in_the_tide_counts_its_heights_and_ends_as_the_session_does() {
+    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let mut session = before_the_tide(text);
+    session.advance(3).unwrap();
+    // The low stand's distances are as many.
+    assert_eq!(session.coasts.bytes(), size_of_val(session.land().unwrap().coast_distance().heights()));
+    let mut copy = session.try_clone().unwrap();
+    let expected = finished(text);
+    for mut session in [session, copy.clone()] {
+        let map = session.finish().unwrap();
+        assert!(map.land() == expected.land() && **map.network() == *expected.network().unwrap());
+    }
+    // Seeking passes through the tide in both directions.
+    let mut timeline = Timeline::new(&expected).unwrap();
+    for to in [Moment::Bends(2), Moment::Growth(3), Moment::Finished, Moment::Bends(0)] {
+        while timeline.seek(&mut copy, to).unwrap() {}
+        assert_eq!(copy.moment(), to);
+    }
+    assert!(copy.finish().unwrap().land() == expected.land());
+}
+
+#[test]
+fn a_cut_that_is_refused_at_high_tide_is_made_again() {
+    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let mut session = before_the_tide(text);
+    session.advance(Tide::STEPS - 1).unwrap();
+    for _ in 0..2 {
+        assert!(with_lists_up_to(1_000, || session.advance(1)).is_err() && session.phase() == Phase::Drowning);
+    }
+    assert!(session.finish().unwrap().land() == finished(text).land());
+}

@@ -1,6 +1,6 @@
 /**
  * Films the growth with the browser's encoder. The frames follow the river's steps and not the clock: growth, quick at
- * first, then the bends, then the finished map.
+ * first, then the rise of the sea, then the bends, then the finished map.
  */
 
 import {
@@ -24,17 +24,17 @@ import { type MakerCore, paint } from "./painting.ts";
 const LONGER_SIDE = 1200;
 const RATE = 30;
 
-/** The number of frames of each part, six seconds in all. */
-const FRAMES = { growing: 105, meandering: 30, fading: 15, finished: 30 } as const;
+/** The number of frames of each part, and of all, six seconds: the finished map stays for what is left of them. */
+const FRAMES = { growing: 87, drowning: 24, meandering: 27, fading: 12, all: 180 } as const;
 
 /**
  * The progress of each phase at a share of its time. The first third of growth is quick, since most of it is trimmed
  * again.
  */
-const PACES = { growing: Math.sqrt, meandering: (share: number) => share } as const;
+const PACES = { growing: Math.sqrt, drowning: evenly, meandering: evenly } as const;
 
 /** The end of each part, as a share of the whole. */
-const SHARES = { growing: 0.55, meandering: 0.75, finishing: 0.8 } as const;
+const SHARES = { growing: 0.5, drowning: 0.6, meandering: 0.75, finishing: 0.8 } as const;
 
 /** The formats that browsers can encode, the most widely played first. */
 const CODECS: readonly (readonly [codec: VideoCodec, container: () => OutputFormat])[] = [
@@ -58,16 +58,20 @@ export async function animationOf(link: string, core: MakerCore, course: Course)
 async function filmed(scenes: Scenes, course: Course): Promise<Blob> {
   try {
     await scenes.film("growing", partOf(course, 0, SHARES.growing));
-    // While the sea rises, and while rivers are made from the tree, there is nothing to see.
-    await scenes.skip("drowning", course);
+    await scenes.film("drowning", partOf(course, SHARES.growing, SHARES.drowning));
+    // While rivers are made from the tree there is nothing to see.
     await scenes.skip("shaping", course);
-    await scenes.film("meandering", partOf(course, SHARES.growing, SHARES.meandering));
+    await scenes.film("meandering", partOf(course, SHARES.drowning, SHARES.meandering));
     await scenes.finish(partOf(course, SHARES.meandering, SHARES.finishing), partOf(course, SHARES.finishing, 1));
     return await scenes.video.end();
   } catch (error) {
     await scenes.video.cancel();
     throw error;
   }
+}
+
+function evenly(share: number): number {
+  return share;
 }
 
 /** Rounds a side to an even length, since encoders take no other. */
@@ -105,7 +109,7 @@ class Scenes {
     await inSteps(
       course,
       () => river.phase === phase && river.advance(1),
-      () => SHARES.growing,
+      () => SHARES.drowning,
     );
   }
 
@@ -120,7 +124,7 @@ class Scenes {
     );
     await paint(river, core, making);
     const after = this.#pixels();
-    const frames = FRAMES.fading + FRAMES.finished;
+    const frames = FRAMES.all - video.frames;
     for (let frame = 1; frame <= frames; frame++) {
       await video.add(frame < FRAMES.fading ? mixed(before, after, frame / FRAMES.fading) : after);
       showing.tell(frame / frames);
@@ -164,6 +168,11 @@ class Video {
     output.addVideoTrack(source, { frameRate: RATE });
     await output.start();
     return new Video(output, target, source, { codedWidth: width, codedHeight: height });
+  }
+
+  /** The number of frames so far. */
+  get frames(): number {
+    return this.#frames;
   }
 
   async add(pixels: Uint8Array): Promise<void> {

@@ -8,6 +8,8 @@ import type { Phase } from "../engine/types.ts";
 
 /** The time in which a tree grows up at 1x, whatever its shape and however fine it is. */
 export const GROWTH_SECONDS = 2;
+/** The time in which the sea rises into valleys at 1x, with the short search for its level. */
+export const RISE_SECONDS = 0.7;
 /** The pace at which rivers meander at 1x. Many rounds share `MEANDER_SECONDS`, and so are faster. */
 export const ROUNDS_PER_SECOND = 40;
 export const MEANDER_SECONDS = 1.2;
@@ -55,7 +57,7 @@ export interface Frames {
 }
 
 /**
- * growing: animated, including the bends; paused; settling: on its way to the end as fast as the page allows; finished.
+ * growing: animated, including the sea's rise and the bends; paused; settling: on its way to the end as fast as the page allows; finished.
  */
 export type State = "growing" | "paused" | "settling" | "finished";
 
@@ -375,8 +377,13 @@ export class FrameLoop {
 
   #paceOf(phase: Phase): Pace {
     if (phase === "growing") return GROWING;
-    const seconds = phase === "meandering" ? Math.min(MEANDER_SECONDS, this.river.rounds / ROUNDS_PER_SECOND) : 0;
-    return { seconds, shareAt: (time) => time, timeAt: (share) => share };
+    return { seconds: this.#secondsOf(phase), shareAt: (time) => time, timeAt: (share) => share };
+  }
+
+  /** The time of a phase that goes on evenly; 0 for those of which nothing is seen on the way. */
+  #secondsOf(phase: Phase): number {
+    if (phase === "drowning") return RISE_SECONDS;
+    return phase === "meandering" ? Math.min(MEANDER_SECONDS, this.river.rounds / ROUNDS_PER_SECOND) : 0;
   }
 
   /**

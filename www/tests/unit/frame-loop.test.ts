@@ -10,6 +10,7 @@ import {
   MEANDER_SECONDS,
   PAINT_BUDGET_MS,
   REST_MS,
+  RISE_SECONDS,
   ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
@@ -38,10 +39,14 @@ class Stage implements Growing {
   #handles = 0;
   readonly loop: FrameLoop;
 
-  /** Grows until its last tick; with rounds, it is then made into rivers, which meander for that many. */
+  /**
+   * Grows until its last tick; with rounds, it is then made into rivers, which meander for that many. Before that the sea
+   * rises in some steps.
+   */
   constructor(
     readonly lastTick = 600,
     readonly meanders?: number,
+    readonly rises = 0,
   ) {
     const frames = {
       now: () => this.time,
@@ -68,14 +73,17 @@ class Stage implements Growing {
   }
 
   get phase(): Phase {
+    const risen = this.lastTick + this.rises;
     if (this.ticks < this.lastTick) return "growing";
-    if (this.meanders === undefined || this.ticks > this.lastTick + this.meanders) return "finished";
-    return this.ticks === this.lastTick ? "shaping" : "meandering";
+    if (this.ticks < risen) return "drowning";
+    if (this.meanders === undefined || this.ticks > risen + this.meanders) return "finished";
+    return this.ticks === risen ? "shaping" : "meandering";
   }
 
   get progress(): number {
     if (this.phase === "growing") return this.ticks / this.lastTick;
-    return this.phase === "meandering" ? (this.ticks - this.lastTick - 1) / this.rounds : 0;
+    if (this.phase === "drowning") return (this.ticks - this.lastTick) / this.rises;
+    return this.phase === "meandering" ? (this.ticks - this.lastTick - this.rises - 1) / this.rounds : 0;
   }
 
   get rounds(): number {
@@ -241,6 +249,51 @@ test("a finished river asks for no more frames, and playing it starts again", ()
   stage.loop.toggle();
   expect(stage.restarts).toBe(1);
   expect(stage.loop.state).toBe("growing");
+});
+
+/** The steps of the sea's rise that were shown, each once, in order. */
+function risesShown(stage: Stage): number[] {
+  const shown = stage.drawn.filter((_, i) => stage.phases[i] === "drowning").map((ticks) => ticks - stage.lastTick);
+  return shown.filter((step, i) => step !== shown[i - 1]);
+}
+
+for (const rate of [30, 60, 144])
+  test(`the sea is seen rising step by step in the stated time, between growth and rivers, at ${rate} frames a second`, () => {
+    const stage = new Stage(100, 12, 15);
+    stage.loop.watch();
+    secondsToGrow(stage, rate);
+    let frames = 0;
+    for (; stage.phase === "drowning"; frames++) stage.frames(1, 1000 / rate);
+    expect(frames / rate).toBeGreaterThan(0.9 * RISE_SECONDS);
+    expect(frames / rate).toBeLessThanOrEqual(RISE_SECONDS + 3 / rate);
+    // The last step leaves the land of the rivers.
+    expect(risesShown(stage)).toEqual([...Array(15).keys()]);
+    expect(stage.phases.at(-1)).toBe("shaping");
+  });
+
+test("the sea rises at the reader's pace, stands still while paused, and goes on from there", () => {
+  const stage = new Stage(100, 12, 15);
+  stage.loop.speed = 4;
+  stage.loop.watch();
+  secondsToGrow(stage, 60);
+  stage.frames(8);
+  stage.loop.pause();
+  const { ticks } = stage;
+  stage.frames(60);
+  expect([stage.phase, stage.ticks]).toEqual(["drowning", ticks]);
+  stage.loop.play();
+  stage.frames(2);
+  expect(stage.ticks).toBeLessThanOrEqual(ticks + 2);
+  stage.frames((60 * RISE_SECONDS) / 4);
+  expect(stage.phase).not.toBe("drowning");
+});
+
+test("nobody who does not watch sees the sea rise, or waits for it", () => {
+  const stage = new Stage(100, 12, 15);
+  stage.loop.settle(false);
+  // One for each phase.
+  stage.frames(4);
+  expect([stage.loop.state, risesShown(stage)]).toEqual(["finished", []]);
 });
 
 test("settling shows nothing but the finished river, if that is soon", () => {

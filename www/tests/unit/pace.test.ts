@@ -81,6 +81,25 @@ test("growth is spread over its time, not made in a leap", () => {
   }
 }, 300_000);
 
+test("the sea is seen rising over the grown tree, frame by frame, until its coasts are those of the map", () => {
+  const seen: Uint8Array[] = [];
+  framesOf("seed=kauri&attractors=2000&land=island&drowning=0.6&meander=none", [400, 300], (river) => {
+    if (river.phase === "drowning" || river.phase === "shaping") {
+      const pixels = pixelsOf(river);
+      const before = seen.at(-1);
+      if (!before || differing(before, pixels) > 0) seen.push(pixels);
+    }
+  });
+  expect(seen.length).toBeGreaterThan(8);
+  expect(seen.length).toBeLessThan(16);
+  const end = seen.at(-1) as Uint8Array;
+  const left = seen.map((pixels) => differing(pixels, end));
+  // Each is nearer to the end than the one before.
+  expect(left).toEqual(left.toSorted((one, other) => other - one));
+  // The last of them is no leap.
+  expect(left[0]).toBeGreaterThan(3 * (left.at(-2) ?? 0));
+}, 300_000);
+
 test("after 1.2 seconds more than half of what is drawn in the end is there", () => {
   const banner = "land=rectangle&aspect=3&sides=e&mouths=1&attractors=2500";
   // Where the sea rises at the end, all coasts change once more.

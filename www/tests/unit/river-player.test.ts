@@ -67,7 +67,7 @@ test("another style of a map that is held while it grows or meanders lets it sta
   const link = (style: string) => `seed=kea&land=island&attractors=600&style=${style}`;
   const [held, display] = player(link("ink"));
   held.start("watch");
-  for (let i = 0; i < 200 && held.river?.phase !== "meandering"; i++) display.frame();
+  for (let i = 0; i < 300 && held.river?.phase !== "meandering"; i++) display.frame();
   held.pause();
   const rounds = held.river?.summary().rounds;
   for (const change of [link("atlas"), `${link("atlas")}&names=12.Home`]) {
@@ -75,6 +75,21 @@ test("another style of a map that is held while it grows or meanders lets it sta
     frames(display);
     expect([held.state, held.river?.phase, held.river?.summary().rounds]).toEqual(["paused", "meandering", rounds]);
   }
+});
+
+test("the sea is seen rising by who watches, and not by who wants no motion", () => {
+  const link = "seed=kea&land=island&attractors=600&drowning=0.6";
+  const picturesOf = (how: "watch" | "still"): Set<string> => {
+    const [one, display, seen] = player(link);
+    const pictures = new Set<string>();
+    one.start(how);
+    for (let i = 0; i < 600 && display.frame(); i++)
+      if (one.river?.phase === "drowning") pictures.add(seen().toString("base64"));
+    expect(one.state).toBe("finished");
+    return pictures;
+  };
+  expect(picturesOf("watch").size).toBeGreaterThan(8);
+  expect(picturesOf("still").size).toBeLessThanOrEqual(1);
 });
 
 test("a change that is refused while its draft is seen leaves the map that was there", () => {

@@ -30,7 +30,9 @@ export class Timelines {
     const [part = 0, step = 0] = river.moment();
     const [ticks = 0, rounds = 0] = kept?.timeline.lengths() ?? [];
     const at = { part: PARTS[part] ?? "map", step };
-    return { link, at, progress: river.progress, lengths: kept ? { ticks, rounds } : undefined };
+    // The sea rises before the first bend.
+    const progress = river.phase === "drowning" ? 0 : river.progress;
+    return { link, at, progress, lengths: kept ? { ticks, rounds } : undefined };
   }
 
   /** Returns the timeline of a map, which is kept from when the map is first finished until there is another map. */
