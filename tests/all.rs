@@ -18,6 +18,7 @@ mod framing;
 mod golden;
 mod grown;
 mod growth;
+mod hypsometry;
 mod identity;
 mod inspect;
 mod labels;

@@ -6,8 +6,9 @@
 //!
 //! Rivers grow on the land of a low stand. Then a coarse relief gives each of its corners a height, low along rivers and
 //! high between them, and the land is what lies above the level at which the sea covers the share that the recipe asks
-//! for. Every valley that reaches below becomes an inlet, as rias do (von Richthofen 1886).
+//! for. Every valley that reaches below becomes an inlet, as rias do (von Richthofen 1886), or fjords where rock is hard.
 
+mod fjords;
 mod level;
 #[cfg(test)]
 mod tests;
@@ -158,7 +159,10 @@ impl Drowning {
     fn hillsides(&self, valleys: &Valleys) -> Result<LowStandRelief, Refused> {
         let mut relief = LowStandRelief::new(&self.recipe, &self.low_stand.land)?;
         let today = self.low_stand.today.heights();
-        relief.steepen(|corner| valleys.steepness(corner) * of_rock(self.rock[corner]) * of_shelf(today[corner]));
+        relief.steepen(|corner| {
+            let hardness = self.rock[corner];
+            valleys.steepness(corner, hardness) * of_rock(hardness) * of_shelf(today[corner])
+        });
         Ok(relief)
     }
 

@@ -133,11 +133,37 @@ fn greater_rivers_have_flatter_valleys() {
     let tree = growth.tree();
     let discharge = crate::tree::Hydrology::of(tree).discharge;
     let greatest = (0..tree.len()).max_by_key(|&node| discharge[node]).unwrap();
-    let trunk = valleys.steepness(corner(tree.at[greatest]));
+    let trunk = valleys.steepness(corner(tree.at[greatest]), 0.0);
     assert!(trunk < 0.05, "{trunk}");
     for node in (0..tree.len()).filter(|&node| tree.parent_of(node).is_some()) {
-        assert!(valleys.steepness(corner(tree.at[node])) <= 0.5, "a node is not in a valley");
+        assert!(valleys.steepness(corner(tree.at[node]), 0.0) <= 0.5, "a node is not in a valley");
     }
     let sea = lattice.heights().iter().position(|height| *height < -40.0).unwrap();
-    assert!(valleys.steepness(sea) > 1.0 && valleys.with_unknown(lattice).steepness(sea) == 0.4);
+    assert!(valleys.steepness(sea, 0.0) > 1.0 && valleys.with_unknown(lattice).steepness(sea, 0.0) == 0.4);
+}
+
+/// Corners of floors are as low as the river between them, or nearly; so inlets are broad to their heads.
+#[test]
+fn troughs_of_hard_ground_are_broad_and_level_far_inland() {
+    let (low_stand, heights) = heights("seed=kauri&attractors=12000&drowning=0.6&land=continent");
+    let recipe = link::read("seed=kauri&attractors=12000&drowning=0.6&land=continent").unwrap();
+    let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
+    while growth.tick() {}
+    let drowning = Drowning::new(&recipe, low_stand.clone());
+    let (rock, lattice) = (drowning.rock().unwrap(), low_stand.land.coast_distance());
+    let mut marking = Marking::new(growth.tree(), lattice, growth.stream_spacing()).unwrap();
+    while marking.advance(growth.tree()) {}
+    let valleys = marking.into_valleys();
+    let is_floor = |corner: &usize| {
+        lattice.heights()[*corner] > 30.0 && rock[*corner] > 0.5 && valleys.steepness(*corner, rock[*corner]) < 0.006
+    };
+    let floors: Vec<usize> = (0..heights.len()).filter(is_floor).collect();
+    let columns = lattice.size().0;
+    let is_level = |corner: usize| {
+        let beside = [corner - 1, corner + 1, corner - columns, corner + columns];
+        beside.into_iter().filter(|&beside| (heights[beside] - heights[corner]).abs() < 0.1).count() >= 2
+    };
+    let level = floors.iter().filter(|&&corner| is_level(corner)).count();
+    println!("{level} of {} corners", floors.len());
+    assert!(floors.len() > 100 && level * 10 > floors.len() * 9, "{level} of {} corners", floors.len());
 }

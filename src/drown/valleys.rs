@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::fjords::Trough;
 use crate::base::memory::{Refused, lengthen};
 use crate::base::work;
 use crate::land::{CoastDistance, walk};
@@ -11,6 +12,8 @@ use crate::tree::Tree;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Valleys {
     areas: Vec<f32>,
+    /// The great valley nearest to each corner.
+    troughs: Vec<Trough>,
     columns: usize,
 }
 
@@ -22,19 +25,25 @@ const VALLEY: f32 = 0.4;
 const FLANK: f32 = 1.15;
 
 impl Valleys {
-    /// The steepness of a corner as a share of a hillside's: Flint's law (1974) with the usual concavity of a half.
-    pub fn steepness(&self, corner: usize) -> f32 {
-        match self.areas.get(corner) {
+    /// The steepness of a corner as a share of a hillside's, by its hardness: Flint's law (1974) with the usual concavity
+    /// of a half, but for troughs.
+    pub fn steepness(&self, corner: usize, hardness: f32) -> f32 {
+        let usual = match self.areas.get(corner) {
             Some(&area) if area > 0.0 => VALLEY * (AREA / area.max(AREA)).sqrt(),
             _ => FLANK,
-        }
+        };
+        self.troughs.get(corner).map_or(usual, |trough| trough.steepness(usual, FLANK, hardness))
     }
 
-    /// The same valleys, with small ones wherever a land has no corner: what drains there is not known.
+    /// The same valleys, with middling ones wherever a land has no corner: what drains there is not known, and ground that
+    /// a lower sea uncovers is the first to drown.
     pub fn with_unknown(&self, land: &CoastDistance) -> Self {
+        /// The area that is thought to drain through unknown ground, in square units.
+        const UNKNOWN: f32 = 160.0;
         let known = self.areas.iter().zip(land.heights());
         Self {
-            areas: known.map(|(&area, &height)| if height > 0.0 { area } else { AREA }).collect(),
+            areas: known.map(|(&area, &height)| if height > 0.0 { area } else { UNKNOWN }).collect(),
+            troughs: self.troughs.clone(),
             columns: self.columns,
         }
     }
@@ -58,8 +67,9 @@ impl Marking {
     /// Finds what each node of a tree drains; `parcel_spacing` is the distance between parcels, in units.
     pub fn new(tree: &Tree, lattice: &CoastDistance, parcel_spacing: f32) -> Result<Self, Refused> {
         let (columns, rows) = lattice.size();
-        let (mut areas, mut discharge) = (Vec::new(), Vec::new());
+        let (mut areas, mut troughs, mut discharge) = (Vec::new(), Vec::new(), Vec::new());
         lengthen(&mut areas, columns * rows, 0.0)?;
+        lengthen(&mut troughs, columns * rows, Trough::NONE)?;
         lengthen(&mut discharge, tree.len(), 0)?;
         discharge.copy_from_slice(&tree.drained);
         work::count(tree.len());
@@ -69,7 +79,8 @@ impl Marking {
             }
         }
         let parcel = parcel_spacing * parcel_spacing;
-        Ok(Self { valleys: Valleys { areas, columns }, discharge, parcel, rows, spacing: lattice.spacing(), next: 0 })
+        let valleys = Valleys { areas, troughs, columns };
+        Ok(Self { valleys, discharge, parcel, rows, spacing: lattice.spacing(), next: 0 })
     }
 
     /// Marks some more edges. Returns `true` if there are more.
@@ -83,7 +94,11 @@ impl Marking {
             let node = self.next;
             self.next += 1;
             if let Some(parent) = tree.parent_of(node) {
-                self.mark(tree.at[node], tree.at[parent], self.discharge[node] as f32 * self.parcel);
+                let area = self.discharge[node] as f32 * self.parcel;
+                self.mark(tree.at[node], tree.at[parent], area);
+                if Trough::is_great(area) {
+                    self.hollow(tree.at[node], tree.at[parent], area);
+                }
             }
         }
         false
@@ -98,6 +113,21 @@ impl Marking {
             if column < self.valleys.columns && row < self.rows {
                 let marked = &mut self.valleys.areas[row * self.valleys.columns + column];
                 *marked = marked.max(area);
+            }
+        }
+    }
+
+    /// Lets the corners around a straight line know of the great valley along it.
+    fn hollow(&mut self, from: Vec2, to: Vec2, area: f32) {
+        let index = |at: f32, count: usize| ((at / self.spacing).max(0.0) as usize).min(count);
+        let (first, last) = (from.min(to) - Trough::REACH, from.max(to) + Trough::REACH);
+        let columns = index(first.x, self.valleys.columns)..index(last.x + self.spacing, self.valleys.columns);
+        for row in index(first.y, self.rows)..index(last.y + self.spacing, self.rows) {
+            work::count(columns.len());
+            for column in columns.clone() {
+                let at = Vec2::new(column as f32, row as f32) * self.spacing;
+                let nearest = &mut self.valleys.troughs[row * self.valleys.columns + column];
+                *nearest = Trough::of(area, from, to, at).map_or(*nearest, |trough| nearest.or(trough));
             }
         }
     }

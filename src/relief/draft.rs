@@ -9,6 +9,7 @@ use std::sync::Arc;
 use super::cells::Cells;
 use super::front::solved;
 use super::steepness::slope;
+use super::summits::{unworn, worn};
 use super::{Relief, ReliefError, ReliefSettings};
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::sort::{argsort, key};
@@ -21,7 +22,7 @@ pub(crate) struct ReliefDrafts {
     /// Those of the relief.
     settings: ReliefSettings,
     cells: Cells,
-    /// Its heights, with the rim; infinite where there is no land.
+    /// Its heights before any wear, with the rim; infinite where there is no land.
     heights: Vec<f32>,
     /// All cells of land, the lowest first.
     order: Vec<usize>,
@@ -39,7 +40,10 @@ impl ReliefDrafts {
         let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
         ask(bytes).map_err(refused)?;
         let cells = Cells::new(&settings).map_err(refused)?;
-        let height = |cell| if cells.is_land(cell) { relief.heights[cells.without_rim(cell)] } else { f32::INFINITY };
+        let height = |cell| match cells.is_land(cell) {
+            true => unworn(relief.heights[cells.without_rim(cell)]),
+            false => f32::INFINITY,
+        };
         let heights: Vec<f32> = (0..cells.inland.len()).map(height).collect();
         let mut order = argsort(heights.iter().map(|&height| key(height)));
         order.truncate(cells.land_count());
@@ -60,7 +64,7 @@ impl ReliefDrafts {
         work::count(5 * self.order.len());
         for &cell in &self.order {
             heights[cell] = self.height(cell, &settings, &heights);
-            relief.heights[self.cells.without_rim(cell)] = heights[cell];
+            relief.heights[self.cells.without_rim(cell)] = worn(heights[cell]);
         }
         Ok(relief)
     }

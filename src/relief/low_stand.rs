@@ -31,7 +31,7 @@ const ENTRIES_A_STEP: usize = 40_000;
 impl LowStandRelief {
     /// The usual hillsides of a recipe on the land of its low stand.
     pub fn new(recipe: &Recipe, land: &Arc<Land>) -> Result<Self, Refused> {
-        let settings = ReliefSettings::new(recipe, Some(land.clone()), 1).with_usual_slopes();
+        let settings = ReliefSettings::new(recipe, Some(land.clone()), 1).of_low_stand();
         let cells = Cells::of_corners(land.coast_distance())?;
         let steepness = Steepness::of_hillsides(&settings, &cells)?;
         Ok(Self { land: land.clone(), cells, steepness, front: Front::default() })

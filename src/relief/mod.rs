@@ -2,11 +2,11 @@
 //!
 //! Height is the cost of walking up from the sea, where hillsides are steep and rivers cost little: the eikonal equation
 //! |∇h| = s(x) with the coast and the rivers as sources (Sethian 1996), and no river higher than upstream. Each cell takes
-//! its height from a lower neighbour, so there is no pit.
+//! its height from a lower neighbour, so there is no pit. High ground is worn, which keeps that order.
 //!
 //! ```text
 //! land ────► steepness ─┬─► profiles ─► rivers on cells ─┐
-//! network ──────────────┘                                ├─► front ─► rivers fall ─► creep
+//! network ──────────────┘                                ├─► front ─► wear ─► rivers fall ─► creep
 //! trimmed tree ─► rills ─► steepness, carved ────────────┘
 //! ```
 
@@ -19,12 +19,14 @@ mod finer;
 mod flow;
 mod front;
 mod grid;
+mod hillsides;
 mod low_stand;
 mod profile;
 mod rills;
 mod settings;
 mod solver;
 mod steepness;
+mod summits;
 #[cfg(test)]
 mod tests;
 
@@ -47,7 +49,7 @@ use steepness::Steepness;
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,500 to 3,000.
+/// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,100 to 3,000.
 pub const METRES: f32 = 25.0;
 
 /// The heights of the cells of a grid, row by row, from north to south.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use fastnoise_lite::FastNoiseLite;
 
+use super::hillsides::Hillsides;
 use super::{Grid, Rills};
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
@@ -37,6 +38,8 @@ pub struct ReliefSettings {
     pub threads: NonZero<usize>,
     /// The strength with which rills carve the hillsides, from 0 to 1.
     pub rills: f32,
+    /// The constants of hillsides.
+    pub(super) hillsides: Hillsides,
     /// The hard and soft ground that rivers grew on, if they did: its wavelength, in units, and its contrast.
     pub(crate) rock: Option<(f32, f32)>,
     /// The rills, if they are known.
@@ -59,6 +62,7 @@ impl ReliefSettings {
             plains: recipe.number(NumberKey::Plains),
             threads: NonZero::<usize>::MIN,
             rills: recipe.number(NumberKey::Rills),
+            hillsides: Hillsides::OF_A_MAP,
             rock: None,
             rill_lines: None,
         }
@@ -70,11 +74,11 @@ impl ReliefSettings {
         Self { low_stand, ..self }
     }
 
-    /// The same with the usual mountains and plains, whatever the recipe asks for.
-    pub(super) fn with_usual_slopes(self) -> Self {
+    /// The same with the hillsides of a low stand, and the usual mountains and plains whatever the recipe asks for.
+    pub(super) fn of_low_stand(self) -> Self {
         let usual = Recipe::default();
         let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| usual.number(key));
-        Self { mountains, plains, ..self }
+        Self { mountains, plains, hillsides: Hillsides::OF_A_LOW_STAND, ..self }
     }
 
     /// The same settings on ground of some wavelength, in units, and contrast.

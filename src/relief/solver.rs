@@ -10,6 +10,7 @@ use super::profile::elevations;
 use super::rills::RillCells;
 use super::settings::ReliefSettings;
 use super::steepness::Steepness;
+use super::summits::{unworn, worn};
 use super::{Grid, Relief};
 use crate::base::memory::{Refused, ask, lengthen, reserve};
 use crate::base::work;
@@ -75,7 +76,7 @@ enum Part {
     Coast,
     /// Adds the rivers.
     Rivers,
-    /// Moves the front on; how often rivers have been lowered to their banks before.
+    /// Moves the front on, then wears what it found; how often rivers have been lowered to their banks before.
     Front(u32),
     /// Rounds hillsides.
     Creep,
@@ -225,7 +226,7 @@ impl ReliefSolver {
         ask(network.vertices.len() * BYTES_A_VERTEX)?;
         work::count(4 * network.vertices.len());
         if let Some(given) = &self.given {
-            return Ok(given.heights.clone());
+            return Ok(given.heights.iter().map(|&height| unworn(height)).collect());
         }
         Ok(elevations(network, self.settings.total_discharge, &self.cells, &self.steepness))
     }
@@ -258,12 +259,14 @@ impl ReliefSolver {
         Ok(lowered > ENOUGH * self.channels.len() as f32)
     }
 
-    /// Takes the heights from the front, and lets rivers fall.
+    /// Takes the heights from the front, wears them, and lets rivers fall.
     fn settle(&mut self) -> Result<Part, Refused> {
         let (mut heights, mut is_river) = (Vec::new(), Vec::new());
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
         lengthen(&mut is_river, heights.len(), false)?;
         self.front.write(&mut heights);
+        work::count(heights.len());
+        heights.iter_mut().filter(|height| **height < f32::INFINITY).for_each(|height| *height = worn(*height));
         self.channels.let_fall(&self.cells, &mut heights);
         self.channels.paths().flatten().for_each(|&(cell, _)| is_river[cell as usize] = true);
         self.creep = Creep::new(heights)?;
@@ -311,7 +314,7 @@ mod tests {
             assert!(solver.step(network).unwrap().is_none());
         }
         let steps = || solver.channels.paths().flatten().filter(|step| solver.cells.is_land(step.0 as usize));
-        let before: f32 = steps().map(|step| step.1).sum();
+        let before: f32 = steps().map(|step| worn(step.1)).sum();
         1.0 - steps().map(|step| solver.creep.heights[step.0 as usize]).sum::<f32>() / before
     }
 

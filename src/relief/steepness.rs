@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
+use super::hillsides::Hillsides;
 use super::profile;
 use super::rills::{Gentleness, RillCells};
 use super::settings::ReliefSettings;
@@ -34,7 +35,7 @@ impl Steepness {
         let ground = Ground::new(settings);
         let mut this = Self::default();
         lengthen(&mut this.factors, cells.inland.len(), 1.0)?;
-        lengthen(&mut this.rises, cells.inland.len(), AT_THE_COAST * cells.size)?;
+        lengthen(&mut this.rises, cells.inland.len(), settings.hillsides.at_the_coast * cells.size)?;
         work::count(cells.inland.len());
         let border = Border::new(settings);
         for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
@@ -132,13 +133,11 @@ impl Steepness {
     }
 }
 
-/// The slope at the coast.
-const AT_THE_COAST: f32 = 0.6;
-
-/// The slope at a distance from the sea, before ground and valleys: it grows from next to nothing to that of mountains.
+/// The slope at a distance from the sea, before ground and valleys: it grows from that of the coast to that of mountains.
 pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
     let way = (inland / settings.plains.max(1.0)).clamp(0.0, 1.0);
-    AT_THE_COAST + (settings.mountains - AT_THE_COAST).max(0.0) * way * way * (3.0 - 2.0 * way)
+    let least = fast_min(settings.hillsides.at_the_coast, settings.mountains);
+    least + (settings.mountains - least) * way * way * (3.0 - 2.0 * way)
 }
 
 /// The sides of the map at which land runs on. The land beyond is not known, so all water runs inward there: on usual
@@ -181,11 +180,12 @@ impl Ground {
     fn new(settings: &ReliefSettings) -> Self {
         /// The greatest deviation of hardness that counts.
         const MOST: f32 = 1.5;
+        let Hillsides { broad, rock: of_rock, .. } = settings.hillsides;
         let (wide, fine) = (settings.noise(0, 200.0, 3), settings.noise(1, 45.0, 2));
         let rock = settings.rock.map(|(wavelength, contrast)| (settings.seed.rock(wavelength), contrast));
         let hardness = |at: Vec2| {
             rock.as_ref().map_or(0.0, |(rock, contrast)| {
-                contrast * (DEVIATION * rock.get_noise_2d(at.x, at.y)).clamp(-MOST, MOST)
+                of_rock * contrast * (DEVIATION * rock.get_noise_2d(at.x, at.y)).clamp(-MOST, MOST)
             })
         };
         let size = (settings.domain.size / APART).ceil() + 2.0;
@@ -194,7 +194,7 @@ impl Ground {
         let sample = |i: usize| {
             let at = Vec2::new((i % columns) as f32, (i / columns) as f32) * APART;
             // Fractal noise has a deviation of about a third.
-            libm::expf(0.9 * wide.get_noise_2d(at.x, at.y) + 0.4 * fine.get_noise_2d(at.x, at.y) + hardness(at))
+            libm::expf(broad * wide.get_noise_2d(at.x, at.y) + 0.4 * fine.get_noise_2d(at.x, at.y) + hardness(at))
         };
         Self { columns, samples: (0..columns * rows).map(sample).collect() }
     }

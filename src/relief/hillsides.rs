@@ -1,0 +1,20 @@
+//! The constants of hillsides. A low stand has its own: the coast that the risen sea leaves hangs on them.
+
+/// The constants of hillsides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hillsides {
+    /// The slope at the coast, unless mountains are gentler.
+    pub at_the_coast: f32,
+    /// The strength of broad differences between steep and gentle ground.
+    pub broad: f32,
+    /// The strength of differences between hard and soft ground.
+    pub rock: f32,
+}
+
+impl Hillsides {
+    /// Those of a map: soon steep behind the coast, and nowhere so much steeper than elsewhere that one summit stands alone.
+    pub const OF_A_MAP: Self = Self { at_the_coast: 0.9, broad: 0.6, rock: 0.8 };
+
+    /// Those of a low stand.
+    pub const OF_A_LOW_STAND: Self = Self { at_the_coast: 0.6, broad: 0.9, rock: 1.0 };
+}
