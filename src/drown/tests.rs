@@ -139,7 +139,7 @@ fn greater_rivers_have_flatter_valleys() {
         assert!(valleys.steepness(corner(tree.at[node]), 0.0) <= 0.5, "a node is not in a valley");
     }
     let sea = lattice.heights().iter().position(|height| *height < -40.0).unwrap();
-    assert!(valleys.steepness(sea, 0.0) > 1.0 && valleys.with_unknown(lattice).steepness(sea, 0.0) == 0.4);
+    assert!(valleys.steepness(sea, 0.0) > 1.0 && valleys.with_unknown(lattice).steepness(sea, 0.0) < 0.2);
 }
 
 /// Corners of floors are as low as the river between them, or nearly; so inlets are broad to their heads.

@@ -20,6 +20,7 @@ impl Curve {
     }
 
     /// The point at a share of the curve.
+    #[inline(never)] // each copy weighs ninety bytes
     pub fn at(&self, t: f32) -> Vec2 {
         let [a, b, c, d] = self.0;
         let s = 1.0 - t;
@@ -27,11 +28,13 @@ impl Curve {
     }
 
     /// The direction in which the curve runs at a share of it, as a unit vector.
+    #[inline(never)]
     pub fn way(&self, t: f32) -> Vec2 {
         direction(self.at((t + 0.05).min(1.0)) - self.at((t - 0.05).max(0.0)))
     }
 
     /// The length, about.
+    #[inline(never)]
     pub fn length(&self) -> f32 {
         distance(self.at(0.0), self.at(0.5)) + distance(self.at(0.5), self.at(1.0))
     }
@@ -43,6 +46,7 @@ impl Curve {
     }
 
     /// A spine along the curve, with a half width at each place.
+    #[inline(never)]
     pub fn spine(&self, pieces: u32, width: &dyn Fn(f32) -> f32) -> Spine {
         let place = |i: u32| i as f32 / pieces as f32;
         Spine::new((0..=pieces).map(|i| (self.at(place(i)), width(place(i)))).collect())

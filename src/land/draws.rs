@@ -29,6 +29,7 @@ impl Draws {
     }
 
     /// A number from 0 to 1, more often about a half than near the ends.
+    #[inline(never)]
     pub fn middling(&mut self) -> f32 {
         0.5 * (self.between(0.0, 1.0) + self.between(0.0, 1.0))
     }
@@ -40,6 +41,7 @@ impl Draws {
     }
 
     /// A number from `least` to `most`, either positive or negative.
+    #[inline(never)]
     pub fn either(&mut self, least: f32, most: f32) -> f32 {
         let sign = if self.is(0.5) { -1.0 } else { 1.0 };
         sign * self.between(least, most)
@@ -52,6 +54,7 @@ impl Draws {
     }
 
     /// A unit vector in any direction.
+    #[inline(never)]
     pub fn direction(&mut self) -> Vec2 {
         turned(Vec2::X, self.between(-std::f32::consts::PI, std::f32::consts::PI))
     }
