@@ -150,6 +150,7 @@ function played(page: Page, { name, bytes }: Saved): Promise<{ seconds: number; 
     async ([base64, type]) => {
       const video = document.createElement("video");
       video.muted = true;
+      document.body.append(video);
       video.src = URL.createObjectURL(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], { type }));
       await new Promise((done, failed) => {
         video.onloadeddata = done;
@@ -159,10 +160,10 @@ function played(page: Page, { name, bytes }: Saved): Promise<{ seconds: number; 
       if (!context) throw new Error("no context");
       const pictures: Uint8ClampedArray[] = [];
       for (const share of [0.05, 0.3, 0.6, 0.9, 0.99]) {
+        // Once a place is found, its picture may still be on its way.
+        const shown = new Promise((done) => video.requestVideoFrameCallback(done));
         video.currentTime = video.duration * share;
-        await new Promise((done) => {
-          video.onseeked = done;
-        });
+        await shown;
         context.drawImage(video, 0, 0, 120, 75);
         pictures.push(context.getImageData(0, 0, 120, 75).data);
       }
