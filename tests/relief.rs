@@ -14,7 +14,7 @@ use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Key, link};
 use riverseed::relief::Grid;
-use riverseed::relief::{CELL_SIZE, Relief};
+use riverseed::relief::{CELL_SIZE, METRES, Relief};
 use riverseed::session::{Phase, Session};
 
 fn finished(text: &str) -> Session {
@@ -175,14 +175,11 @@ fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
         let highest = own.quantile(0.99);
         let network = session.network().unwrap();
         let rivers = network.vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
-        let off: Vec<f32> = rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() / highest).collect();
+        let off: Vec<f32> = rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() * METRES).collect();
         // Within the fall of a cell or two, rivers having no stairs of cells here; lower where they would stand on
         // dams.
-        let (half, one) = (share_above(&off, 0.005), share_above(&off, 0.01));
-        assert!(
-            off.len() > 1000 && half < 0.1 && one < 0.025 && share_above(&off, 0.03) < 0.01,
-            "{text}: {half}, {one}"
-        );
+        let [near, far, farthest] = [12.0, 31.0, 90.0].map(|metres| share_above(&off, metres));
+        assert!(off.len() > 1000 && near < 0.1 && far < 0.025 && farthest < 0.01, "{text}: {near}, {far}, {farthest}");
         let rises = network.vertices.iter().map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)) / highest);
         let most = rises.fold(0.0, f32::max);
         assert!(most < 0.006, "{text}: a river is {most} higher");

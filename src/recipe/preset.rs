@@ -265,7 +265,7 @@ pub static COUNTRIES: &[Preset] = &[
         name: "marsh",
         label: "Marsh",
         help: "A Brownian tree: streams that wander everywhere.",
-        values: &Country { sea: "0.45", roughness: "0.6", growth: "brownian", sensitivity: "11", width: "18", ..USUAL }
+        values: &Country { sea: "0.6", roughness: "0.6", growth: "brownian", sensitivity: "11", width: "18", ..USUAL }
             .values(),
         style: None,
     },
@@ -319,7 +319,7 @@ pub static COUNTRIES: &[Preset] = &[
         help: "Rivers run down a cone on all sides: a radial pattern.",
         values: &Country {
             aspect: "1.2",
-            sea: "0.5",
+            sea: "0.6",
             drowning: "0",
             roughness: "0.6",
             pattern: "radial",
@@ -390,7 +390,7 @@ pub static COUNTRIES: &[Preset] = &[
         help: "Arcs around a dome of hard and soft beds: an annular pattern.",
         values: &Country {
             aspect: "1.2",
-            sea: "0.4",
+            sea: "0.55",
             roughness: "0.7",
             pattern: "annular",
             channel_area: "5",

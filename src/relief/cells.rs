@@ -6,6 +6,7 @@ use glam::Vec2;
 
 use super::Grid;
 use super::settings::ReliefSettings;
+use crate::base::geometry::fast_min;
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
@@ -91,23 +92,24 @@ impl Cells {
 
     /// All is land; the sea lies beyond some sides.
     fn open(&mut self, settings: &ReliefSettings) {
-        for row in 0..self.rows {
-            for column in 0..self.columns {
+        let mut list = std::mem::take(&mut self.inland);
+        let is_open = settings.domain.sides(Vec2::ZERO).map(|(side, _)| settings.sides.contains(side));
+        for_each_row(&mut list, self.columns, settings.threads, |row, list| {
+            let is_rim_row = row == 0 || row + 1 == self.rows;
+            for (column, inland) in list.iter_mut().enumerate() {
                 let at = Vec2::new(self.coordinate(column), self.coordinate(row));
-                let mut nearest = f32::INFINITY;
-                for (side, far) in settings.domain.sides(at) {
-                    nearest = if settings.sides.contains(side) { nearest.min(far) } else { nearest };
-                }
-                let is_rim_row = row == 0 || row + 1 == self.rows;
+                let sides = settings.domain.sides(at).into_iter().zip(is_open).filter(|(_, is_open)| *is_open);
+                let nearest = sides.map(|((_, far), _)| far).fold(f32::INFINITY, fast_min);
                 let is_rim_column = column == 0 || column + 1 == self.columns;
-                self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {
+                *inland = match is_rim_row || is_rim_column {
                     true if (is_rim_row && is_rim_column) || nearest > self.size => BEYOND,
                     true => nearest.min(0.0),
                     // Where the last cells reach over the border.
                     false => nearest.max(self.size * 0.1),
                 };
             }
-        }
+        });
+        self.inland = list;
     }
 
     #[inline]
@@ -214,7 +216,8 @@ impl Cells {
     }
 
     /// The middle of a column or row, in units.
-    fn coordinate(&self, index: usize) -> f32 {
+    #[inline]
+    pub fn coordinate(&self, index: usize) -> f32 {
         (index as f32 - 1.0 + self.middle) * self.size
     }
 }

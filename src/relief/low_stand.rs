@@ -28,6 +28,9 @@ pub(crate) struct LowStandRelief {
 /// The number of entries of its queue by which the front moves on in a step.
 const ENTRIES_A_STEP: usize = 40_000;
 
+/// The number of threads.
+const ONE: NonZero<usize> = NonZero::<usize>::MIN;
+
 impl LowStandRelief {
     /// The usual hillsides of a recipe on the land of its low stand.
     pub fn new(recipe: &Recipe, land: &Arc<Land>) -> Result<Self, Refused> {
@@ -56,14 +59,14 @@ impl LowStandRelief {
     /// Fails if there is not enough memory.
     pub fn start(&mut self) -> Result<(), Refused> {
         let Self { cells, steepness, .. } = self;
-        self.front = Front::new(cells, &steepness.rises, TILE)?;
-        self.front.add_coast(cells, &steepness.rises);
+        self.front = Front::new(cells, &steepness.rises, TILE, ONE)?;
+        self.front.add_coast(cells, ONE);
         Ok(())
     }
 
     /// Moves the front on. Returns `true` if there is more to do.
     pub fn advance(&mut self) -> bool {
-        self.front.advance(ENTRIES_A_STEP, NonZero::<usize>::MIN)
+        self.front.advance(ENTRIES_A_STEP, ONE)
     }
 
     /// The height of each corner above the low stand, in units; of the sea, its distance from the coast, negative.
@@ -73,7 +76,7 @@ impl LowStandRelief {
     pub fn heights(&self) -> Result<Vec<f32>, Refused> {
         let mut heights = Vec::new();
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
-        self.front.write(&mut heights);
+        self.front.write(&mut heights, ONE);
         let Cells { columns, rows, .. } = self.cells;
         let inside = (1..rows - 1).flat_map(|row| row * columns + 1..(row + 1) * columns - 1);
         // Land that no water can leave stays above any sea.

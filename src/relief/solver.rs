@@ -12,7 +12,8 @@ use super::settings::ReliefSettings;
 use super::steepness::Steepness;
 use super::summits::{unworn, worn};
 use super::{Grid, Relief};
-use crate::base::memory::{Refused, ask, lengthen, reserve};
+use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::network::Network;
 
@@ -196,9 +197,9 @@ impl ReliefSolver {
                 false => Part::Coast,
             },
             Part::Coast => {
-                let Self { cells, steepness, .. } = self;
-                self.front = Front::new(cells, &steepness.rises, TILE)?;
-                self.front.add_coast(cells, &steepness.rises);
+                let Self { settings, cells, steepness, .. } = self;
+                self.front = Front::new(cells, &steepness.rises, TILE, settings.threads)?;
+                self.front.add_coast(cells, settings.threads);
                 self.steepness = Steepness::default();
                 Part::Rivers
             }
@@ -253,7 +254,7 @@ impl ReliefSolver {
         const ENOUGH: f32 = 0.0005;
         let mut heights = Vec::new();
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
-        self.front.write(&mut heights);
+        self.front.write(&mut heights, self.settings.threads);
         let Self { channels, cells, front, .. } = self;
         let lowered = channels.find_dams(cells, &heights, |cell, height| front.lower(cell, height))?;
         Ok(lowered > ENOUGH * self.channels.len() as f32)
@@ -264,9 +265,11 @@ impl ReliefSolver {
         let (mut heights, mut is_river) = (Vec::new(), Vec::new());
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
         lengthen(&mut is_river, heights.len(), false)?;
-        self.front.write(&mut heights);
+        self.front.write(&mut heights, self.settings.threads);
         work::count(heights.len());
-        heights.iter_mut().filter(|height| **height < f32::INFINITY).for_each(|height| *height = worn(*height));
+        for_each_row(&mut heights, self.cells.columns, self.settings.threads, |_, heights| {
+            heights.iter_mut().filter(|height| **height < f32::INFINITY).for_each(|height| *height = worn(*height));
+        });
         self.channels.let_fall(&self.cells, &mut heights);
         self.channels.paths().flatten().for_each(|&(cell, _)| is_river[cell as usize] = true);
         self.creep = Creep::new(heights)?;
@@ -277,14 +280,15 @@ impl ReliefSolver {
     fn finished(&self) -> Result<Relief, Refused> {
         let Cells { columns, rows, .. } = self.cells;
         let mut heights = Vec::new();
-        reserve(&mut heights, (columns - 2) * (rows - 2))?;
-        for row in 1..rows - 1 {
-            let inside = row * columns + 1..(row + 1) * columns - 1;
-            heights.extend(inside.map(|cell| match self.cells.is_land(cell) {
-                true => self.creep.heights[cell],
-                false => depth(self.cells.inland[cell]),
-            }));
-        }
+        lengthen(&mut heights, (columns - 2) * (rows - 2), 0.0)?;
+        for_each_row(&mut heights, columns - 2, self.settings.threads, |row, heights| {
+            for (cell, height) in ((row + 1) * columns + 1..).zip(heights) {
+                *height = match self.cells.is_land(cell) {
+                    true => self.creep.heights[cell],
+                    false => depth(self.cells.inland[cell]),
+                };
+            }
+        });
         work::count(heights.len());
         Ok(Relief { grid: self.settings.grid, heights })
     }

@@ -39,8 +39,10 @@ impl Steepness {
         work::count(cells.inland.len());
         let border = Border::new(settings);
         for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
-            for (cell, rise) in (row * cells.columns..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
-                let at = cells.point(cell);
+            let first = row * cells.columns;
+            for (cell, rise) in (first..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
+                // `point` would divide for each of them.
+                let at = Vec2::new(cells.coordinate(cell - first), cells.coordinate(row));
                 *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at);
             }
         });
@@ -116,10 +118,10 @@ impl Steepness {
         let (left, right) = (first % cells.columns, last % cells.columns);
         for row in first / cells.columns..=last / cells.columns {
             work::count(right - left + 1);
-            for column in left..=right {
-                let cell = row * cells.columns + column;
-                let share = fast_min(distance(cells.point(cell), at) / radius, 1.0);
-                self.factors[cell] = change(share, self.factors[cell]);
+            let start = row * cells.columns;
+            for (column, factor) in (left..).zip(&mut self.factors[start + left..=start + right]) {
+                let middle = Vec2::new(cells.coordinate(column), cells.coordinate(row));
+                *factor = change(fast_min(distance(middle, at) / radius, 1.0), *factor);
             }
         }
     }

@@ -43,19 +43,21 @@ fn wander(cells: &Cells, start: usize, height: f32, steps: &[(usize, f32)]) -> V
     path
 }
 
-/// A front on tiles with a side of so many cells.
+/// A front on tiles with a side of so many cells, made on two threads.
 fn front(cells: &Cells, rises: &[f32], rivers: &Rivers, side: usize) -> Front {
-    let mut front = Front::new(cells, rises, side).unwrap();
-    front.add_coast(cells, rises);
+    let threads = NonZero::new(2).unwrap();
+    let mut front = Front::new(cells, rises, side, threads).unwrap();
+    front.add_coast(cells, threads);
     front.add_rivers(cells, &Channels::of_paths(rivers));
     front
 }
 
 /// The heights that it ends with, on one thread in steps of a few entries of its queues, or on several.
 fn solved(mut front: Front, cells: &Cells, threads: usize) -> Vec<f32> {
-    while front.advance(3, NonZero::new(threads).unwrap()) {}
+    let threads = NonZero::new(threads).unwrap();
+    while front.advance(3, threads) {}
     let mut heights = vec![f32::INFINITY; cells.inland.len()];
-    front.write(&mut heights);
+    front.write(&mut heights, threads);
     heights
 }
 

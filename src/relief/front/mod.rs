@@ -16,7 +16,7 @@ use tile::{CLOSED, Tile};
 use super::cells::Cells;
 use super::channels::Channels;
 use crate::base::memory::{Refused, ask};
-use crate::base::parallel::for_each;
+use crate::base::parallel::{for_each, for_each_row};
 use crate::base::sort::sorted_pairs;
 use crate::base::work;
 
@@ -46,12 +46,12 @@ const LEAST_HEIGHT: f32 = 5e-5;
 const STEP: f32 = 0.1;
 
 impl Front {
-    /// Divides the cells of a map into tiles with sides of at most so many cells; `rises` has the amount by which each cell of land rises above a
-    /// neighbour, in units.
+    /// Divides the cells of a map into tiles with sides of at most so many cells, on a number of threads; `rises` has the
+    /// amount by which each cell of land rises above a neighbour, in units.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
-    pub fn new(cells: &Cells, rises: &[f32], side: usize) -> Result<Self, Refused> {
+    pub fn new(cells: &Cells, rises: &[f32], side: usize, threads: NonZero<usize>) -> Result<Self, Refused> {
         /// Heights, steepness and ways, and what waits.
         const BYTES_A_CELL: usize = 24;
         ask(rises.len() * BYTES_A_CELL)?;
@@ -62,24 +62,29 @@ impl Front {
         for top in (0..inner_rows).step_by(side) {
             for left in (0..inner_columns).step_by(side) {
                 let size = ((inner_columns - left).min(side) + 2, (inner_rows - top).min(side) + 2);
-                let mut tile = Tile::new((left, top), size, STEP * cells.size);
-                fill(&mut tile, cells, rises);
-                tiles.push(tile);
+                tiles.push(Tile::new((left, top), size, STEP * cells.size));
             }
         }
+        for_each(tiles.iter_mut(), threads, |tile| fill(tile, cells, rises));
         Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land_count() })
     }
 
-    /// Adds the coast: cells of land beside the sea are as high as their way from it.
-    pub fn add_coast(&mut self, cells: &Cells, rises: &[f32]) {
-        work::count(rises.len() + 4 * self.cells);
-        for cell in cells.land() {
-            if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
-                // The coast runs between the middles. `clamp` would bring a message with numbers, which weighs 8 kB.
-                let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
-                self.lower(cell, rises[cell] * way / cells.size);
+    /// Adds the coast, on a number of threads: cells of land beside the sea are as high as their way from it.
+    pub fn add_coast(&mut self, cells: &Cells, threads: NonZero<usize>) {
+        work::count(cells.inland.len() + 4 * self.cells);
+        for_each(self.tiles.iter_mut(), threads, |tile| {
+            for local in 0..tile.rises.len() {
+                if tile.rises[local] == CLOSED {
+                    continue;
+                }
+                let cell = (tile.top + local / tile.columns) * cells.columns + tile.left + local % tile.columns;
+                if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
+                    // The coast runs between the middles. `clamp` would bring a message with numbers, which weighs 8 kB.
+                    let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
+                    tile.lower(local, tile.rises[local] * way / cells.size);
+                }
             }
-        }
+        });
     }
 
     /// Adds rivers: each cell of their paths is at most as high as a path has it, and as the one before.
@@ -187,17 +192,18 @@ impl Front {
         self.tiles[tile].lower(local, height);
     }
 
-    /// Writes the heights of all cells of the map into a list of the cells with their rim; infinite where there is no
-    /// land.
-    pub fn write(&self, heights: &mut [f32]) {
+    /// Writes the heights of all cells of the map into a list of the cells with their rim, on a number of threads;
+    /// infinite where there is no land.
+    pub fn write(&self, heights: &mut [f32], threads: NonZero<usize>) {
         work::count(heights.len());
-        for tile in &self.tiles {
-            for row in 1..tile.rows - 1 {
-                let from = (tile.top + row) * self.columns + tile.left + 1;
-                let inner = &tile.heights[row * tile.columns + 1..(row + 1) * tile.columns - 1];
-                heights[from..from + inner.len()].copy_from_slice(inner);
+        for_each_row(heights, self.columns, threads, |row, heights| {
+            let tiles = self.tiles.iter().filter(|tile| (1..tile.rows - 1).contains(&row.wrapping_sub(tile.top)));
+            for tile in tiles {
+                let start = (row - tile.top) * tile.columns;
+                let inner = &tile.heights[start + 1..start + tile.columns - 1];
+                heights[tile.left + 1..][..inner.len()].copy_from_slice(inner);
             }
-        }
+        });
     }
 
     /// The share of a run that is done, from 0 to 1, roughly. It never decreases.
@@ -233,6 +239,7 @@ impl Tile {
 
 /// Opens the cells of land of a tile, but for its ring.
 fn fill(tile: &mut Tile, cells: &Cells, rises: &[f32]) {
+    tile.close();
     for row in 1..tile.rows - 1 {
         for column in 1..tile.columns - 1 {
             let cell = (tile.top + row) * cells.columns + tile.left + column;

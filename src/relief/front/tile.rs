@@ -32,23 +32,27 @@ pub(super) struct Tile {
 const LAST: u32 = 1 << 31;
 
 impl Tile {
-    /// A tile without land, at a place on the grid. Cells wait in steps of this height, in units.
+    /// A tile at a place on the grid, to be [closed](Self::close). Cells wait in steps of this height, in units.
     pub fn new(place: (usize, usize), size: (usize, usize), step: f32) -> Self {
         let ((left, top), (columns, rows)) = (place, size);
-        let count = columns * rows;
-        let closed = vec![CLOSED; count];
         Self {
             left,
             top,
             columns,
             rows,
-            heights: closed.clone(),
-            rises: closed,
+            heights: Vec::new(),
+            rises: Vec::new(),
             first: Vec::new(),
             next: Vec::new(),
             queue: Buckets::new(step),
             passed: 0,
         }
+    }
+
+    /// Makes all cells infinitely high, and lets the front enter none.
+    pub fn close(&mut self) {
+        self.heights = vec![CLOSED; self.columns * self.rows];
+        self.rises = self.heights.clone();
     }
 
     /// Takes the ways of rivers: pairs of a cell and the one to which a river goes on, sorted.
