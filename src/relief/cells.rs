@@ -202,7 +202,8 @@ impl Cells {
     /// The number of cells of the map that are land.
     #[inline(never)] // one copy
     pub fn land_count(&self) -> usize {
-        self.land().count()
+        // Over the list, since a range of numbers would not be counted many at a time.
+        self.inland.iter().filter(|&&inland| inland > 0.0).count()
     }
 
     /// The area of all land, in square units.
