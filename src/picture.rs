@@ -45,7 +45,7 @@ pub struct Picture {
     annotation: Option<(AnnotationKey, Arc<AnnotationMasks>)>,
     drafts: SessionDrafts,
     /// The land in a rising sea, with the session and the step of the rise that it belongs to.
-    tide: Option<((Generation, u32), Arc<Land>)>,
+    transgression: Option<((Generation, u32), Arc<Land>)>,
     /// The relief on a finer grid than its map's own, for a large picture.
     finer: Option<(MapId, Arc<Relief>)>,
     /// The next annotation, while it is being made.
@@ -68,7 +68,7 @@ impl Picture {
             rivers_of: None,
             annotation: None,
             drafts: SessionDrafts::default(),
-            tide: None,
+            transgression: None,
             finer: None,
             #[cfg(feature = "names")]
             builder: None,
@@ -146,10 +146,10 @@ impl Picture {
         if is_kept && self.rivers_of == tree && self.is_on_land_of(session) {
             return Painted::Whole(None);
         }
-        if self.make_land_in_tide(session) {
+        if self.make_land_in_transgression(session) {
             return Painted::Part;
         }
-        let land = self.tide.as_ref().map(|(_, land)| land).or(session.land()).cloned();
+        let land = self.transgression.as_ref().map(|(_, land)| land).or(session.land()).cloned();
         self.forget_what_is_over(Source::Session(session.generation()), session.domain(), land.as_ref());
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), land.as_deref());
@@ -162,7 +162,7 @@ impl Picture {
             return self.paint_rivers(network, past, rounds, relief.as_ref(), (recipe, session.is_finished()), land);
         }
         // While the sea rises, each picture has another ground.
-        if session.tide().is_some() && self.painter.lay_ground(land, recipe.get()) {
+        if session.transgression().is_some() && self.painter.lay_ground(land, recipe.get()) {
             return Painted::Part;
         }
         let growth = session.growth();
@@ -180,13 +180,13 @@ impl Picture {
 
     /// Makes the land in the sea that is seen rising in a session, or forgets that in an earlier sea. Returns `true` if it
     /// made one.
-    fn make_land_in_tide(&mut self, session: &Session) -> bool {
-        let now = session.tide().map(|tide| (session.generation(), tide.step()));
-        if self.tide.as_ref().map(|(of, _)| *of) == now {
+    fn make_land_in_transgression(&mut self, session: &Session) -> bool {
+        let now = session.transgression().map(|transgression| (session.generation(), transgression.step()));
+        if self.transgression.as_ref().map(|(of, _)| *of) == now {
             return false;
         }
-        self.tide = now.zip(session.tide().map(|tide| tide.land()));
-        self.tide.is_some()
+        self.transgression = now.zip(session.transgression().map(|transgression| transgression.land()));
+        self.transgression.is_some()
     }
 
     /// Solves the relief of a map again for this picture, if its pixels are much smaller than the cells of the map's own
@@ -476,7 +476,7 @@ mod tests {
             let text = format!("seed=kea&attractors=2000&land=island&drowning=0.6&style={style}");
             let mut session = Session::new(link::read(&text).unwrap()).unwrap();
             let mut picture = Picture::new(300, 240).unwrap();
-            while session.tide().is_none() {
+            while session.transgression().is_none() {
                 session.advance(1).unwrap();
                 picture.paint(&session);
             }
@@ -500,7 +500,11 @@ mod tests {
 
     /// Checks that rivers of a skeleton, which are white, have gone where the sea of the moment is.
     fn assert_no_river_at_sea(picture: &Picture, session: &Session, style: &str) {
-        let Some(land) = session.tide().map(|tide| tide.land()).filter(|_| style == "skeleton") else { return };
+        let Some(land) =
+            session.transgression().map(|transgression| transgression.land()).filter(|_| style == "skeleton")
+        else {
+            return;
+        };
         let mut drowned = 0;
         for at in session.tree().at.iter().filter(|at| land.coast_distance().height(**at) < -3.0) {
             let [x, y] = picture.view().pixel(*at).to_array().map(|of| of as u32);

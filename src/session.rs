@@ -17,7 +17,7 @@ use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::Domain;
-use crate::drown::Tide;
+use crate::drown::Transgression;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::map::{Map, MapId, relief_settings};
@@ -384,8 +384,8 @@ impl Session {
     }
 
     /// The sea while it is to be seen rising; its lands are for pictures alone.
-    pub(crate) fn tide(&self) -> Option<&Tide> {
-        self.coasts.tide()
+    pub(crate) fn transgression(&self) -> Option<&Transgression> {
+        self.coasts.transgression()
     }
 
     /// The relief; `None` until rivers are finished, and in a style that shows none. It is kept for a later style that

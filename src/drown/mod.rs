@@ -12,7 +12,7 @@ mod fjords;
 mod level;
 #[cfg(test)]
 mod tests;
-mod tide;
+mod transgression;
 mod valleys;
 mod waves;
 
@@ -31,7 +31,7 @@ use level::Level;
 use valleys::Marking;
 use waves::Waves;
 
-pub(crate) use tide::Tide;
+pub(crate) use transgression::Transgression;
 pub(crate) use valleys::Valleys;
 
 /// The search for the level to which the sea rises, in progress: a stepper.
@@ -102,19 +102,19 @@ impl Drowning {
         }
     }
 
-    /// Makes a step; `tree` is the tree that grew on the low stand. Returns the tide, once its level is known.
+    /// Makes a step; `tree` is the tree that grew on the low stand. Returns the transgression, once its level is known.
     ///
     /// # Errors
     /// Fails if there is not enough memory. A further call begins again.
-    pub fn step(&mut self, tree: &Tree) -> Result<Option<Tide>, Refused> {
+    pub fn step(&mut self, tree: &Tree) -> Result<Option<Transgression>, Refused> {
         let part = std::mem::replace(&mut self.next, Part::Begin);
-        let (next, tide) = self.advance(part, tree)?;
+        let (next, transgression) = self.advance(part, tree)?;
         self.next = next;
-        Ok(tide)
+        Ok(transgression)
     }
 
     #[inline(never)] // one copy for sessions and drafts
-    fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Tide>), Refused> {
+    fn advance(&mut self, part: Part, tree: &Tree) -> Result<(Part, Option<Transgression>), Refused> {
         let next = match part {
             Part::Begin => Part::Mark(Marking::new(tree, self.lattice(), self.drainage.spacing)?),
             Part::Mark(mut marking) => match marking.advance(tree) {
@@ -146,8 +146,9 @@ impl Drowning {
                 None => Part::Level(valleys, level),
                 Some((reached, land)) => {
                     let drowned = Drowned { land: land.into(), valleys };
-                    let tide = Tide::new(self.low_stand.clone(), level.into_heights(), reached, drowned);
-                    return Ok((Part::Between, Some(tide)));
+                    let transgression =
+                        Transgression::new(self.low_stand.clone(), level.into_heights(), reached, drowned);
+                    return Ok((Part::Between, Some(transgression)));
                 }
             },
             Part::Between => Part::Begin,

@@ -28,11 +28,11 @@ fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
 }
 
 /// A recipe's sea about to rise to its level.
-fn tide(text: &str) -> (Arc<LowStand>, Tide) {
+fn transgression(text: &str) -> (Arc<LowStand>, Transgression) {
     let (low_stand, growth, mut drowning) = at_the_low_stand(text);
     loop {
-        if let Some(tide) = drowning.step(growth.tree()).unwrap() {
-            return (low_stand, tide);
+        if let Some(transgression) = drowning.step(growth.tree()).unwrap() {
+            return (low_stand, transgression);
         }
     }
 }
@@ -76,24 +76,25 @@ fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
 }
 
 #[test]
-fn the_tide_goes_from_the_low_stand_to_the_risen_sea_and_never_falls() {
+fn the_transgression_goes_from_the_low_stand_to_the_risen_sea_and_never_falls() {
     for land in ["island", "archipelago", "valley&sea=0.4"] {
-        let (low_stand, mut tide) = tide(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
-        let mut before = tide.land();
+        let (low_stand, mut transgression) =
+            transgression(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
+        let mut before = transgression.land();
         assert!(Arc::ptr_eq(&before, &low_stand.land), "{land}: it begins elsewhere");
-        for step in 1..Tide::STEPS {
-            assert!(tide.rise().is_none(), "{land}: it is over after {step} steps");
-            let now = tide.land();
+        for step in 1..Transgression::STEPS {
+            assert!(transgression.rise().is_none(), "{land}: it is over after {step} steps");
+            let now = transgression.land();
             assert_lies_in(&now, &before, &format!("{land}, step {step}"));
             assert!(now.share_of_sea() > before.share_of_sea(), "{land}: nothing is seen of step {step}");
             before = now;
         }
-        let left = tide.rise().unwrap().land.clone();
+        let left = transgression.rise().unwrap().land.clone();
         assert_lies_in(&left, &before, &format!("{land}, at the end"));
-        assert!(Arc::ptr_eq(&tide.land(), &left), "{land}: it ends elsewhere");
-        let off = tide.land_at(1.0).share_of_sea() - left.share_of_sea();
+        assert!(Arc::ptr_eq(&transgression.land(), &left), "{land}: it ends elsewhere");
+        let off = transgression.land_at(1.0).share_of_sea() - left.share_of_sea();
         assert!((-0.005..=0.0).contains(&off), "{land}: specks on the way are {off} of the map");
-        assert!(tide.rise().is_some(), "{land}: what has risen stays");
+        assert!(transgression.rise().is_some(), "{land}: what has risen stays");
     }
 }
 

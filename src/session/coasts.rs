@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::base::memory::Refused;
-use crate::drown::{Drowned, Drowning, Tide};
+use crate::drown::{Drowned, Drowning, Transgression};
 use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::Recipe;
 use crate::relief::ReliefError;
@@ -28,7 +28,7 @@ enum Rise {
     /// The level is not known yet.
     Unknown(Box<Drowning>),
     /// The sea is on its way to the level.
-    Seen(Tide),
+    Seen(Transgression),
 }
 
 /// The coasts after the sea has risen.
@@ -91,11 +91,11 @@ impl Coasts {
         let Some(low_stand) = &self.low_stand else { return Ok(None) };
         let begin = || Rise::Unknown(Drowning::new(recipe, low_stand.clone()).into());
         match self.rising.get_or_insert_with(begin) {
-            Rise::Seen(tide) => return Ok(tide.rise().cloned()),
+            Rise::Seen(transgression) => return Ok(transgression.rise().cloned()),
             Rise::Unknown(drowning) => {
                 let refused = |Refused| ReliefError::OutOfMemory { megabytes: Drowning::MEGABYTES };
-                if let Some(tide) = drowning.step(tree).map_err(refused)? {
-                    self.rising = Some(Rise::Seen(tide));
+                if let Some(transgression) = drowning.step(tree).map_err(refused)? {
+                    self.rising = Some(Rise::Seen(transgression));
                 }
             }
         }
@@ -109,9 +109,9 @@ impl Coasts {
     }
 
     /// The sea on its way to its level; `None` before that is known, and after it is reached.
-    pub fn tide(&self) -> Option<&Tide> {
+    pub fn transgression(&self) -> Option<&Transgression> {
         match &self.rising {
-            Some(Rise::Seen(tide)) => Some(tide),
+            Some(Rise::Seen(transgression)) => Some(transgression),
             Some(Rise::Unknown(_)) | None => None,
         }
     }
@@ -123,7 +123,7 @@ impl Coasts {
         match &self.rising {
             None => 0.0,
             Some(Rise::Unknown(drowning)) => SEARCH * drowning.progress(),
-            Some(Rise::Seen(tide)) => SEARCH + (1.0 - SEARCH) * tide.share(),
+            Some(Rise::Seen(transgression)) => SEARCH + (1.0 - SEARCH) * transgression.share(),
         }
     }
 
@@ -133,7 +133,7 @@ impl Coasts {
         match &self.rising {
             None => 0,
             Some(Rise::Unknown(_)) => OF_SEARCH,
-            Some(Rise::Seen(tide)) => tide.bytes(),
+            Some(Rise::Seen(transgression)) => transgression.bytes(),
         }
     }
 }

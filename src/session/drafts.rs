@@ -85,8 +85,8 @@ impl Session {
             None => Drowning::new(wanted, low_stand),
         };
         loop {
-            if let Some(tide) = drowning.step(self.tree()).ok()? {
-                return Some(tide.into_drowned().land);
+            if let Some(transgression) = drowning.step(self.tree()).ok()? {
+                return Some(transgression.into_drowned().land);
             }
         }
     }

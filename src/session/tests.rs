@@ -410,19 +410,19 @@ fn each_step_of_the_seas_rise_can_be_refused_and_made_again() {
 }
 
 /// A session of drowned coasts whose sea is about to be seen rising.
-fn before_the_tide(text: &str) -> Session {
+fn before_the_transgression(text: &str) -> Session {
     let mut session = Session::new(link::read(text).unwrap()).unwrap();
-    while session.tide().is_none() {
+    while session.transgression().is_none() {
         assert!(session.advance(1).unwrap());
     }
     session
 }
 
 #[test]
-fn a_tide_that_nobody_looks_at_is_no_work() {
-    let mut session = before_the_tide("seed=kea&attractors=2000&land=island&drowning=0.5");
+fn a_transgression_that_nobody_looks_at_is_no_work() {
+    let mut session = before_the_transgression("seed=kea&attractors=2000&land=island&drowning=0.5");
     let (mut before, mut steps) = (session.progress(), 0);
-    while session.tide().is_some_and(|tide| tide.step() + 1 < Tide::STEPS) {
+    while session.transgression().is_some_and(|transgression| transgression.step() + 1 < Transgression::STEPS) {
         let work = work::steps();
         session.advance(1).unwrap();
         assert_eq!(work::steps(), work, "step {steps}");
@@ -430,13 +430,15 @@ fn a_tide_that_nobody_looks_at_is_no_work() {
         (before, steps) = (session.progress(), steps + 1);
     }
     session.advance(1).unwrap();
-    assert!(steps == Tide::STEPS - 1 && session.tide().is_none() && session.phase() == Phase::Shaping);
+    assert!(
+        steps == Transgression::STEPS - 1 && session.transgression().is_none() && session.phase() == Phase::Shaping
+    );
 }
 
 #[test]
-fn a_copy_in_the_tide_counts_its_heights_and_ends_as_the_session_does() {
+fn a_copy_in_the_transgression_counts_its_heights_and_ends_as_the_session_does() {
     let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
-    let mut session = before_the_tide(text);
+    let mut session = before_the_transgression(text);
     session.advance(3).unwrap();
     // The low stand's distances are as many.
     assert_eq!(session.coasts.bytes(), size_of_val(session.land().unwrap().coast_distance().heights()));
@@ -446,7 +448,7 @@ fn a_copy_in_the_tide_counts_its_heights_and_ends_as_the_session_does() {
         let map = session.finish().unwrap();
         assert!(map.land() == expected.land() && **map.network() == *expected.network().unwrap());
     }
-    // Seeking passes through the tide in both directions.
+    // Seeking passes through the transgression in both directions.
     let mut timeline = Timeline::new(&expected).unwrap();
     for to in [Moment::Bends(2), Moment::Growth(3), Moment::Finished, Moment::Bends(0)] {
         while timeline.seek(&mut copy, to).unwrap() {}
@@ -456,10 +458,10 @@ fn a_copy_in_the_tide_counts_its_heights_and_ends_as_the_session_does() {
 }
 
 #[test]
-fn a_cut_that_is_refused_at_high_tide_is_made_again() {
+fn a_cut_that_is_refused_at_its_end_is_made_again() {
     let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
-    let mut session = before_the_tide(text);
-    session.advance(Tide::STEPS - 1).unwrap();
+    let mut session = before_the_transgression(text);
+    session.advance(Transgression::STEPS - 1).unwrap();
     for _ in 0..2 {
         assert!(with_lists_up_to(1_000, || session.advance(1)).is_err() && session.phase() == Phase::Drowning);
     }

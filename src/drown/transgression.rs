@@ -1,5 +1,5 @@
-//! The tide: the lands between the low stand and the risen sea. Each is made only when somebody looks at it, so a map that
-//! nobody watches pays nothing for them.
+//! The transgression: the sea on its way from the low stand to its level. The land of a step is made only when somebody
+//! looks at it, so a map that nobody watches pays nothing for them.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::land::{Land, LowStand, RisenSea};
 
 /// The rise of the sea in even steps to a level that is known.
 #[derive(Clone, Debug)]
-pub(crate) struct Tide {
+pub(crate) struct Transgression {
     low_stand: Arc<LowStand>,
     /// The heights of the low stand's corners.
     heights: Vec<f32>,
@@ -18,7 +18,7 @@ pub(crate) struct Tide {
     step: u32,
 }
 
-impl Tide {
+impl Transgression {
     /// The number of steps from the low stand to the level. A picture of each takes about a fifteenth of a second.
     pub const STEPS: u32 = 12;
 
