@@ -1,14 +1,20 @@
-// Writes src/annotate/glyph/garamond.bin, the table of type: the letters of EB Garamond Italic as outlines and numbers.
-// src/annotate/glyph/table.rs, which reads it, describes its bytes.
+// Writes the tables of type, src/annotate/glyph/italic.bin and roman.bin: the letters of EB Garamond as outlines and numbers.
+// src/annotate/glyph/table.rs, which reads them, describes their bytes.
 //
-//   node scripts/type.mjs    writes it again; a unit test fails if it differs from the font's package
+//   node scripts/type.mjs    writes them again; a unit test fails if they differ from the font's package
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import * as fontkit from "fontkit";
 
 const FILES = new URL("../node_modules/@fontsource/eb-garamond/files/", import.meta.url);
-const TABLE = new URL("../../src/annotate/glyph/garamond.bin", import.meta.url);
+const TABLES = new URL("../../src/annotate/glyph/", import.meta.url);
+
+/** The faces, and the styles of the font that they are taken from. */
+export const FACES = [
+  { name: "italic", style: "italic" },
+  { name: "roman", style: "normal" },
+];
 
 /** Units per em. At 40 pixels per em a letter is never off by more than a tenth of a pixel. */
 const EM = 256;
@@ -28,9 +34,9 @@ const CODES = [
 
 const LETTERS = CODES.filter((code) => code < 0x7f && /[A-Za-z]/.test(String.fromCharCode(code)));
 
-/** Returns the bytes of the table. */
-export function table() {
-  const fonts = ["latin", "latin-ext"].map((subset) => open(`eb-garamond-${subset}-400-italic.woff2`));
+/** Returns the bytes of a face's table. */
+export function table({ style }) {
+  const fonts = ["latin", "latin-ext"].map((subset) => open(`eb-garamond-${subset}-400-${style}.woff2`));
   const glyphs = CODES.flatMap((code) => {
     const font = fonts.find((font) => font.hasGlyphForCodePoint(code));
     return font ? [{ code, ...glyphOf(font, font.glyphForCodePoint(code)) }] : [];
@@ -194,4 +200,5 @@ function signed(out, number) {
   whole(out, number < 0 ? -2 * number - 1 : 2 * number);
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) writeFileSync(TABLE, table());
+if (process.argv[1] === fileURLToPath(import.meta.url))
+  for (const face of FACES) writeFileSync(new URL(`${face.name}.bin`, TABLES), table(face));

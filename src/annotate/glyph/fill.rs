@@ -177,7 +177,7 @@ fn larger(a: f32, b: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::annotate::glyph::Typeface;
+    use crate::annotate::glyph::{Face, Typeface};
     use crate::property::cases;
     use proptest::prelude::*;
 
@@ -219,7 +219,7 @@ mod tests {
         let total: f32 = rows.iter().flatten().sum();
         assert_eq!((rows[3][3], rows[0][0], total), (0.0, 1.0, 32.0));
         assert!(filled(&polygons(&[]), 6, 6, |at| at).iter().flatten().all(|&share| share == 0.0));
-        let space = Typeface::garamond().glyph(' '.into()).unwrap();
+        let space = Typeface::of(Face::Italic).glyph(' '.into()).unwrap();
         assert!(filled(space, 6, 6, |at| at * 6.0).iter().flatten().all(|&share| share == 0.0));
     }
 
@@ -267,7 +267,7 @@ mod tests {
             let (x, y) = [(1.0, 0.0), (0.6, 0.8), (0.0, 1.0), (-0.8, 0.6), (-1.0, 0.0), (-0.6, -0.8), (0.0, -1.0), (0.8, -0.6)][turn];
             let along = Vec2::new(x, y) * 12.0;
             let place = |at: Vec2| along * (at.x - 0.3) + along.perp() * (at.y + 0.2) + Vec2::splat(9.0);
-            let glyph = Typeface::garamond().glyph(letter.into()).unwrap();
+            let glyph = Typeface::of(Face::Italic).glyph(letter.into()).unwrap();
             let mut contours: Vec<Vec<Vec2>> = Vec::new();
             for (start, curves) in &glyph.contours {
                 contours.push(vec![]);

@@ -1,11 +1,16 @@
 //! Initials: the first letters of a text's words, as capitals, of those that the type has.
 
-use super::table::Typeface;
+use super::table::{Face, Typeface};
 
 /// The first letters or figures of the first words of a text, two at most, as capitals. Words without any that the type has are passed over.
 pub fn initials(text: &str) -> String {
     let initial = |word: &str| word.chars().find(|&letter| is_letter(letter)).map(capital);
     text.split(is_between_words).filter_map(initial).take(2).collect()
+}
+
+/// A text in capitals, as far as the type has them.
+pub fn capitals(text: &str) -> String {
+    text.chars().map(|letter| if is_letter(letter) { capital(letter) } else { letter }).collect()
 }
 
 fn is_between_words(letter: char) -> bool {
@@ -17,7 +22,7 @@ fn is_between_words(letter: char) -> bool {
 /// Whether it is a letter or a figure that the type has.
 fn is_letter(letter: char) -> bool {
     let is_one = letter.is_ascii_alphanumeric() || (letter >= '\u{c0}' && letter != '×' && letter != '÷');
-    is_one && Typeface::garamond().glyph(letter.into()).is_some_and(|glyph| !glyph.contours.is_empty())
+    is_one && Typeface::of(Face::Italic).glyph(letter.into()).is_some_and(|glyph| !glyph.contours.is_empty())
 }
 
 /// The capital of a letter of Latin-1 or Latin Extended-A; the letter itself where the type has none. The tables of all letters would
@@ -60,6 +65,12 @@ mod tests {
         for (text, expected) in of {
             assert_eq!(initials(text), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn a_text_in_capitals_keeps_what_has_none() {
+        assert_eq!(capitals("Isle of Þórs-ey 3"), "ISLE OF ÞÓRS-EY 3");
+        assert_eq!(capitals("日本"), "日本");
     }
 
     /// All small letters of both blocks have the capitals that Unicode has, where the type has those.

@@ -1,6 +1,6 @@
 //! A line of type: which letters it has, and where each stands.
 
-use super::table::{Glyph, Typeface};
+use super::table::{Face, Glyph, Typeface};
 
 /// A letter in a line of type.
 #[derive(Clone, Copy, Debug)]
@@ -11,10 +11,10 @@ pub struct Letter {
     pub at: f32,
 }
 
-/// The letters of a text with kerning and so much more between any two, in ems, and how long all of it is. What there is no letter for is
-/// left out.
-pub fn line_of(text: &str, tracking: f32) -> (Vec<Letter>, f32) {
-    let face = Typeface::garamond();
+/// The letters of a text in a face, with kerning and so much more between any two, in ems, and how long all of it is. What there is no
+/// letter for is left out.
+pub fn line_of(text: &str, face: Face, tracking: f32) -> (Vec<Letter>, f32) {
+    let face = Typeface::of(face);
     let mut letters: Vec<Letter> = Vec::new();
     let mut end = 0.0;
     for glyph in text.chars().filter_map(|letter| face.glyph(letter.into())) {
@@ -27,7 +27,8 @@ pub fn line_of(text: &str, tracking: f32) -> (Vec<Letter>, f32) {
 
 /// The characters of a text that there is no letter for, as often as they are in it.
 pub fn lacking(text: &str) -> impl Iterator<Item = char> {
-    let face = Typeface::garamond();
+    // Both faces have the same letters.
+    let face = Typeface::of(Face::Italic);
     text.chars().filter(|&letter| face.glyph(letter.into()).is_none())
 }
 
@@ -37,13 +38,14 @@ mod tests {
 
     #[test]
     fn a_line_is_its_letters_advances_with_kerning_and_tracking() {
-        let advance = |text: &str| Typeface::garamond().glyph(text.chars().next().unwrap().into()).unwrap().advance;
-        let (letters, length) = line_of("non", 0.1);
+        let advance =
+            |text: &str| Typeface::of(Face::Italic).glyph(text.chars().next().unwrap().into()).unwrap().advance;
+        let (letters, length) = line_of("non", Face::Italic, 0.1);
         assert_eq!(letters.len(), 3);
         assert!((length - (2.0 * advance("n") + advance("o") + 0.2)).abs() < 1e-6);
         assert!((letters[2].at + advance("n") - length).abs() < 1e-6);
-        assert!(line_of("Ty", 0.0).1 < advance("T") + advance("y") - 0.05);
-        assert_eq!(line_of("", 0.1).1, 0.0);
-        assert_eq!(line_of("n中o", 0.1).0.len(), 2);
+        assert!(line_of("Ty", Face::Italic, 0.0).1 < advance("T") + advance("y") - 0.05);
+        assert_eq!(line_of("", Face::Italic, 0.1).1, 0.0);
+        assert_eq!(line_of("n中o", Face::Italic, 0.1).0.len(), 2);
     }
 }

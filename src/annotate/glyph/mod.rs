@@ -1,7 +1,7 @@
 //! Type: the letters that names on maps are written with, as outlines.
 //!
-//! One face, EB Garamond Italic (its licence is `OFL.txt`), in a table of 21 kB. Names are in Latin letters, each with its
-//! accents, so nothing is shaped: a line of type is its letters one after the other, with kerning between.
+//! Two faces, EB Garamond Italic and EB Garamond Roman (their licence is `OFL.txt`), in tables of 21 kB each. Names are in Latin letters,
+//! each with its accents, so nothing is shaped: a line of type is its letters one after the other, with kerning between.
 //!
 //! Lengths are in ems; x runs along the line, y down from the baseline, as on a screen.
 
@@ -11,6 +11,6 @@ mod measure;
 mod table;
 
 pub use fill::{Fill, pieces_of};
-pub use initials::initials;
+pub use initials::{capitals, initials};
 pub use measure::{Letter, lacking, line_of};
-pub use table::{Curve, Glyph, Typeface};
+pub use table::{Curve, Face, Glyph, Typeface};

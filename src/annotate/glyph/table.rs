@@ -1,6 +1,6 @@
-//! The table of type, and what it is decoded to.
+//! The tables of type, and what they are decoded to.
 //!
-//! `garamond.bin` is written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the eighth bit says that
+//! `italic.bin` and `roman.bin` are written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the eighth bit says that
 //! more follow; signed ones are 0, −1, 1, −2 … as 0, 1, 2, 3 …; a list begins with its length. Lengths are 256ths of the em, y up.
 //!
 //! ```text
@@ -19,7 +19,17 @@ use glam::Vec2;
 
 use crate::base::sort;
 
-static BYTES: &[u8] = include_bytes!("garamond.bin");
+static BYTES: [&[u8]; 2] = [include_bytes!("italic.bin"), include_bytes!("roman.bin")];
+
+/// A style of type. Maps name water in italic letters and land in upright ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Face {
+    /// EB Garamond Italic.
+    #[default]
+    Italic,
+    /// EB Garamond Roman.
+    Roman,
+}
 
 /// How many units of the table there are to the em.
 const EM: f32 = 256.0;
@@ -54,10 +64,11 @@ pub struct Typeface {
 }
 
 impl Typeface {
-    /// The one that there is.
-    pub fn garamond() -> &'static Self {
-        static GARAMOND: LazyLock<Typeface> = LazyLock::new(|| Typeface::read(BYTES));
-        &GARAMOND
+    /// The letters of a face.
+    pub fn of(face: Face) -> &'static Self {
+        static FACES: [LazyLock<Typeface>; 2] =
+            [LazyLock::new(|| Typeface::read(BYTES[0])), LazyLock::new(|| Typeface::read(BYTES[1]))];
+        &FACES[face as usize]
     }
 
     /// The letter of a code point; `None` if there is none.
@@ -186,9 +197,36 @@ fn curves(contour: &[Point], by: Vec2) -> (Vec2, Vec<Curve>) {
 mod tests {
     use super::*;
 
+    fn faces() -> [&'static Typeface; 2] {
+        [Face::Italic, Face::Roman].map(Typeface::of)
+    }
+
+    #[test]
+    fn both_faces_have_the_same_letters() {
+        let codes = |face: &Typeface| face.glyphs.iter().map(|glyph| glyph.code).collect::<Vec<_>>();
+        let [italic, roman] = faces().map(codes);
+        assert_eq!(italic, roman);
+    }
+
+    #[test]
+    fn italic_letters_lean_and_roman_ones_do_not() {
+        // The middle of an l's upper half is to the right of that of its lower half by this much.
+        let lean = |face: &Typeface| {
+            let glyph = face.glyph('l'.into()).unwrap();
+            let points = || glyph.contours.iter().flat_map(|(_, curves)| curves.iter().map(|curve| curve[1]));
+            let middle = |is_upper: bool| {
+                let xs: Vec<f32> = points().filter(|at| (at.y < -0.35) == is_upper).map(|at| at.x).collect();
+                xs.iter().sum::<f32>() / xs.len() as f32
+            };
+            middle(true) - middle(false)
+        };
+        let [italic, roman] = faces().map(lean);
+        assert!(italic > 0.05 && roman.abs() < 0.04, "{italic} {roman}");
+    }
+
     #[test]
     fn all_letters_of_latin_1_and_extended_a_are_there() {
-        let face = Typeface::garamond();
+        let face = Typeface::of(Face::Italic);
         let codes = (0x20..0x7f).chain(0xc0..0x180).filter(|code| ![0xd7, 0xf7].contains(code));
         let missing: Vec<u32> = codes.filter(|&code| face.glyph(code).is_none()).collect();
         assert_eq!(missing, [0x149, 0x17f][..0], "{missing:x?}");
@@ -197,7 +235,7 @@ mod tests {
 
     #[test]
     fn letters_are_as_large_as_letters_of_this_face_are() {
-        let face = Typeface::garamond();
+        let face = Typeface::of(Face::Italic);
         let [x, capital, p] = ['x', 'H', 'p'].map(|letter| face.glyph(letter.into()).unwrap());
         assert!((x.least.y + 0.41).abs() < 0.03, "x is {} high", -x.least.y);
         assert!((capital.least.y + 0.65).abs() < 0.03, "H is {} high", -capital.least.y);
@@ -214,7 +252,7 @@ mod tests {
 
     #[test]
     fn contours_are_closed_and_an_accent_is_added_to_its_letter() {
-        let face = Typeface::garamond();
+        let face = Typeface::of(Face::Italic);
         let ends = face.glyphs.iter().flat_map(|glyph| &glyph.contours);
         assert!(ends.clone().all(|(start, curves)| curves.last().is_some_and(|curve| curve[1] == *start)));
         assert!(ends.count() > 400);
@@ -226,7 +264,7 @@ mod tests {
 
     #[test]
     fn kerning_is_that_of_base_letters() {
-        let face = Typeface::garamond();
+        let face = Typeface::of(Face::Italic);
         let between = |a: char, b: char| face.kerning(face.glyph(a.into()).unwrap(), face.glyph(b.into()).unwrap());
         assert!(between('T', 'y') < -0.05 && between('W', 'e') < -0.1 && between('n', 'n') == 0.0);
         assert_eq!(between('T', 'ý'), between('T', 'y'));
@@ -235,8 +273,9 @@ mod tests {
 
     #[test]
     fn what_is_cut_off_reads_as_less_and_never_fails() {
-        for length in (0..BYTES.len()).step_by(7) {
-            let face = Typeface::read(&BYTES[..length]);
+        for (bytes, length) in BYTES.into_iter().flat_map(|bytes| (0..bytes.len()).step_by(7).map(move |n| (bytes, n)))
+        {
+            let face = Typeface::read(&bytes[..length]);
             assert!(face.glyphs.len() < 400);
         }
     }

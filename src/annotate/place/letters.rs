@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::baseline::Line;
-use crate::annotate::glyph::{Glyph, Letter, line_of};
+use crate::annotate::glyph::{Face, Glyph, Letter, capitals, line_of};
 use crate::base::geometry::{distance, gap, length};
 use crate::network::Place;
 
@@ -16,10 +16,16 @@ pub enum Kind {
     Reach,
     /// The sea or a lake.
     Water,
+    /// A bay or a strait.
+    Inlet,
     /// An island, on it.
     Island,
     /// An island, on the water beside it.
     Offshore,
+    /// A cape, on the water before it.
+    Cape,
+    /// The main land or a range of mountains, in capitals far apart.
+    Region,
     /// The map.
     Title,
     /// What the map has grown from.
@@ -51,6 +57,7 @@ enum Group {
 #[derive(Clone, Copy, Debug)]
 struct Setting {
     group: Group,
+    face: Face,
     /// The space between letters besides their advance.
     tracking: f32,
     /// How far its halo reaches around outlines.
@@ -62,26 +69,37 @@ struct Setting {
 impl Kind {
     /// The row of a kind in the table of kinds.
     fn setting(self) -> Setting {
-        let set = |group, tracking, halo, is_afloat| Setting { group, tracking, halo, is_afloat };
+        let set = |group, face, tracking, halo, is_afloat| Setting { group, face, tracking, halo, is_afloat };
+        let (italic, roman) = (Face::Italic, Face::Roman);
         match self {
-            Self::River => set(Group::Names, 0.08, 0.13, false),
-            Self::Reach => set(Group::Names, 0.16, 0.2, false),
-            Self::Water => set(Group::Names, 0.3, 0.13, true),
-            Self::Island => set(Group::Names, 0.08, 0.13, false),
-            Self::Offshore => set(Group::Names, 0.08, 0.13, true),
-            Self::Title => set(Group::Cartouche, 0.05, 0.13, true),
-            Self::Seed => set(Group::Cartouche, 0.08, 0.13, true),
-            Self::Legend => set(Group::Legend, 0.05, 0.13, true),
-            Self::SpotHeight => set(Group::Marks, 0.03, 0.13, false),
-            Self::GridLetter => set(Group::Marks, 0.03, 0.13, true),
-            Self::Grid => set(Group::Marks, 0.03, 0.13, true),
-            Self::Seal => set(Group::Marks, 0.03, 0.13, true),
+            Self::River => set(Group::Names, italic, 0.08, 0.13, false),
+            Self::Reach => set(Group::Names, italic, 0.16, 0.2, false),
+            Self::Water => set(Group::Names, italic, 0.3, 0.13, true),
+            Self::Inlet => set(Group::Names, italic, 0.1, 0.13, true),
+            Self::Island => set(Group::Names, roman, 0.05, 0.13, false),
+            Self::Offshore | Self::Cape => set(Group::Names, roman, 0.05, 0.13, true),
+            Self::Region => set(Group::Names, roman, 0.35, 0.13, false),
+            Self::Title => set(Group::Cartouche, roman, 0.05, 0.13, true),
+            Self::Seed => set(Group::Cartouche, italic, 0.08, 0.13, true),
+            Self::Legend => set(Group::Legend, roman, 0.05, 0.13, true),
+            Self::SpotHeight => set(Group::Marks, roman, 0.03, 0.13, false),
+            Self::GridLetter | Self::Grid | Self::Seal => set(Group::Marks, roman, 0.03, 0.13, true),
         }
     }
 
     /// The space between letters besides their advance, in ems.
     pub fn tracking(self) -> f32 {
         self.setting().tracking
+    }
+
+    /// The face of its letters: italic on water, upright on land.
+    pub fn face(self) -> Face {
+        self.setting().face
+    }
+
+    /// Returns `true` if its letters are all capitals.
+    pub fn is_in_capitals(self) -> bool {
+        self == Self::Region
     }
 
     /// Returns `true` if rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
@@ -189,7 +207,13 @@ pub struct Text {
 
 impl Text {
     pub fn new(text: &str, kind: Kind) -> Self {
-        let (mut letters, length) = line_of(text, kind.tracking());
+        Self::spaced(text, kind, kind.tracking())
+    }
+
+    /// A text with so much space between its letters, in ems.
+    pub fn spaced(text: &str, kind: Kind, tracking: f32) -> Self {
+        let capital = kind.is_in_capitals().then(|| capitals(text));
+        let (mut letters, length) = line_of(capital.as_deref().unwrap_or(text), kind.face(), tracking);
         letters.retain(|letter| !letter.glyph.contours.is_empty());
         Self { letters, length }
     }

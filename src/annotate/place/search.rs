@@ -154,7 +154,7 @@ impl<G: Background> Search<'_, G> {
             let from = walk.at(start + letter.at * em);
             let to = walk.at(start + (letter.at + letter.glyph.advance) * em);
             let placed = between(letter, from, to, em)?;
-            if placed.along.dot(along) < COS_LETTER {
+            if placed.along.dot(along) < COS_LETTER || !is_upright(placed.along) {
                 return None;
             }
             turns.take(placed.along)?;

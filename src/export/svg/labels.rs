@@ -7,7 +7,7 @@ use super::AnnotationText;
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
-use crate::annotate::glyph::Typeface;
+use crate::annotate::glyph::{Face, Typeface};
 use crate::annotate::labels::labels;
 use crate::annotate::place::{Kind, Label, Placed, Stroke};
 use crate::base::geometry::distance;
@@ -158,8 +158,8 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
             out.text("<defs><path id=\"").text(id).text("-").whole(next).text("\" d=\"");
             out.path(&baseline(letters, label.em)).text("\"/></defs><text");
             halo(out, label, look);
-            out.text(" font-family=\"EB Garamond, Garamond, serif\" font-style=\"italic\" font-size=\"")
-                .units(label.em);
+            let style = if label.kind.face() == Face::Italic { " font-style=\"italic\"" } else { "" };
+            out.text(" font-family=\"EB Garamond, Garamond, serif\"").text(style).text(" font-size=\"").units(label.em);
             out.text("\"><textPath href=\"#").text(id).text("-").whole(next).text("\" textLength=\"");
             out.units(length(letters, label.em)).text("\">").escaped(text).text("</textPath></text>");
             next += 1;
@@ -186,7 +186,8 @@ fn lines(label: &Label) -> Vec<(&str, &[Placed])> {
     let lines: Vec<&[Placed]> = label.letters.chunk_by(|a, b| (b.at - a.at).dot(a.along) > 0.0).collect();
     let (mut rest, mut texts) = (label.text.as_str(), Vec::new());
     for letters in &lines {
-        let is_seen = |c: char| Typeface::garamond().glyph(c.into()).is_some_and(|glyph| !glyph.contours.is_empty());
+        let is_seen =
+            |c: char| Typeface::of(label.kind.face()).glyph(c.into()).is_some_and(|glyph| !glyph.contours.is_empty());
         let last = rest.char_indices().filter(|(_, c)| is_seen(*c)).nth(letters.len().saturating_sub(1));
         let end = last.filter(|_| texts.len() + 1 < lines.len()).map_or(rest.len(), |(at, c)| at + c.len_utf8());
         texts.push((rest[..end].trim(), *letters));

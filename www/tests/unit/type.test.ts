@@ -1,13 +1,14 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { table } from "../../scripts/type.mjs";
+import { FACES, table } from "../../scripts/type.mjs";
 import { cut, TYPEFACES } from "../../scripts/typeface.mjs";
 
 const at = (path: string) => readFileSync(new URL(`../../../src/annotate/glyph/${path}`, import.meta.url));
 
-test("the table of type is what its font gives: `node scripts/type.mjs` writes it", () => {
-  expect(at("garamond.bin").equals(table())).toBe(true);
-});
+for (const face of FACES)
+  test(`the table of ${face.name} type is what its font gives: \`node scripts/type.mjs\` writes it`, () => {
+    expect(at(`${face.name}.bin`).equals(table(face))).toBe(true);
+  });
 
 for (const one of TYPEFACES)
   test(`${one.name} is what its font gives: \`node scripts/typeface.mjs\` writes it`, async () => {
