@@ -25,6 +25,8 @@ use crate::relief::{METRES, Relief};
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
+/// The length of the em of a grid's letters, in units.
+const GRID_EM: f32 = 11.0;
 
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
 /// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
@@ -49,16 +51,22 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
     let within = on_map(map);
+    // Places are chosen for the whole map: with the margin of a whole map's picture, if it has one.
+    let whole = if marks.elevations.is_some() { MARGIN * GRID_EM } else { 0.0 };
     let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, |land| area(land));
     let shown = share_shown(&map.domain(), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
     let side = shown.sqrt();
+    let shrink = side.sqrt() * side.sqrt().sqrt();
     Some(Input {
-        frame: [(frame[0] + margin).max(within[0]), (frame[1] - margin).min(within[1])],
-        least_em,
-        label_size: recipe.number(NumberKey::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
-        most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
+        frame: [within[0].max(Vec2::splat(whole)), within[1].min(map.domain().size - whole)],
+        view: [frame[0] + margin, frame[1] - margin],
+        least_em: least_em / shrink,
+        label_size: recipe.number(NumberKey::LabelSize) * shrink,
+        shrink,
+        is_one_each: recipe.get::<Labels>() == Labels::Few,
+        most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
@@ -67,6 +75,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
             is_framed: cartouche == recipe::Cartouche::Framed,
         }),
         areas: names.places.iter().zip(&regions).map(|(place, region)| area_of(place, region)).collect(),
+        landmarks: Vec::new(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         marks,
@@ -115,10 +124,9 @@ fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
 fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetGrid> {
     /// The distance between two lines of the grid, in units.
     const EVERY: f32 = 120.0;
-    /// The length of the em, in units, and the most of it, as a share of the grid.
-    const EM: f32 = 11.0;
+    /// The most that its em is, as a share of the grid.
     const MOST: f32 = 0.25;
-    let em = EM.max(least_em) * recipe.number(NumberKey::LabelSize);
+    let em = GRID_EM.max(least_em) * recipe.number(NumberKey::LabelSize);
     (em <= MOST * EVERY).then_some(SheetGrid { sheet, every: EVERY, em })
 }
 

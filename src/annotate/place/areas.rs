@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::chosen::{Chosen, Shrinks};
 use super::input::{Area, AreaKind, Input};
 use super::letters::{Box, Kind, Label, Placed, Text, between};
 use crate::base::geometry::distance;
@@ -33,18 +34,23 @@ const TILTS: [(Vec2, f32, f32); 5] = [
 const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
 
 /// The label of a sea or a lake, off the boxes that are taken; `None` if there is no room.
-pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
+pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let sizes = if area.kind == AreaKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
-    let mut sizes: Vec<f32> =
-        sizes.iter().map(|size| size.max(OVER_LEAST * input.least_em) * input.label_size).collect();
-    sizes.dedup();
-    let label = |em: f32| {
-        let search =
-            |text: &String| Search { input, coast, area, taken, em, text: Text::new(text, Kind::Water) }.label(text);
+    let em = |usual: f32| usual.max(OVER_LEAST * input.least_em) * input.label_size;
+    let mut sizes = sizes.to_vec();
+    // Those that are made larger are all alike.
+    sizes.dedup_by_key(|usual| em(*usual));
+    let chosen = |usual: f32| {
+        let search = |name: &String| {
+            let text = Text::new(name, Kind::Water);
+            let search = Search { input, coast, area, taken, em: em(usual), text };
+            let label = search.label(name)?;
+            Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::ToMiddle })
+        };
         area.name.iter().filter(|text| !text.is_empty()).find_map(search)
     };
-    sizes.into_iter().find_map(label)
+    sizes.into_iter().find_map(chosen)
 }
 
 struct Search<'a> {

@@ -51,6 +51,58 @@ pub struct Line {
     pub width: Vec<f32>,
 }
 
+/// Where a line is at some distance from its beginning. Distances are asked for in rising order.
+pub struct Walk<'a> {
+    line: &'a Line,
+    next: usize,
+}
+
+impl Walk<'_> {
+    /// The point there.
+    #[inline]
+    pub fn at(&mut self, along: f32) -> Vec2 {
+        let Line { at, along: lengths, .. } = self.line;
+        while self.next + 1 < at.len() && lengths[self.next] < along {
+            self.next += 1;
+        }
+        let (from, to) = (lengths[self.next - 1], lengths[self.next]);
+        let t = if to > from { (along - from) / (to - from) } else { 0.0 };
+        at[self.next - 1] + (at[self.next] - at[self.next - 1]) * t
+    }
+
+    /// The number of the line's point before it.
+    pub fn place(&self) -> usize {
+        self.next - 1
+    }
+}
+
+/// Begins a walk at a distance found by halving.
+pub fn walk_from(line: &Line, along: f32) -> Walk<'_> {
+    let next = line.along.partition_point(|&length| length < along);
+    Walk { line, next: next.clamp(1, line.at.len() - 1) }
+}
+
+impl Line {
+    /// A line through some points.
+    pub fn through(at: Vec<Vec2>) -> Self {
+        let (along, area, width) = (crate::base::geometry::lengths(&at), Vec::new(), Vec::new());
+        Self { at, along, is_above: true, area, width }
+    }
+
+    /// How long it is, in units.
+    pub fn length(&self) -> f32 {
+        self.along.last().copied().unwrap_or(0.0)
+    }
+
+    /// The part of it that begins so far along it and is so long, in units.
+    pub fn part(&self, start: f32, length: f32) -> Self {
+        let end = start + length;
+        let [from, to] = [start, end].map(|along| walk_from(self, along).at(along));
+        let within = self.at.iter().zip(&self.along).filter(|(_, along)| (start..end).contains(*along));
+        Self::through(std::iter::once(from).chain(within.map(|(at, _)| *at)).chain([to]).collect())
+    }
+}
+
 impl Course {
     /// A centerline with as many samples to the em. `None` if it is shorter than an em.
     pub fn new(line: &[Place], em: f32) -> Option<Self> {
@@ -91,6 +143,12 @@ impl Course {
     /// Lines on and beside the belt of a reach.
     pub fn lines_of_reach(&self, em: f32) -> Vec<Line> {
         SMOOTHNESS_OF_REACHES.into_iter().flat_map(|radius| self.along_belt(&smoothed(&self.at, radius), em)).collect()
+    }
+
+    /// Those of them that are beside the belt.
+    pub fn lines_beside_belt(&self, em: f32) -> Vec<Line> {
+        // The first of each three is on it.
+        self.lines_of_reach(em).into_iter().enumerate().filter(|(i, _)| i % 3 > 0).map(|(_, line)| line).collect()
     }
 
     /// The lines on and beside one copy, in both directions if both can be read somewhere.
@@ -190,7 +248,7 @@ pub fn is_upright(along: Vec2) -> bool {
 
 /// A line whose points are means of those around, three times over; beyond its ends it goes on as its mirror image through them, so it keeps
 /// them.
-fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
+pub fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
     let last = line.len() - 1;
     let mut smooth = line.to_vec();
     for _ in 0..3 {

@@ -89,6 +89,36 @@ impl Area {
     }
 }
 
+/// What a place is that is no area of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LandmarkKind {
+    /// The main land.
+    MainLand,
+    /// A range of mountains.
+    Range,
+    /// Narrow water between two lands.
+    Strait,
+    /// Water with land on three sides.
+    Bay,
+    /// A point of land.
+    Cape,
+}
+
+/// A place that is no area of its own, with its name. Lengths are units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Landmark {
+    /// What it is.
+    pub kind: LandmarkKind,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+    /// A place in its midst, or the tip of a cape.
+    pub at: Vec2,
+    /// The line that its name may run along: a crest, the middle of a strait, the axis of the main land. Empty for others.
+    pub line: Vec<Vec2>,
+    /// How large it is: the width of a bay, how far a cape juts out, the length of a line.
+    pub size: f32,
+}
+
 /// The title of a map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cartouche {
@@ -169,10 +199,16 @@ pub struct Marks<'a> {
 pub struct Input<'a> {
     /// The part of the domain that labels may stand in: its north-western and its south-eastern corner.
     pub frame: [Vec2; 2],
-    /// The smallest letters that can be read, as the length of their em.
+    /// The part of it that the picture shows, its two corners: what reaches beyond that is left out.
+    pub view: [Vec2; 2],
+    /// The smallest letters that can be read, as the length of their em before it is multiplied by their size.
     pub least_em: f32,
     /// What sizes of letters are multiplied by.
     pub label_size: f32,
+    /// The share of that which is due to the view being a part of the map; 1 for the whole map.
+    pub shrink: f32,
+    /// Returns `true` if no river has more than one label.
+    pub is_one_each: bool,
     /// Labels of rivers end when they cover so much of the land, in square units, and those of lakes and islands when they cover so much
     /// of the water. Where labels may cover no land there are none.
     pub most_area: [f32; 2],
@@ -190,6 +226,8 @@ pub struct Input<'a> {
     pub cartouche: Option<Cartouche>,
     /// Seas, lakes and islands.
     pub areas: Vec<Area>,
+    /// Places besides these, the most important of each kind first.
+    pub landmarks: Vec<Landmark>,
     /// What there is besides names.
     pub marks: Marks<'a>,
     /// How far inland each point lies; `None` if there is no sea.
@@ -199,7 +237,7 @@ pub struct Input<'a> {
 impl Input<'_> {
     /// The part of the domain that is seen: its north-western and its south-eastern corner.
     pub fn sheet(&self) -> [Vec2; 2] {
-        self.marks.grid.map_or(self.frame, |grid| grid.sheet)
+        self.marks.grid.map_or(self.view, |grid| grid.sheet)
     }
 }
 

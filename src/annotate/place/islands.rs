@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
+use super::chosen::{Chosen, Shrinks, middle};
 use super::input::{Area, Input, Strip};
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::base::geometry::length;
@@ -38,21 +39,25 @@ const NEARER: f32 = 1.3;
 const NEARER_EM: f32 = 0.3;
 
 /// The label of an island, off the boxes that are taken; `None` if there is no room.
-pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
+pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let (size, corners) = (area.size(), area.corners());
     let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
-    let mut sizes: Vec<f32> = [usual, SMALLER * usual].map(|em| em.max(input.least_em) * input.label_size).to_vec();
-    sizes.dedup();
-    let label = |em: f32| {
+    let em = |usual: f32| usual.max(input.least_em) * input.label_size;
+    let mut sizes = vec![usual, SMALLER * usual];
+    sizes.dedup_by_key(|usual| em(*usual));
+    let chosen = |usual: f32| {
         area.name.iter().find_map(|name| {
-            let text = Text::new(name, Kind::Island);
+            let (text, em) = (Text::new(name, Kind::Island), em(usual));
             let search = Search { input, background, coast, area, corners, taken, em, text };
             let (kind, letters) = search.letters()?;
-            Some(Label::new(kind, None, name, em, letters))
+            let label = Label::new(kind, None, name, em, letters);
+            let towards = |label: &Label| Shrinks::Towards(search.nearest(middle(label)));
+            let shrinks = if kind == Kind::Offshore { towards(&label) } else { Shrinks::ToMiddle };
+            Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks })
         })
     };
-    sizes.into_iter().filter(|em| size.sqrt() >= LEAST_SIDE * em).find_map(label)
+    sizes.into_iter().filter(|&usual| size.sqrt() >= LEAST_SIDE * em(usual)).find_map(chosen)
 }
 
 struct Search<'a, G> {
@@ -177,11 +182,15 @@ impl<G: Background> Search<'_, G> {
 
     /// How far a place is from the island, in units.
     fn away(&self, at: Vec2) -> f32 {
-        let off = |strip: &Strip| {
-            let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
-            (least - at).max(at - most).max(Vec2::ZERO).length_squared()
-        };
+        let off = |strip: &Strip| within(strip, at).distance_squared(at);
         self.area.strips.iter().map(off).fold(f32::MAX, f32::min).sqrt()
+    }
+
+    /// The place of the island that is nearest to another.
+    fn nearest(&self, at: Vec2) -> Vec2 {
+        let places = self.area.strips.iter().map(|strip| within(strip, at));
+        let nearer = |a: Vec2, b: Vec2| if b.distance_squared(at) < a.distance_squared(at) { b } else { a };
+        places.reduce(nearer).unwrap_or(at)
     }
 
     /// The letters of a level line that begins at a place.
@@ -203,4 +212,10 @@ impl<G: Background> Search<'_, G> {
         around.corners().into_iter().all(is_in_frame)
             && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
     }
+}
+
+/// The place of a strip that is nearest to another.
+fn within(strip: &Strip, at: Vec2) -> Vec2 {
+    let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
+    at.max(least).min(most)
 }

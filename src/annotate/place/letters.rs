@@ -2,7 +2,6 @@
 
 use glam::Vec2;
 
-use super::baseline::Line;
 use crate::annotate::glyph::{Face, Glyph, Letter, capitals, line_of};
 use crate::base::geometry::{distance, gap, length};
 use crate::network::Place;
@@ -310,37 +309,6 @@ impl Box {
         let is_around = |outer: &Self, at: Vec2| outer.gap([at, at]) == 0.0;
         (0..4).any(|i| self.gap([corners[i], corners[(i + 1) % 4]]) <= margin) || is_around(other, self.middle)
     }
-}
-
-/// Where a line is at some distance from its beginning. Distances are asked for in rising order.
-pub struct Walk<'a> {
-    line: &'a Line,
-    next: usize,
-}
-
-impl Walk<'_> {
-    /// The point there.
-    #[inline]
-    pub fn at(&mut self, along: f32) -> Vec2 {
-        let Line { at, along: lengths, .. } = self.line;
-        while self.next + 1 < at.len() && lengths[self.next] < along {
-            self.next += 1;
-        }
-        let (from, to) = (lengths[self.next - 1], lengths[self.next]);
-        let t = if to > from { (along - from) / (to - from) } else { 0.0 };
-        at[self.next - 1] + (at[self.next] - at[self.next - 1]) * t
-    }
-
-    /// The number of the line's point before it.
-    pub fn place(&self) -> usize {
-        self.next - 1
-    }
-}
-
-/// Begins a walk at a distance found by halving.
-pub fn walk_from(line: &Line, along: f32) -> Walk<'_> {
-    let next = line.along.partition_point(|&length| length < along);
-    Walk { line, next: next.clamp(1, line.at.len() - 1) }
 }
 
 /// A letter between two points of its line.

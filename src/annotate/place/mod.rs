@@ -15,18 +15,22 @@ mod background;
 mod banks;
 mod baseline;
 mod cartouche;
+mod chosen;
 mod corner;
 mod costs;
 mod divides;
 mod free;
 mod grid_letters;
 mod hills;
+mod inlets;
 mod input;
 mod islands;
 mod legend;
 mod letters;
+mod levels;
 mod placing;
 mod raster;
+mod regions;
 mod scatter;
 mod scenery;
 mod seal;
@@ -40,8 +44,8 @@ pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use grid_letters::MARGIN;
 pub use input::{
-    Area, AreaKind, Cartouche, Elevations, Heights, Input, Legend, Marks, Reach, River, RiverClass, SceneryInput, Seal,
-    SheetGrid, Stream, Strip,
+    Area, AreaKind, Cartouche, Elevations, Heights, Input, Landmark, LandmarkKind, Legend, Marks, Reach, River,
+    RiverClass, SceneryInput, Seal, SheetGrid, Stream, Strip,
 };
 pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use placing::place;

@@ -1,14 +1,17 @@
-//! Labels, one after the other: the greatest river first. Later ones only take room away, so nothing is placed twice.
+//! Labels, size of picture by size and one after the other: the greatest river first. Later ones only take room away, and labels of small
+//! pictures stay in their places in larger ones.
 
 use glam::Vec2;
 
 use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
-use super::input::{Area, AreaKind, Input, Marks, Reach, River};
+use super::chosen::{Chosen, Shrinks};
+use super::input::{Area, AreaKind, Input, Landmark, LandmarkKind, Marks, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
-use super::search::Search;
-use super::{areas, cartouche, grid_letters, islands, legend, seal, spot_heights};
-use crate::base::geometry::distance;
+use super::levels::Level;
+use super::search::{MOST_COST, MOST_COST_SMALL, Search};
+use super::{areas, cartouche, grid_letters, inlets, islands, legend, regions, seal, spot_heights};
+use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
 
 /// Sizes of letters, the length of their em in units, by the share of all water that a river has.
@@ -21,159 +24,209 @@ const GREAT: f32 = 0.018;
 /// Shorter rivers have no label, and beyond this length a river is no more important for being longer. In units.
 const SHORTEST: f32 = 60.0;
 const LONG: f32 = 400.0;
-/// A river as long as this in units, and in labels, has two, which lie so many of their lengths apart.
+/// A river has a further label for each stretch of its course as long as this, in units and in labels; they lie so many of their lengths apart.
 const LONG_ENOUGH_FOR_TWO: f32 = 420.0;
 const LABELS_FOR_TWO: f32 = 7.0;
 const APART: f32 = 2.2;
+/// How near to its place a label stays that becomes smaller, in ems: its line draws nearer to the river.
+const NEAR: f32 = 0.6;
 
 /// How many rivers are tried, however many there are.
 const MOST_RIVERS: usize = 400;
 
-/// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
-/// islands, of seas; the title; and what the style has besides names.
+/// The labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of regions,
+/// lakes and islands, of seas; the title; and what the style has besides names.
 pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
-    let mut map = Map { input, background, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
+    let mut at_level = input.clone();
+    let mut chosen = Vec::new();
+    for level in Level::up_to(input) {
+        level.set(&mut at_level);
+        chosen = Map::new(&at_level, background, level, chosen).choose();
+    }
+    let chosen: Vec<Chosen> = chosen.iter().map(|chosen| chosen.resized(chosen.em(input), input.coast)).collect();
+    finish(input, background, chosen)
+}
+
+/// The labels that a picture shows whole, with what stands in its corners and margin.
+fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
+    let mut boxes: Vec<(u32, Box)> = chosen.iter().flat_map(Chosen::boxes).collect();
+    let corners = blocks(input, background, &mut boxes);
+    let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
+    labels.retain(|label| is_shown(input, label));
+    let Marks { elevations, grid, .. } = &input.marks;
+    if let Some(elevations) = elevations {
+        for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
+            boxes.extend(around.map(|around| (NONE, around)));
+            labels.extend(is_shown(input, &label).then_some(label));
+        }
+    }
+    if let Some(grid) = grid {
+        labels.push(grid_letters::lines(input, background, grid, &boxes));
+        labels.extend(grid_letters::letters(input, grid));
+    }
+    labels
+}
+
+/// The cartouche, the legend and the seal, whichever there is to be, with what all else keeps off.
+fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32, Box)>) -> Vec<Label> {
     let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
-    let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
-    // Everything else keeps off its corner.
-    map.boxes.extend(around);
-    let corners = map.corner_marks();
-    map.label_rivers();
-    map.label_areas();
-    map.labels.extend(cartouche.into_iter().chain(corners));
-    map.survey_marks();
-    map.labels
+    let (mut labels, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
+    boxes.extend(around);
+    let Marks { legend, seal, .. } = &input.marks;
+    if let Some(set) = legend.as_ref().and_then(|legend| legend::set(input, background, legend, boxes)) {
+        labels.extend(set.labels);
+        boxes.push((NONE, set.around));
+    }
+    if let Some((label, around)) = seal.as_ref().and_then(|seal| seal::set(input, background, seal, boxes)) {
+        labels.push(label);
+        boxes.push((NONE, around));
+    }
+    labels
+}
+
+/// Returns `true` if the picture shows all of a label.
+fn is_shown(input: &Input<'_>, label: &Label) -> bool {
+    let [least, most] = input.view;
+    let boxes = label.letters.iter().map(|letter| letter.around(label.em));
+    let strokes = label.strokes.iter().map(super::letters::Stroke::around);
+    boxes.chain(strokes).flat_map(|around| around.corners()).all(|at| at.cmpge(least).all() && at.cmple(most).all())
 }
 
 /// The rivers that are long enough, in the order in which they are labelled.
-fn by_importance(rivers: &[River]) -> Vec<usize> {
-    let length = |river: &River| river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum::<f32>();
+fn by_importance(rivers: &[River], shrink: f32) -> Vec<usize> {
     let lengths: Vec<f32> = rivers.iter().map(length).collect();
     let importance = |i: usize| (rivers[i].discharge as f32).sqrt() * lengths[i].min(LONG);
     let order = sort::argsort((0..rivers.len()).map(|i| sort::key(-importance(i))));
-    order.into_iter().filter(|&i| lengths[i] >= SHORTEST).collect()
+    order.into_iter().filter(|&i| lengths[i] >= SHORTEST * shrink).take(MOST_RIVERS).collect()
+}
+
+/// The length of a river's course, in units.
+fn length(river: &River) -> f32 {
+    river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
 }
 
 /// What a label is wanted for.
+#[derive(Clone, Copy)]
 struct Subject<'a> {
     kind: Kind,
     river: u32,
     name: &'a [String; 2],
+    /// The usual length of its em, in units.
+    usual: f32,
 }
 
-/// A map with the labels that it has so far.
+/// Where a label may be.
+#[derive(Clone, Copy, Default)]
+struct Within<'a> {
+    away: &'a [(Vec2, f32)],
+    near: Option<(Vec2, f32)>,
+    is_lenient: bool,
+}
+
+/// A map with the labels that it has so far, on pictures of one size.
 struct Map<'a, G> {
     input: &'a Input<'a>,
     background: &'a G,
-    labels: Vec<Label>,
+    level: Level,
+    chosen: Vec<Chosen>,
     boxes: Vec<(u32, Box)>,
-    /// What they cover, in square units.
-    area: f32,
 }
 
-impl<G: Background> Map<'_, G> {
-    /// The legend and the seal, whichever there is to be, in corners that all else keeps off.
-    fn corner_marks(&mut self) -> Vec<Label> {
-        let Marks { legend, seal, .. } = &self.input.marks;
-        let legend = legend.as_ref().and_then(|legend| legend::set(self.input, self.background, legend, &self.boxes));
-        let (mut labels, around) = legend.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
-        self.boxes.extend(around);
-        let seal = seal.as_ref().and_then(|seal| seal::set(self.input, self.background, seal, &self.boxes));
-        if let Some((seal, around)) = seal {
-            self.boxes.push((NONE, around));
-            labels.push(seal);
-        }
-        labels
-    }
-
-    /// Heights where there is room for them, and the grid around it all.
-    fn survey_marks(&mut self) {
-        let Marks { elevations, grid, .. } = &self.input.marks;
-        if let Some(elevations) = elevations {
-            for (label, boxes) in spot_heights::labels(self.input, self.background, elevations, &self.boxes) {
-                self.boxes.extend(boxes.map(|around| (NONE, around)));
-                self.labels.push(label);
+impl<'a, G: Background> Map<'a, G> {
+    /// A map with the labels of smaller pictures.
+    fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: Vec<Chosen>) -> Self {
+        let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(chosen.em(input), input.coast)).collect();
+        let mut boxes = chosen.iter().flat_map(Chosen::boxes).collect();
+        blocks(input, background, &mut boxes);
+        let mut this = Self { input, background, level, chosen, boxes };
+        for (number, before) in before.iter().enumerate() {
+            if this.chosen[number].label.em < before.label.em {
+                this.draw_near(number);
             }
         }
-        if let Some(grid) = grid {
-            self.labels.push(grid_letters::lines(self.input, self.background, grid, &self.boxes));
-            self.labels.extend(grid_letters::letters(self.input, grid));
+        this
+    }
+
+    /// All labels that there is room for, those of smaller pictures included.
+    fn choose(mut self) -> Vec<Chosen> {
+        self.label_rivers();
+        self.label_areas();
+        self.chosen
+    }
+
+    /// Lets a label that has become smaller stand as near to its river as such letters do, and in full, if nothing is in the way.
+    fn draw_near(&mut self, number: usize) {
+        let Chosen { label, usual, shrinks: Shrinks::Along(line), .. } = &self.chosen[number] else { return };
+        let (Kind::River, Some(river), em) = (label.kind, label.river, label.em) else { return };
+        let (usual, name) = (*usual, &self.input.rivers[river as usize].name);
+        let ends = [line.at.first(), line.at.last()].map(|at| at.copied().unwrap_or_default());
+        let middle = (ends[0] + ends[1]) * 0.5;
+        let Some(course) = Course::new(&self.input.rivers[river as usize].course, em) else { return };
+        let before = std::mem::take(&mut self.boxes);
+        let own: Vec<Box> = self.chosen[number].boxes().map(|(_, around)| around).collect();
+        let is_other = |(_, around): &&(u32, Box)| own.iter().all(|own| own.middle != around.middle);
+        self.boxes = before.iter().filter(is_other).copied().collect();
+        let subject = Subject { kind: Kind::River, river, name, usual };
+        let within = Within { near: Some((middle, NEAR * em)), ..Within::default() };
+        match self.attempt(subject, &course, &course.lines(em), em, within) {
+            Some(chosen) => {
+                self.boxes.extend(chosen.boxes());
+                self.chosen[number] = chosen;
+            }
+            None => self.boxes = before,
         }
+    }
+
+    /// What the labels of some kinds cover, in square units.
+    fn area(&self, is_one: impl Fn(Kind) -> bool) -> f32 {
+        self.chosen.iter().filter(|chosen| is_one(chosen.label.kind)).map(Chosen::area).sum()
     }
 
     /// Labels rivers, the greatest first, until they cover as much land as they may.
     fn label_rivers(&mut self) {
-        let Input { reaches, rivers, most_area: [most, _], .. } = self.input;
-        let mut order = by_importance(rivers);
-        order.truncate(MOST_RIVERS);
-        let reach_of = |number: usize| reaches.iter().find(|reach| reach.river as usize == number);
+        let Input { reaches, rivers, most_area: [most, _], is_one_each, .. } = self.input;
+        if *most <= 0.0 {
+            return;
+        }
+        let order = by_importance(rivers, self.input.shrink);
         // It has its name even if stretches of others would use up all that labels may cover.
         let greatest = order.iter().copied().min_by_key(|&number| u32::MAX - rivers[number].discharge);
-        let firsts = greatest.into_iter().chain(reaches.iter().map(|reach| reach.river as usize));
+        greatest.into_iter().for_each(|number| self.label_greatest(number));
+        let reaches = if *is_one_each { &[][..] } else { reaches };
+        let winding = reaches.iter().map(|reach| reach.river as usize);
         let mut is_done = vec![false; rivers.len()];
-        for number in firsts.chain(order.iter().copied()) {
-            if self.area >= *most {
+        for number in greatest.into_iter().chain(winding).chain(order.iter().copied()) {
+            if self.area(|kind| matches!(kind, Kind::River | Kind::Reach)) >= *most {
                 break;
             }
             if !std::mem::replace(&mut is_done[number], true) {
-                match reach_of(number) {
-                    Some(reach) => self.label_with_reach(reach),
-                    None => self.label(number),
-                }
+                let reach = reaches.iter().find(|reach| reach.river as usize == number);
+                self.label(number, reach);
+                reach.into_iter().for_each(|reach| self.label_reach(reach));
             }
         }
     }
 
-    /// Labels lakes and islands, the largest first, until they cover as much water as they may, and seas.
-    fn label_areas(&mut self) {
-        let Input { areas, most_area: [most_land, most], .. } = self.input;
-        if *most_land <= 0.0 {
+    /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones; but only if the river has its name.
+    fn label_reach(&mut self, reach: &Reach) {
+        let of_river = |kind| self.labels_of(reach.river).any(|chosen| chosen.label.kind == kind);
+        if of_river(Kind::Reach) || !of_river(Kind::River) {
             return;
         }
-        let (seas, mut others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
-        others.sort_by(|a, b| b.size().total_cmp(&a.size()));
-        self.area = 0.0;
-        for area in others {
-            if self.area >= *most {
-                break;
-            }
-            let label = match area.kind {
-                AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
-                AreaKind::Lake | AreaKind::Sea => areas::water(self.input, area, &self.boxes),
-            };
-            label.into_iter().for_each(|label| self.take(NONE, label));
-        }
-        for sea in seas {
-            let label = areas::water(self.input, sea, &self.boxes);
-            label.into_iter().for_each(|label| self.take(NONE, label));
-        }
-    }
-
-    /// Labels a stretch on which a river winds, and the river; the river first, if that leaves it no room.
-    fn label_with_reach(&mut self, reach: &Reach) {
-        let before = (self.labels.len(), self.boxes.len(), self.area);
-        self.label_reach(reach);
-        let with_reach = self.labels.len();
-        self.label(reach.river as usize);
-        if self.labels.len() == with_reach {
-            self.labels.truncate(before.0);
-            self.boxes.truncate(before.1);
-            self.area = before.2;
-            self.label(reach.river as usize);
-            self.label_reach(reach);
-        }
-    }
-
-    /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones.
-    fn label_reach(&mut self, reach: &Reach) {
         for size in [1.0, SMALLER] {
-            let em = self.em(reach.river as usize) * size;
+            let usual = self.usual(reach.river as usize) * size;
+            let em = self.em(usual);
             let Some(course) = Course::new(&reach.course, em) else { return };
-            let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name };
-            if let Some(label) = self.attempt(&subject, &course, &course.lines_of_reach(em), em, None) {
-                return self.take(reach.river, label);
+            let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name, usual };
+            let chosen = self.attempt(subject, &course, &course.lines_of_reach(em), em, Within::default());
+            if let Some(chosen) = chosen {
+                return self.take(chosen);
             }
         }
+    }
+
+    fn labels_of(&self, river: u32) -> impl Iterator<Item = &Chosen> {
+        self.chosen.iter().filter(move |chosen| chosen.label.river == Some(river))
     }
 
     /// The share of all water that a river has.
@@ -181,80 +234,179 @@ impl<G: Background> Map<'_, G> {
         self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32
     }
 
-    /// The size of a river's letters.
-    fn em(&self, number: usize) -> f32 {
+    /// The usual size of a river's letters.
+    fn usual(&self, number: usize) -> f32 {
         let share = self.share(number);
-        let size = SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size);
-        size.max(self.input.least_em) * self.input.label_size
+        SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size)
     }
 
-    /// Labels a river, in short if there is no room for all of its name, and a great one in smaller letters if there is none for that; twice
-    /// if it is long.
-    fn label(&mut self, number: usize) {
-        let em = self.em(number);
-        let smaller = (SMALLER * em).max(self.input.least_em * self.input.label_size);
-        if !self.label_in_size(number, em) && self.share(number) >= GREAT && smaller < em {
-            self.label_in_size(number, smaller);
+    /// The length of an em of a usual length.
+    fn em(&self, usual: f32) -> f32 {
+        usual.max(self.input.least_em) * self.input.label_size
+    }
+
+    /// Labels a river, in short if there is no room for all of its name, and a great one in smaller letters if there is none for that; off the
+    /// stretch that has a name of its own if it can be; and once more if it is long.
+    fn label(&mut self, number: usize, reach: Option<&Reach>) {
+        let Input { rivers, shrink, is_one_each, .. } = self.input;
+        let own: Vec<(Vec2, f32)> = self
+            .labels_of(number as u32)
+            .filter(|chosen| chosen.label.kind == Kind::River)
+            .map(|chosen| (chosen.middle(), APART * chosen.text.length * chosen.label.em))
+            .collect();
+        if let Some((_, apart)) = own.first() {
+            let each = (LONG_ENOUGH_FOR_TWO * shrink).max(LABELS_FOR_TWO * apart / APART);
+            if !is_one_each && length(&rivers[number]) >= each * own.len() as f32 {
+                self.label_in_size(number, self.usual(number), &own, false);
+            }
+            return;
+        }
+        let usual = self.usual(number);
+        let belt = reach.map(belt_of);
+        let sizes = if self.share(number) >= GREAT { &[1.0, SMALLER][..] } else { &[1.0] };
+        let is_labelled = sizes.iter().any(|size| {
+            belt.is_some_and(|belt| self.label_in_size(number, usual * size, &[belt], false))
+                || self.label_in_size(number, usual * size, &[], false)
+        });
+        if is_labelled {
+            self.label(number, None);
         }
     }
 
-    /// Labels a river in letters of a size, twice if it is long. Returns whether there was room.
-    fn label_in_size(&mut self, number: usize, em: f32) -> bool {
-        let river = &self.input.rivers[number];
-        let subject = Subject { kind: Kind::River, river: number as u32, name: &river.name };
+    /// Labels the greatest river wherever that can be read, on all pictures but the smallest.
+    fn label_greatest(&mut self, number: usize) {
+        let reach = self.input.reaches.iter().find(|reach| reach.river as usize == number);
+        if self.labels_of(number as u32).next().is_none() {
+            self.label(number, reach);
+        }
+        if self.labels_of(number as u32).next().is_none() && self.level.is_readable() {
+            let usual = self.usual(number);
+            let _ = [1.0, SMALLER, 0.6].into_iter().any(|size| self.label_in_size(number, usual * size, &[], true));
+        }
+    }
+
+    /// Labels a river in letters of a size. Returns whether there was room.
+    fn label_in_size(&mut self, number: usize, usual: f32, away: &[(Vec2, f32)], is_lenient: bool) -> bool {
+        let (river, em) = (&self.input.rivers[number], self.em(usual));
+        let subject = Subject { kind: Kind::River, river: number as u32, name: &river.name, usual };
         let Some(course) = Course::new(&river.course, em) else { return false };
-        let lines = course.lines(em);
-        let Some(first) = self.attempt(&subject, &course, &lines, em, None) else { return false };
-        let (middle, length) = (middle(&first), first.letters.len() as f32 * 0.5 * em);
-        self.take(number as u32, first);
-        let along: f32 = river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
-        if along >= LONG_ENOUGH_FOR_TWO.max(LABELS_FOR_TWO * length) {
-            let second = self.attempt(&subject, &course, &lines, em, Some((middle, APART * length)));
-            second.into_iter().for_each(|second| self.take(number as u32, second));
+        let mut lines = course.lines(em);
+        if is_lenient {
+            lines.extend(course.lines_beside_belt(em));
         }
-        true
+        let chosen = self.attempt(subject, &course, &lines, em, Within { away, is_lenient, ..Within::default() });
+        let is_found = chosen.is_some();
+        chosen.into_iter().for_each(|chosen| self.take(chosen));
+        is_found
     }
 
     fn attempt(
         &self,
-        subject: &Subject<'_>,
+        subject: Subject<'_>,
         course: &Course,
         lines: &[Line],
         em: f32,
-        away: Option<(Vec2, f32)>,
-    ) -> Option<Label> {
-        let Subject { kind, river, name: [long, short] } = subject;
+        Within { away, near, is_lenient }: Within<'_>,
+    ) -> Option<Chosen> {
+        let Subject { kind, river, name: [long, short], usual } = subject;
         let forms = if long == short { &[long][..] } else { &[long, short] };
         // In short, forks of two rivers may be called the same.
         let is_another_s =
-            |form: &str| self.labels.iter().any(|label| label.text == form && label.river != Some(*river));
+            |form: &str| self.chosen.iter().any(|other| other.label.text == form && other.label.river != Some(river));
+        let is_kept = self.level.is_small() && near.is_none();
+        let most_cost = match (is_lenient, is_kept) {
+            (true, _) => f32::MAX,
+            (_, true) => MOST_COST_SMALL,
+            _ => MOST_COST,
+        };
         forms.iter().filter(|form| !form.is_empty() && !is_another_s(form)).find_map(|form| {
+            let text = Text::new(form, kind);
+            let (input, background, taken) = (self.input, self.background, &self.boxes[..]);
+            let (thick, text_of) = (course.thick(), text.clone());
             let search = Search {
-                input: self.input,
-                background: self.background,
-                taken: &self.boxes,
-                river: *river,
-                kind: *kind,
-                thick: course.thick(),
+                input,
+                background,
+                taken,
+                river,
+                kind,
+                thick,
                 lines,
-                text: Text::new(form, *kind),
+                text,
                 em,
                 away,
+                near,
+                most_cost,
+                is_lenient,
             };
-            search.label(form)
+            let (label, line) = search.label(form)?;
+            Some(Chosen { label, text: text_of, usual, over_least: 1.0, shrinks: Shrinks::Along(line) })
         })
     }
 
-    fn take(&mut self, river: u32, label: Label) {
-        self.area += Text::new(&label.text, label.kind).length * label.em * label.em;
-        self.boxes.extend(label.letters.iter().map(|letter| (river, letter.around(label.em))));
-        self.labels.push(label);
+    fn take(&mut self, chosen: Chosen) {
+        self.boxes.extend(chosen.boxes());
+        self.chosen.push(chosen);
+    }
+
+    /// Labels regions, lakes and islands, the largest first, until they cover as much water as they may; seas; then what lies along the coast.
+    fn label_areas(&mut self) {
+        let Input { areas, landmarks, most_area: [most_land, most], .. } = self.input;
+        if *most_land <= 0.0 {
+            return;
+        }
+        let is_region = |landmark: &&Landmark| matches!(landmark.kind, LandmarkKind::MainLand | LandmarkKind::Range);
+        landmarks.iter().filter(is_region).for_each(|region| self.label_landmark(region));
+        let (seas, mut others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
+        others.sort_by(|a, b| b.size().total_cmp(&a.size()));
+        let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape);
+        for area in others.into_iter().chain(seas) {
+            if self.area(is_of_water) < *most || area.kind == AreaKind::Sea {
+                self.label_area(area);
+            }
+        }
+        for landmark in landmarks.iter().filter(|landmark| !is_region(landmark)) {
+            if self.area(is_of_water) < *most {
+                self.label_landmark(landmark);
+            }
+        }
+    }
+
+    fn label_area(&mut self, area: &Area) {
+        if self.has(&area.name) {
+            return;
+        }
+        let chosen = match area.kind {
+            AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
+            AreaKind::Lake | AreaKind::Sea => areas::water(self.input, area, &self.boxes),
+        };
+        chosen.into_iter().for_each(|chosen| self.take(chosen));
+    }
+
+    fn label_landmark(&mut self, landmark: &Landmark) {
+        if self.has(&landmark.name) {
+            return;
+        }
+        let chosen = match landmark.kind {
+            LandmarkKind::MainLand | LandmarkKind::Range => {
+                regions::region(self.input, self.background, landmark, &self.boxes)
+            }
+            _ => inlets::inlet(self.input, landmark, &self.boxes),
+        };
+        chosen.into_iter().for_each(|chosen| self.take(chosen));
+    }
+
+    /// Returns `true` if something that is no river has a label that says this.
+    fn has(&self, name: &[String; 2]) -> bool {
+        self.chosen.iter().any(|chosen| chosen.label.river.is_none() && name.contains(&chosen.label.text))
     }
 }
 
-/// The middle between a label's first letter and its last.
-fn middle(label: &Label) -> Vec2 {
-    let ends =
-        [label.letters.first(), label.letters.last()].map(|letter| letter.map_or(Vec2::ZERO, |letter| letter.at));
-    (ends[0] + ends[1]) * 0.5
+/// The middle of a stretch on which a river winds, and how far its ends are from that.
+fn belt_of(reach: &Reach) -> (Vec2, f32) {
+    let line: Vec<Vec2> = reach.course.iter().map(|place| place.at).collect();
+    let along = lengths(&line);
+    let half = along.last().copied().unwrap_or(0.0) * 0.5;
+    let middle = line.get(along.partition_point(|&along| along < half)).copied().unwrap_or_default();
+    let ends = [line.first(), line.last()].map(|end| end.map_or(0.0, |end| distance(*end, middle)));
+    (middle, ends[0].max(ends[1]))
 }

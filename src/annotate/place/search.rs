@@ -3,10 +3,10 @@
 use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
-use super::baseline::{Line, is_upright};
+use super::baseline::{Line, is_upright, walk_from};
 use super::costs::{Turns, Under, steepness};
 use super::input::Input;
-use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
 use crate::base::geometry::direction;
 use crate::base::sort;
 
@@ -15,8 +15,13 @@ const STEP: f32 = 1.5;
 const REFINED: f32 = 0.5;
 const BEST: usize = 3;
 
-/// What no candidate may cost.
-const MOST_COST: f32 = 5.5;
+/// What no candidate may cost, and in pictures so small that letters are larger than their usual size: what is chosen there is kept for
+/// all others.
+pub const MOST_COST: f32 = 5.5;
+pub const MOST_COST_SMALL: f32 = 4.0;
+
+/// The em of large letters of usual size, in units.
+const USUAL: f32 = 18.5;
 
 /// The cosine of 55 degrees, the most between a letter and its label.
 const COS_LETTER: f32 = 0.573_576_4;
@@ -50,8 +55,14 @@ pub struct Search<'a, G> {
     pub lines: &'a [Line],
     pub text: Text,
     pub em: f32,
-    /// A place to keep away from, and how far, in units.
-    pub away: Option<(Vec2, f32)>,
+    /// Places that the label's middle keeps away from, and how far, in units.
+    pub away: &'a [(Vec2, f32)],
+    /// A place that the label's middle keeps to, and how near, in units.
+    pub near: Option<(Vec2, f32)>,
+    /// What no candidate may cost.
+    pub most_cost: f32,
+    /// Returns `true` if any place that can be read will do: farther from the bank, on thicker brooks, near to others.
+    pub is_lenient: bool,
 }
 
 /// Where a label might begin.
@@ -64,12 +75,13 @@ struct Candidate {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// The label in the best place; `None` if there is none.
-    pub fn label(&self, text: &str) -> Option<Label> {
+    /// The label in the best place, with the line that it stands on; `None` if there is none.
+    pub fn label(&self, text: &str) -> Option<(Label, Line)> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        Some(Label::new(self.kind, Some(self.river), text, self.em, letters))
+        let line = self.lines[candidate.line].part(candidate.start, self.text.length * self.em);
+        Some((Label::new(self.kind, Some(self.river), text, self.em, letters), line))
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.
@@ -77,7 +89,7 @@ impl<G: Background> Search<'_, G> {
         let mut letters = Vec::with_capacity(self.text.letters.len());
         let mut best: Vec<Candidate> = Vec::with_capacity(BEST + 1);
         for candidate in self.candidates() {
-            let limit = if best.len() < BEST { MOST_COST } else { best[BEST - 1].cost };
+            let limit = if best.len() < BEST { self.most_cost } else { best[BEST - 1].cost };
             if candidate.cost >= limit && G::STOPS_EARLY {
                 break;
             }
@@ -101,13 +113,15 @@ impl<G: Background> Search<'_, G> {
 
     /// All candidates whose letters can be read, with what their shape costs, the cheapest first.
     fn candidates(&self) -> Vec<Candidate> {
-        let (length, step) = (self.text.length * self.em, STEP * self.em);
+        // Near one place few candidates are left: they lie closer.
+        let step = if self.near.is_some() { REFINED } else { STEP } * self.em;
+        let length = self.text.length * self.em;
         let (mut all, mut letters) = (Vec::new(), Vec::with_capacity(self.text.letters.len()));
         for (number, line) in self.lines.iter().enumerate() {
             let room = line.along.last().copied().unwrap_or(0.0) - length;
             let mut start = 0.0;
             while start <= room {
-                if let Some(cost) = self.lay(number, start, &mut letters).filter(|&cost| cost < MOST_COST) {
+                if let Some(cost) = self.lay(number, start, &mut letters).filter(|&cost| cost < self.most_cost) {
                     all.push(Candidate { cost, line: number, start });
                 }
                 start += step;
@@ -140,11 +154,12 @@ impl<G: Background> Search<'_, G> {
         let mut walk = walk_from(line, start);
         let ends = [walk.at(start), walk_from(line, start + length).at(start + length)];
         let along = direction(ends[1] - ends[0]);
-        let is_near = |(at, least): (Vec2, f32)| (ends[0] + ends[1]).distance_squared(at * 2.0) < least * least * 4.0;
+        let is_near = |(at, most): (Vec2, f32)| (ends[0] + ends[1]).distance_squared(at * 2.0) < most * most * 4.0;
         if !is_upright(along)
             || !self.is_in_frame(ends[0])
             || !self.is_in_frame(ends[1])
-            || self.away.is_some_and(is_near)
+            || self.away.iter().copied().any(is_near)
+            || self.near.is_some_and(|near| !is_near(near))
         {
             return None;
         }
@@ -178,10 +193,14 @@ impl<G: Background> Search<'_, G> {
 
     /// What the ink under the letters costs; `None` if there is too much of it, or sea.
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
-        let most = match self.kind {
-            Kind::River => (0.55 * width).clamp(1.6, 3.2),
-            _ => (0.8 * self.thick).clamp(1.6, 3.2),
-        };
+        // Large letters stand over wider rivers as well as small ones do over narrow ones.
+        let larger = (self.em / USUAL).max(1.0);
+        let most = larger.sqrt()
+            * match self.kind {
+                Kind::River if self.is_lenient => width.max(3.2),
+                Kind::River => (0.55 * width).clamp(1.6, 3.2),
+                _ => (0.8 * self.thick).clamp(1.6, 3.2),
+            };
         let (mut others, mut own) = (Under::default(), Under::default());
         for letter in letters {
             let around = letter.around(self.em);
@@ -200,7 +219,7 @@ impl<G: Background> Search<'_, G> {
         }
         let samples = (others.samples + own.samples).max(1.0);
         Some(match self.kind {
-            Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
+            Kind::River => 1.5 * (1.5 * others.hits + others.width / larger) / samples,
             _ => (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples,
         })
     }
@@ -217,7 +236,7 @@ impl<G: Background> Search<'_, G> {
             let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
             let both = self.background.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
             let [own, rival] = both.map(|distance| distance / self.em);
-            if own >= FARTHEST && self.kind == Kind::River {
+            if own >= FARTHEST && self.kind == Kind::River && !self.is_lenient {
                 return None;
             }
             own_sum += own;
@@ -227,13 +246,13 @@ impl<G: Background> Search<'_, G> {
         }
         let count = letters.len() as f32;
         let mean = own_sum / count;
-        if count == 0.0 || own_sum * NEARER > rival_sum {
+        if count == 0.0 || (own_sum * NEARER > rival_sum && !self.is_lenient) {
             return None;
         }
         if self.kind == Kind::Reach {
             return Some(0.5 * mean.max(0.0));
         }
-        if mean > MOST_MEAN {
+        if mean > MOST_MEAN && !self.is_lenient {
             return None;
         }
         let deviation = (squares / count - mean * mean).max(0.0).sqrt();

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::super::coverage::{Coverage, Rect};
 use super::super::view::View;
+use super::feather::Feather;
 use super::masks::{AnnotationMasks, SparseMask};
 use crate::annotate::glyph::Fill;
 use crate::annotate::place::{Kind, Label, Placed, Stroke};
@@ -12,6 +13,10 @@ use crate::base::memory;
 /// The radius of the halo around the middle of a space between words, in ems. A river that showed there would look like
 /// a hyphen.
 pub(crate) const SPACE: f32 = 0.33;
+
+/// The halo is full as far from outlines as this share of its radius, and fades to nothing at so many radii.
+pub(crate) const FULL: f32 = 0.45;
+pub(crate) const FADED: f32 = 2.0;
 
 /// The masks of labels; empty if there are no labels or not enough memory.
 pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
@@ -34,31 +39,41 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
     }
 }
 
-/// The mask of strokes and of the surroundings of letters.
+/// How far the outlines that the halo is drawn along are from the letters', in pixels.
+const HALO_TOLERANCE_PX: f32 = 0.5;
+
+/// The mask of strokes and of the surroundings of letters, which fades outward.
 fn halo<'a>(
     view: &View,
     strokes: impl Iterator<Item = &'a Stroke>,
     labels: impl Iterator<Item = &'a Label>,
 ) -> SparseMask {
     let mut labels = labels.peekable();
+    let mut strokes = strokes.peekable();
     if labels.peek().is_none() {
         return lines(view, strokes);
     }
-    let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
-    draw(&mut mask, view, strokes);
+    let mut feather = Feather { mask: vec![0; view.pixels()], width: view.width, height: view.height };
+    if strokes.peek().is_some()
+        && let Some(mut mask) = Coverage::new(view.width, view.height)
+    {
+        draw(&mut mask, view, strokes);
+        feather.mask.copy_from_slice(mask.mask().data());
+    }
     for label in labels {
-        let radius = SPACE * label.em * view.scale;
-        for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
-            mask.capsule(from, radius, to, radius);
+        let em = label.em * view.scale;
+        for ends in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
+            feather.stroke(ends, SPACE * em, FADED * SPACE * em);
         }
-        let radius = label.kind.halo() * label.em * view.scale;
+        let radius = label.kind.halo() * em;
         for letter in &label.letters {
-            if pixels(label, letter, view, radius + 1.0).is_some() {
-                outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
+            if pixels(label, letter, view, FADED * radius + 1.0).is_some() {
+                let stroke = |from, to| feather.stroke([from, to], radius * FULL, radius * FADED);
+                letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), HALO_TOLERANCE_PX, stroke);
             }
         }
     }
-    SparseMask::of(mask.mask().data())
+    SparseMask::of(&feather.mask)
 }
 
 /// The mask of strokes.
@@ -121,10 +136,4 @@ fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Re
     let (least, most) =
         (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
     Rect::between([least, most], view.width, view.height)
-}
-
-/// Calls `piece` for each straight piece of a letter's outline, in pixels.
-fn outline(label: &Label, letter: &Placed, view: &View, piece: impl FnMut(Vec2, Vec2)) {
-    const TOLERANCE_PX: f32 = 0.3;
-    letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), TOLERANCE_PX, piece);
 }

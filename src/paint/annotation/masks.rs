@@ -8,8 +8,8 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 use super::super::coverage::{Coverage, Covered};
-use super::super::palette::over;
-use super::super::styles::{label_look, scenery_look};
+use super::super::palette::{Colour, over};
+use super::super::styles::{LabelLook, label_look, scenery_look};
 use crate::recipe::Style;
 
 /// The masks of an annotation's layers, for a picture of one size.
@@ -117,14 +117,7 @@ pub(in crate::paint) fn take_away(rivers: &mut Coverage, annotation: &Annotation
 
 /// Lays trees and hills, the halo and letters over the picture.
 pub(in crate::paint) fn lay(pixmap: &mut Pixmap, annotation: &AnnotationMasks, style: Style) {
-    let mut lay = |layer: &SparseMask, colour, strength: f32| {
-        let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
-        for (i, share) in layer.pixels() {
-            let Some(pixel) = picture.get_mut(i) else { return };
-            let [red, green, blue, _] = *pixel;
-            *pixel = over([red, green, blue], colour, (f32::from(share) * strength + 0.5) as u32);
-        }
-    };
+    let mut lay = |layer: &SparseMask, colour, strength: f32| lay_mask(pixmap, layer, colour, strength);
     if let Some(scenery) = scenery_look(style) {
         if let Some((colour, strength)) = scenery.body {
             lay(&annotation.bodies, colour, strength);
@@ -132,13 +125,36 @@ pub(in crate::paint) fn lay(pixmap: &mut Pixmap, annotation: &AnnotationMasks, s
         lay(&annotation.strokes, scenery.ink, 1.0);
     }
     let letters = label_look(style);
-    for (layer, under) in [(&annotation.halo, letters.under(false)), (&annotation.panel, letters.under(true))] {
-        if let Some((colour, strength)) = under {
-            lay(layer, colour, strength);
-        }
+    if let Some((colour, strength)) = letters.halo {
+        lay_where_needed(pixmap, &annotation.halo, letters, colour, strength);
+    }
+    let mut lay = |layer: &SparseMask, colour, strength: f32| lay_mask(pixmap, layer, colour, strength);
+    if let Some((colour, strength)) = letters.under(true) {
+        lay(&annotation.panel, colour, strength);
     }
     lay(&annotation.letters, letters.ink, 1.0);
     lay(&annotation.marks, letters.mark, 1.0);
+}
+
+fn lay_mask(pixmap: &mut Pixmap, layer: &SparseMask, colour: Colour, strength: f32) {
+    let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
+    for (i, share) in layer.pixels() {
+        let Some(pixel) = picture.get_mut(i) else { return };
+        let [red, green, blue, _] = *pixel;
+        *pixel = over([red, green, blue], colour, (f32::from(share) * strength + 0.5) as u32);
+    }
+}
+
+/// Lays the halo only where letters would not stand out from the ground without it.
+fn lay_where_needed(pixmap: &mut Pixmap, layer: &SparseMask, look: LabelLook, colour: Colour, strength: f32) {
+    let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
+    for (i, share) in layer.pixels() {
+        let Some(pixel) = picture.get_mut(i) else { return };
+        let [red, green, blue, _] = *pixel;
+        let ground = [red, green, blue];
+        let strength = strength * look.need_of_halo(ground);
+        *pixel = over(ground, colour, (f32::from(share) * strength + 0.5) as u32);
+    }
 }
 
 #[cfg(test)]

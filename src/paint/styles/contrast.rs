@@ -32,7 +32,9 @@ fn grounds(palette: &Palette) -> Vec<Colour> {
 fn heights_stand_out_from_the_land_and_from_the_margin() {
     let look = label_look(Style::Survey);
     let (halo, strength) = look.halo.unwrap();
-    let under = grounds(palette(Style::Survey)).into_iter().map(|ground| mix(ground, halo, strength));
+    let under = grounds(palette(Style::Survey))
+        .into_iter()
+        .map(|ground| mix(ground, halo, look.need_of_halo(ground) * strength));
     for ground in under.chain([look.panel]) {
         assert!(contrast(look.mark, ground) >= 4.5, "{ground:x?}");
     }
@@ -43,7 +45,8 @@ fn letters_stand_out_from_land_and_sea_of_their_style() {
     for &style in Style::ALL {
         let (look, palette) = (label_look(style), palette(style));
         for ground in grounds(palette) {
-            let under = look.halo.map_or(ground, |(colour, strength)| mix(ground, colour, strength));
+            let need = look.need_of_halo(ground);
+            let under = look.halo.map_or(ground, |(colour, strength)| mix(ground, colour, need * strength));
             let contrast = contrast(look.ink, under);
             assert!(contrast >= 4.5, "{style:?}: {contrast:.1} : 1 on {ground:x?}");
         }

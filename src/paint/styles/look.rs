@@ -24,11 +24,33 @@ pub(crate) struct LabelLook {
 }
 
 impl LabelLook {
+    /// How much of the halo letters need on a ground, from 0 to 1: none where they stand out by far, all where they hardly do.
+    pub fn need_of_halo(self, ground: Colour) -> f32 {
+        /// The contrasts from which on none is needed, and all (WCAG 2 asks for 4.5).
+        const NONE: f32 = 8.0;
+        const ALL: f32 = 6.0;
+        let ground = luminance(ground);
+        let contrast = |ink: Colour| {
+            let ink = luminance(ink);
+            (ink.max(ground) + FLARE) / (ink.min(ground) + FLARE)
+        };
+        ((NONE - contrast(self.ink).min(contrast(self.mark))) / (NONE - ALL)).clamp(0.0, 1.0)
+    }
+
     /// What lies under type on land, and how much it covers; in a frame nearly all.
     pub fn under(self, is_panel: bool) -> Option<(Colour, f32)> {
         const PANEL: f32 = 0.88;
         if is_panel { Some((self.panel, PANEL)) } else { self.halo }
     }
+}
+
+/// What light reflected by a screen adds to luminances from 0 to 1 (WCAG 2).
+const FLARE: f32 = 0.05;
+
+/// The luminance of a colour, from 0 to 1, with squares in place of the powers of sRGB: near enough to choose by.
+fn luminance(colour: Colour) -> f32 {
+    let [red, green, blue] = colour.map(|channel| f32::from(channel) * f32::from(channel) / (255.0 * 255.0));
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
 }
 
 /// Letters straight on the ground; in a frame, on paper.

@@ -1,0 +1,150 @@
+//! The names of what lies along a coast: bays in their water, straits along theirs, capes on the water before them.
+
+use glam::Vec2;
+
+use super::baseline::{Line, is_upright, smoothed, walk_from};
+use super::chosen::{Chosen, Shrinks};
+use super::input::{Input, Landmark, LandmarkKind};
+use super::letters::{Box, Kind, Label, Placed, Text, between};
+use crate::annotate::glyph::Letter;
+use crate::land::CoastDistance;
+
+/// Lengths of the em that are tried, in units.
+const SIZES: [f32; 3] = [14.0, 12.5, 11.0];
+/// How far letters keep from the coast, the frame and other labels, in ems.
+const FROM_COAST: f32 = 0.25;
+const FROM_FRAME: f32 = 0.4;
+const FROM_LABELS: f32 = 0.35;
+/// How far around a bay's midst its name is tried, in ems and in widths of the bay, and how far apart, in ems.
+const AROUND: f32 = 3.0;
+const WIDTHS: f32 = 0.6;
+const STEP: f32 = 0.7;
+/// How far a cape's name is from its tip, in ems.
+const GAPS: [f32; 3] = [0.5, 0.8, 1.2];
+/// How far above its line the middle of type is, in ems.
+const MIDDLE: f32 = 0.24;
+/// The cosine of 16 degrees, the most between two letters.
+const COS_TURN: f32 = 0.961_261_7;
+/// How smooth the line of a strait is, as a share of its length.
+const SMOOTHED: f32 = 0.1;
+
+/// The label of a bay, a strait or a cape, off the boxes that are taken; `None` if there is no room.
+pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Option<Chosen> {
+    let coast = input.coast?;
+    let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
+    let em = |usual: f32| usual.max(input.least_em) * input.label_size;
+    let mut sizes = SIZES.to_vec();
+    sizes.dedup_by_key(|usual| em(*usual));
+    let names = || landmark.name.iter().filter(|name| !name.is_empty());
+    sizes.into_iter().flat_map(|usual| names().map(move |name| (usual, name))).find_map(|(usual, name)| {
+        let text = Text::new(name, kind);
+        let search = Search { input, coast, taken, landmark, em: em(usual), text };
+        let (letters, shrinks) = match landmark.kind {
+            LandmarkKind::Strait => search.along()?,
+            LandmarkKind::Cape => (search.before_the_cape()?, Shrinks::Towards(landmark.at)),
+            _ => (search.in_the_bay()?, Shrinks::ToMiddle),
+        };
+        let label = Label::new(kind, None, name, search.em, letters);
+        Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks })
+    })
+}
+
+struct Search<'a> {
+    input: &'a Input<'a>,
+    coast: &'a CoastDistance,
+    taken: &'a [(u32, Box)],
+    landmark: &'a Landmark,
+    em: f32,
+    text: Text,
+}
+
+impl Search<'_> {
+    /// Letters in the water of a bay, near its midst and off its coast.
+    fn in_the_bay(&self) -> Option<Vec<Placed>> {
+        let reach = (AROUND * self.em).max(WIDTHS * self.landmark.size);
+        let steps = (reach / (STEP * self.em)) as i32;
+        let around = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| (row, column)));
+        let places = around.map(|(row, column)| {
+            let off = Vec2::new(column as f32, row as f32) * (STEP * self.em);
+            (off.length() / reach, self.landmark.at + off)
+        });
+        self.cheapest(places.map(|(cost, middle)| (cost, self.level(middle, 0.5))))
+    }
+
+    /// Letters on the water beside the tip of a cape: to its right or left, above or below.
+    fn before_the_cape(&self) -> Option<Vec<Placed>> {
+        let places = GAPS.into_iter().flat_map(|gap| {
+            let sides = [(1.0, 0.0), (1.0, -0.6), (1.0, 0.6), (-1.0, 0.0), (-1.0, -0.6), (-1.0, 0.6)];
+            let beside = sides.map(|(side, down)| {
+                let from = if side > 0.0 { 0.0 } else { 1.0 };
+                (0.3 * f32::abs(down) + 0.2 * from, Vec2::new(side * gap, down * (0.5 + gap)), from)
+            });
+            let over = [-1.0, 1.0].map(|down: f32| (0.5 + 0.1 * down, Vec2::new(0.0, down * (0.5 + gap)), 0.5));
+            beside.into_iter().chain(over).map(move |(cost, off, from)| (cost + gap, off, from))
+        });
+        let letters = |(cost, off, from): (f32, Vec2, f32)| (cost, self.level(self.landmark.at + off * self.em, from));
+        self.cheapest(places.map(letters))
+    }
+
+    /// Letters along a strait, and the line that they stand on.
+    fn along(&self) -> Option<(Vec<Placed>, Shrinks)> {
+        let mut line = smoothed(&self.landmark.line, (SMOOTHED * self.landmark.line.len() as f32) as usize);
+        if !is_upright(*line.last()? - *line.first()?) {
+            line.reverse();
+        }
+        let last = line.len() - 1;
+        let down = |i: usize| {
+            let way = line[(i + 1).min(last)] - line[i.saturating_sub(1)];
+            line[i] + way.normalize_or_zero().perp() * (MIDDLE * self.em)
+        };
+        let line = Line::through((0..=last).map(down).collect());
+        let length = self.text.length * self.em;
+        let steps = ((line.length() - length) / (STEP * self.em)).max(-1.0);
+        let starts = (0..=steps as i32).filter(|_| steps >= 0.0).map(|i| i as f32 * STEP * self.em);
+        let tries = starts.filter_map(|start| {
+            let off = ((start + 0.5 * length) / line.length() - 0.5).abs();
+            Some((off, start, self.lay(&line, start)?))
+        });
+        let best = tries.filter(|(.., letters)| self.is_free(letters)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+        best.map(|(_, start, letters)| (letters, Shrinks::Along(line.part(start, length))))
+    }
+
+    fn lay(&self, line: &Line, start: f32) -> Option<Vec<Placed>> {
+        let mut walk = walk_from(line, start);
+        let place = |letter: &Letter| {
+            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * self.em));
+            between(letter, from, to, self.em).filter(|placed| is_upright(placed.along))
+        };
+        let letters: Option<Vec<Placed>> = self.text.letters.iter().map(place).collect();
+        letters.filter(|letters| letters.windows(2).all(|pair| pair[0].along.dot(pair[1].along) >= COS_TURN))
+    }
+
+    /// The cheapest of some places that is free; the first of equals.
+    fn cheapest(&self, places: impl Iterator<Item = (f32, Vec<Placed>)>) -> Option<Vec<Placed>> {
+        let mut best: Option<(f32, Vec<Placed>)> = None;
+        for (cost, letters) in places {
+            if best.as_ref().is_none_or(|(least, _)| cost < *least) && self.is_free(&letters) {
+                best = Some((cost, letters));
+            }
+        }
+        best.map(|(_, letters)| letters).filter(|letters| !letters.is_empty())
+    }
+
+    /// Letters of a level line; a share of its length lies before the place.
+    fn level(&self, at: Vec2, share: f32) -> Vec<Placed> {
+        let from = at + Vec2::new(-share * self.text.length, MIDDLE) * self.em;
+        self.text.letters.iter().map(|letter| Placed::level(letter, from, self.em)).collect()
+    }
+
+    /// Whether letters are all on the water, in the frame, and off other labels.
+    fn is_free(&self, letters: &[Placed]) -> bool {
+        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
+        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        let is_afloat = |at: Vec2| -self.coast.height(at) >= FROM_COAST * self.em;
+        letters.iter().all(|letter| {
+            let around = letter.around(self.em);
+            around.corners().into_iter().all(|at| is_in_frame(at) && is_afloat(at))
+                && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
+        })
+    }
+}

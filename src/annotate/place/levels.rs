@@ -1,0 +1,56 @@
+//! Sizes of pictures, from small ones on which few labels have room to parts of a map on which many have. Labels are chosen size by size: those
+//! of a small picture stay in their places in all larger ones, so no label moves while somebody zooms (Been, Daiches and Yap, *Dynamic map
+//! labeling*, 2006).
+
+use super::input::Input;
+
+/// The smallest letters of pictures of whole maps, as the length of their em in units, from small pictures to such on which all letters have
+/// their usual sizes: of a map 1,250 units wide these are some 190, 265, 360, 500, 700 and 980 pixels.
+const LEAST_EMS: [f32; 7] = [72.0, 52.0, 38.0, 27.0, 19.7, 14.0, 0.0];
+/// By how much letters are smaller in views of parts of a map.
+const SHRINKS: [f32; 7] = [0.72, 0.52, 0.37, 0.27, 0.19, 0.14, 0.1];
+/// The smallest usual letters, in units.
+const SMALLEST: f32 = 11.0;
+
+/// The size of letters on one of these pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// The em of the smallest letters that can be read, before it is multiplied by what follows.
+    pub least_em: f32,
+    /// What sizes of letters are multiplied by because the picture shows a part of the map.
+    pub shrink: f32,
+}
+
+impl Level {
+    /// All levels, the smallest picture first.
+    fn all() -> impl Iterator<Item = Self> {
+        let wholes = LEAST_EMS.map(|least_em| Self { least_em, shrink: 1.0 });
+        wholes.into_iter().chain(SHRINKS.map(|shrink| Self { least_em: 0.0, shrink }))
+    }
+
+    /// The levels whose letters are no smaller than those of a picture: what is chosen on these has room on it.
+    pub fn up_to(input: &Input<'_>) -> impl Iterator<Item = Self> + use<> {
+        let least_em = input.least_em * input.shrink;
+        let shrink = input.shrink;
+        Self::all()
+            .take_while(move |level| least_em <= level.least_em.max(SMALLEST * level.shrink) && shrink <= level.shrink)
+    }
+
+    /// Returns `true` if its letters are larger than usual: the picture is small.
+    pub fn is_small(self) -> bool {
+        self.least_em > SMALLEST
+    }
+
+    /// Returns `true` if pictures are at least as large as on a phone, some 370 pixels wide.
+    pub fn is_readable(self) -> bool {
+        /// Of the level for those.
+        const PHONE: f32 = 38.0;
+        self.least_em <= PHONE
+    }
+
+    /// Makes a map one for labels of this level.
+    pub fn set(self, input: &mut Input<'_>) {
+        input.label_size *= self.shrink / input.shrink;
+        (input.least_em, input.shrink) = (self.least_em, self.shrink);
+    }
+}

@@ -1,0 +1,159 @@
+//! The names of regions, in capitals that stand far apart: of the main land across it, of ranges of mountains along their crests.
+
+use glam::Vec2;
+
+use super::background::{Background, LAKE, RIDGE};
+use super::baseline::{Line, is_upright, smoothed, walk_from};
+use super::chosen::{Chosen, Shrinks};
+use super::input::{Input, Landmark, LandmarkKind};
+use super::letters::{Box, Kind, Label, Placed, Text, between};
+
+/// Lengths of the em that are tried, in units: for the main land, and for ranges.
+const SIZES: [[f32; 3]; 2] = [[30.0, 24.0, 19.0], [15.0, 13.0, 11.0]];
+/// How much larger letters are than the smallest that can be read.
+const OVER_LEAST: f32 = 1.1;
+/// The space between letters, in ems, the widest first that fits.
+const TRACKING: [f32; 6] = [2.2, 1.6, 1.1, 0.75, 0.5, 0.3];
+/// The share of its line that a name takes up at most.
+const SHARE: f32 = 0.72;
+/// How smooth lines are, as a share of their length, and how far from the line names are tried, and along it, in ems.
+const SMOOTHED: f32 = 0.15;
+const ASIDE: [f32; 7] = [0.0, -1.2, 1.2, -2.4, 2.4, -3.6, 3.6];
+const ASIDE_OF_RANGES: usize = 3;
+const STEP: f32 = 0.8;
+/// The cosine of 20 degrees, the most between two letters, which stand far apart.
+const COS_TURN: f32 = 0.939_692_6;
+/// How far letters keep from the coast, the frame and other labels, in ems.
+const FROM_COAST: f32 = 0.3;
+const FROM_FRAME: f32 = 0.4;
+const FROM_LABELS: f32 = 0.4;
+/// The widest river that may run under letters, in units.
+const WIDEST_UNDER: f32 = 2.4;
+/// How high capitals are, in ems.
+const CAPITAL: f32 = 0.65;
+
+/// The label of the main land or of a range, off the boxes that are taken; `None` if there is no room.
+pub fn region<G: Background>(
+    input: &Input<'_>,
+    background: &G,
+    landmark: &Landmark,
+    taken: &[(u32, Box)],
+) -> Option<Chosen> {
+    let (line, name) = (upright(&landmark.line)?, &landmark.name[1]);
+    let is_range = landmark.kind == LandmarkKind::Range;
+    let em = |usual: f32| usual.max(OVER_LEAST * input.least_em) * input.label_size;
+    let mut sizes = SIZES[usize::from(is_range)].to_vec();
+    sizes.dedup_by_key(|usual| em(*usual));
+    let tries = sizes.into_iter().flat_map(|usual| TRACKING.map(|tracking| (usual, tracking)));
+    tries.filter(|_| !name.is_empty()).find_map(|(usual, tracking)| {
+        let text = Text::spaced(name, Kind::Region, tracking);
+        let search = Search { input, background, taken, line: &line, em: em(usual), text, is_range };
+        let (letters, on) = search.best()?;
+        let label = Label::new(Kind::Region, None, name, search.em, letters);
+        Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::Along(on) })
+    })
+}
+
+/// A line without its bends, in the direction that it is read in; `None` if it has no length.
+fn upright(line: &[Vec2]) -> Option<Line> {
+    let (first, last) = (*line.first()?, *line.last()?);
+    let mut line = line.to_vec();
+    if !is_upright(last - first) {
+        line.reverse();
+    }
+    /// So many points stand for it.
+    const POINTS: usize = 64;
+    let whole = Line::through(line);
+    let length = whole.length();
+    let mut walk = walk_from(&whole, 0.0);
+    let even: Vec<Vec2> = (0..=POINTS).map(|i| walk.at(length * i as f32 / POINTS as f32)).collect();
+    let line = Line::through(smoothed(&even, (SMOOTHED * POINTS as f32) as usize));
+    (length > 0.0).then_some(line)
+}
+
+struct Search<'a, G> {
+    input: &'a Input<'a>,
+    background: &'a G,
+    taken: &'a [(u32, Box)],
+    line: &'a Line,
+    em: f32,
+    text: Text,
+    is_range: bool,
+}
+
+impl<G: Background> Search<'_, G> {
+    /// The letters in the best place, and the line that they stand on; `None` if there is none.
+    fn best(&self) -> Option<(Vec<Placed>, Line)> {
+        let (length, step) = (self.text.length * self.em, STEP * self.em);
+        let room = self.line.length() - length;
+        if self.text.letters.is_empty() || length > SHARE * self.line.length() {
+            return None;
+        }
+        let aside = if self.is_range { &ASIDE[..ASIDE_OF_RANGES] } else { &ASIDE[..] };
+        let mut best: Option<(f32, Vec<Placed>, Line)> = None;
+        for &aside in aside {
+            let line = self.shifted(aside);
+            let starts = (0..=(room / step) as u32).map(|i| i as f32 * step);
+            for start in starts.filter(|start| start + length <= line.length()) {
+                let off = 2.0 * ((start + 0.5 * length) / self.line.length() - 0.5).abs();
+                let base = 1.5 * off + 0.15 * aside.abs();
+                if best.as_ref().is_some_and(|(least, ..)| base >= *least) {
+                    continue;
+                }
+                let Some((cost, letters)) = self.lay(&line, start) else { continue };
+                if best.as_ref().is_none_or(|(least, ..)| base + cost < *least) {
+                    best = Some((base + cost, letters, line.part(start, length)));
+                }
+            }
+        }
+        best.map(|(_, letters, line)| (letters, line))
+    }
+
+    /// The line, so many ems to its right, for letters that stand in its middle.
+    fn shifted(&self, aside: f32) -> Line {
+        let at = &self.line.at;
+        let last = at.len() - 1;
+        let down = |i: usize| {
+            let way = at[(i + 1).min(last)] - at[i.saturating_sub(1)];
+            at[i] + way.normalize_or_zero().perp() * ((aside + 0.5 * CAPITAL) * self.em)
+        };
+        Line::through((0..=last).map(down).collect())
+    }
+
+    /// The letters from a place of a line on, and what the ink under them costs; `None` if they cannot stand there.
+    fn lay(&self, line: &Line, start: f32) -> Option<(f32, Vec<Placed>)> {
+        let mut walk = walk_from(line, start);
+        let (mut letters, mut hits): (Vec<Placed>, f32) = (Vec::with_capacity(self.text.letters.len()), 0.0);
+        for letter in &self.text.letters {
+            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * self.em));
+            let placed = between(letter, from, to, self.em)?;
+            let turns = |before: &Placed| before.along.dot(placed.along) < COS_TURN;
+            if !is_upright(placed.along) || letters.last().is_some_and(turns) {
+                return None;
+            }
+            hits += self.ink(&placed.around(self.em))?;
+            letters.push(placed);
+        }
+        Some((3.0 * hits / letters.len() as f32, letters))
+    }
+
+    /// The share of a letter that has ink under it; `None` if it cannot stand there.
+    fn ink(&self, around: &Box) -> Option<f32> {
+        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
+        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
+        if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) || self.taken.iter().any(is_taken) {
+            return None;
+        }
+        let mut hits = 0.0;
+        for sample in around.samples() {
+            let under = self.background.ink(sample);
+            if under.river == RIDGE || under.river == LAKE || under.width > WIDEST_UNDER {
+                return None;
+            }
+            hits += if under.width > 0.0 { 1.0 } else { 0.0 };
+        }
+        Some(hits / around.samples().count() as f32)
+    }
+}
