@@ -66,7 +66,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
             seed: recipe.seed().into(),
             is_framed: cartouche == recipe::Cartouche::Framed,
         }),
-        areas: names.places.iter().zip(&regions).map(|(place, region)| area_of(place, region)).collect(),
+        areas: names.places.iter().zip(&regions).filter_map(|(place, region)| area_of(place, region)).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         marks,
@@ -165,18 +165,19 @@ fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
 }
 
-/// A sea, a lake or an island with its name.
-fn area_of(place: &PlaceName, region: &Region) -> Area {
+/// A sea, a lake or an island but the main land, with its name.
+fn area_of(place: &PlaceName, region: &Region) -> Option<Area> {
     let kind = match place.kind {
         PlaceKind::Sea => AreaKind::Sea,
         PlaceKind::Lake => AreaKind::Lake,
-        PlaceKind::Island => AreaKind::Island,
+        PlaceKind::Island if place.number > 0 => AreaKind::Island,
+        _ => return None,
     };
     let strip = |run: &Run| {
         let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
         Strip { top, left, right }
     };
-    Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() }
+    Some(Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() })
 }
 
 pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
