@@ -7,8 +7,8 @@ use glam::Vec2;
 use crate::annotate::glyph::initials;
 use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
 use crate::annotate::place::{
-    Area, AreaKind, Cartouche, Elevations, Heights, Input, Label, Legend, MARGIN, Marks, Raster, Reach, River,
-    RiverClass, Seal, SheetGrid, Strip, place,
+    Area, AreaKind, Cartouche, Elevations, Heights, Input, Label, Landmark, LandmarkKind, Legend, MARGIN, Marks,
+    Raster, Reach, River, RiverClass, Seal, SheetGrid, Strip, place,
 };
 use crate::base::geometry::distance;
 use crate::base::memory;
@@ -74,8 +74,8 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
             seed: recipe.seed().into(),
             is_framed: cartouche == recipe::Cartouche::Framed,
         }),
-        areas: names.places.iter().zip(&regions).map(|(place, region)| area_of(place, region)).collect(),
-        landmarks: Vec::new(),
+        areas: names.places.iter().zip(&regions).filter_map(|(place, region)| area_of(place, region)).collect(),
+        landmarks: names.places.iter().filter_map(landmark_of).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         marks,
@@ -173,18 +173,33 @@ fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
 }
 
-/// A sea, a lake or an island with its name.
-fn area_of(place: &PlaceName, region: &Region) -> Area {
+/// A sea, a lake or an island but the main land, with its name.
+fn area_of(place: &PlaceName, region: &Region) -> Option<Area> {
     let kind = match place.kind {
         PlaceKind::Sea => AreaKind::Sea,
         PlaceKind::Lake => AreaKind::Lake,
-        PlaceKind::Island => AreaKind::Island,
+        PlaceKind::Island if place.number > 0 => AreaKind::Island,
+        _ => return None,
     };
     let strip = |run: &Run| {
         let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
         Strip { top, left, right }
     };
-    Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() }
+    Some(Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() })
+}
+
+/// A place that is no area of its own, with its name.
+fn landmark_of(place: &PlaceName) -> Option<Landmark> {
+    let kind = match place.kind {
+        PlaceKind::Island if place.number == 0 => LandmarkKind::MainLand,
+        PlaceKind::Range => LandmarkKind::Range,
+        PlaceKind::Strait => LandmarkKind::Strait,
+        PlaceKind::Gulf | PlaceKind::Bay => LandmarkKind::Bay,
+        PlaceKind::Cape => LandmarkKind::Cape,
+        _ => return None,
+    };
+    let (name, line) = (forms(&place.name), place.line.clone());
+    Some(Landmark { kind, name, at: place.at, line, size: place.size })
 }
 
 pub(crate) fn heights(relief: &Relief) -> Heights<'_> {

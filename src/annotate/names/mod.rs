@@ -55,53 +55,76 @@ pub struct ReachName {
     pub course: Vec<Vec2>,
 }
 
-/// What else has a name.
+/// A kind of place that has a name and is no river.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PlaceKind {
     /// Water that reaches the frame of the map.
     Sea,
-    /// Water that does not.
+    /// A part of the sea with land on three sides, larger than a bay.
+    Gulf,
+    /// Water that does not reach the frame.
     Lake,
-    /// Land with water around it, but for the main land.
+    /// Land with water around it; number 0 is the main land.
     Island,
+    /// A small part of the sea with land on three sides.
+    Bay,
+    /// A point of land that juts out into the sea.
+    Cape,
+    /// Narrow water between two lands.
+    Strait,
+    /// A chain of mountains or hills.
+    Range,
 }
 
 impl PlaceKind {
-    /// Its word in files.
+    /// The kind's word in files.
     pub fn word(self) -> &'static str {
         match self {
             Self::Sea => "sea",
+            Self::Gulf => "gulf",
             Self::Lake => "lake",
             Self::Island => "island",
+            Self::Bay => "bay",
+            Self::Cape => "cape",
+            Self::Strait => "strait",
+            Self::Range => "range",
         }
     }
 }
 
-/// The name of a sea, a lake or an island.
+/// The name of a sea, a land, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PlaceName {
-    /// What it is.
+    /// The kind of place.
     pub kind: PlaceKind,
-    /// Its number among its kind, the largest first; island 0 is the main land.
+    /// The number in its mark; island 0 is the main land.
     pub number: u32,
     /// Its name; empty if the recipe takes it away.
     pub name: String,
-    /// A place in the midst of it.
+    /// A place in the midst of it, in units.
     pub at: Vec2,
+    /// The line along which its name may run, in units: the course of a strait, the crest of a range, the axis of the main land from west
+    /// to east. Empty for other places.
+    pub line: Vec<Vec2>,
+    /// How large it is, in units: the width of the mouth of a bay or gulf, the length of a strait or range, how far a cape juts out; for a
+    /// sea, lake or island the side of a square of its area.
+    pub size: f32,
 }
 
 /// All names of a map.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Names {
-    /// Of the rivers, in their order.
+    /// The names of the rivers, in their order.
     pub rivers: Vec<RiverName>,
-    /// Of their reaches, that with the most water first.
+    /// The names of their reaches, that with the most water first.
     pub reaches: Vec<ReachName>,
-    /// Of seas, lakes and islands, by kind, the largest first.
+    /// The names of places, by kind, the largest of each first.
     pub places: Vec<PlaceName>,
-    /// Of the map.
+    /// The name of the map.
     pub title: String,
+    /// The finished line under the title, such as `from the word tay2`; empty if there is none.
+    pub subtitle: String,
 }

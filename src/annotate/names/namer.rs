@@ -31,7 +31,7 @@ impl Names {
         let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &rivers);
         let places = map.land().map_or(Vec::new(), |land| namer.places(land));
         let (places, regions) = places.into_iter().unzip();
-        (Self { rivers, reaches, places, title: namer.title() }, regions)
+        (Self { rivers, reaches, places, title: namer.title(), subtitle: String::new() }, regions)
     }
 
     /// What each name of a network's map is known by, and the name: rivers, the greatest first, then their reaches, seas, lakes and islands,
@@ -40,13 +40,14 @@ impl Names {
         let by_discharge = sort::argsort(network.rivers.iter().map(|river| u32::MAX - network.discharge(river)));
         let river = |i: usize| self.rivers.get(i).map(|river| (Mark::River(river.identity), river.name.as_str()));
         let reaches = self.reaches.iter().map(|reach| (Mark::Reach(reach.identity), reach.name.as_str()));
-        let places = self.places.iter().map(|place| {
+        let places = self.places.iter().filter_map(|place| {
             let mark = match place.kind {
                 PlaceKind::Sea => Mark::Sea(place.number),
                 PlaceKind::Lake => Mark::Lake(place.number),
                 PlaceKind::Island => Mark::Island(place.number),
+                _ => return None,
             };
-            (mark, place.name.as_str())
+            Some((mark, place.name.as_str()))
         });
         let title = [(Mark::Title, self.title.as_str())];
         by_discharge.into_iter().filter_map(river).chain(reaches).chain(places).chain(title).collect()
@@ -160,9 +161,14 @@ impl Namer {
             let name = match kind {
                 PlaceKind::Sea => self.name(Mark::Sea(number), || kinds::sea(&word(), area, manner)),
                 PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
-                PlaceKind::Island => self.name(Mark::Island(number), || kinds::island(&word(), area)),
+                _ => self.name(Mark::Island(number), || kinds::island(&word(), area)),
             };
-            (area >= least).then(|| (PlaceName { kind, number, name, at: tract.midst(land) }, tract.region))
+            (area >= least).then(|| {
+                (
+                    PlaceName { kind, number, name, at: tract.midst(land), line: Vec::new(), size: area.sqrt() },
+                    tract.region,
+                )
+            })
         };
         let seas = seas.into_iter().filter_map(|tract| place(PlaceKind::Sea, LEAST_SEA, tract));
         let lakes = lakes.into_iter().filter_map(|tract| place(PlaceKind::Lake, LEAST_LAKE, tract));

@@ -10,7 +10,10 @@ use crate::annotate::glyph::Letter;
 use crate::land::CoastDistance;
 
 /// Lengths of the em that are tried, in units.
-const SIZES: [f32; 3] = [14.0, 12.5, 11.0];
+const SIZES: &[f32] = &[21.0, 17.0, 14.0, 12.5, 11.0];
+/// The first of these are for bays as wide as this, in units.
+const WIDE_SIZES: usize = 2;
+const WIDE: f32 = 120.0;
 /// How far letters keep from the coast, the frame and other labels, in ems.
 const FROM_COAST: f32 = 0.25;
 const FROM_FRAME: f32 = 0.4;
@@ -33,7 +36,8 @@ pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Op
     let coast = input.coast?;
     let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
     let em = |usual: f32| usual.max(input.least_em) * input.label_size;
-    let mut sizes = SIZES.to_vec();
+    let is_wide = landmark.kind == LandmarkKind::Bay && landmark.size >= WIDE;
+    let mut sizes = if is_wide { SIZES } else { &SIZES[WIDE_SIZES..] }.to_vec();
     sizes.dedup_by_key(|usual| em(*usual));
     let names = || landmark.name.iter().filter(|name| !name.is_empty());
     sizes.into_iter().flat_map(|usual| names().map(move |name| (usual, name))).find_map(|(usual, name)| {
