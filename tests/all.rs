@@ -21,6 +21,7 @@ mod growth;
 mod hypsometry;
 mod identity;
 mod inspect;
+mod label_places;
 mod labels;
 mod marks;
 mod markup;

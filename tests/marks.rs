@@ -218,7 +218,7 @@ fn grid_letters_and_lines_are_those_of_the_grid() {
         let map = session.map().unwrap();
         let input = labels::input(&map, sheet, 1.2).unwrap();
         let labels = place(&input, &Raster::new(&input));
-        let (grid, [least, most]) = (input.marks.grid.unwrap(), input.frame);
+        let (grid, [least, most]) = (input.marks.grid.unwrap(), input.view);
         assert!(grid.sheet == sheet && (least - sheet[0]).min_element() > grid.em);
         let mut sides: BTreeMap<String, usize> = BTreeMap::new();
         for label in of(&labels, Kind::GridLetter) {

@@ -50,7 +50,8 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
-    let within = on_map(map);
+    let within = on_map(map).map(|corner| corner.clamp(Vec2::ZERO, map.domain().size));
+    let cut = cut_to_shape(&map.domain(), frame);
     // Places are chosen for the whole map: with the margin of a whole map's picture, if it has one.
     let whole = if marks.elevations.is_some() { MARGIN * GRID_EM } else { 0.0 };
     let reach = |reach: &ReachName| reach_of(network, reach);
@@ -60,7 +61,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let side = shown.sqrt();
     let shrink = side.sqrt() * side.sqrt().sqrt();
     Some(Input {
-        frame: [within[0].max(Vec2::splat(whole)), within[1].min(map.domain().size - whole)],
+        frame: [within[0].max(cut[0] + whole), within[1].min(cut[1] - whole)],
         view: [frame[0] + margin, frame[1] - margin],
         least_em: least_em / shrink,
         label_size: recipe.number(NumberKey::LabelSize) * shrink,
@@ -89,6 +90,17 @@ pub(super) fn on_map(map: &Map) -> [Vec2; 2] {
     let (size, palette) = (map.domain().size, palette_of(map.recipe().get()));
     let margin = margin_of(palette, size, map.land().map(Arc::as_ref));
     if margin > 0.0 { [Vec2::splat(margin), size - margin] } else { [Vec2::MIN, Vec2::MAX] }
+}
+
+/// What there is of a map for pictures of this shape, its two corners: all of it, but for a picture that is filled by the map and of
+/// another shape, which cuts off as much on two opposite sides.
+fn cut_to_shape(domain: &Domain, [least, most]: [Vec2; 2]) -> [Vec2; 2] {
+    /// In units: frames are computed from pixels.
+    const ROUNDING: f32 = 1.0;
+    let is_in_middle = (least + most - domain.size).abs().max_element() < ROUNDING;
+    let is_filled =
+        (most - least).cmpge(domain.size - ROUNDING).any() && (most - least).cmple(domain.size + ROUNDING).all();
+    if is_in_middle && is_filled { [least.max(Vec2::ZERO), most.min(domain.size)] } else { [Vec2::ZERO, domain.size] }
 }
 
 /// How much of a map is seen in a frame.

@@ -2,11 +2,13 @@
 
 use glam::Vec2;
 
-use super::baseline::{Line, walk_from};
+use super::background::Background;
+use super::baseline::{Line, is_upright, walk_from};
+use super::costs::Turns;
 use super::input::Input;
-use super::letters::{Box, Label, MIDDLE, Placed, Text, between};
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
+use super::search::belongs;
 use crate::annotate::glyph::Letter;
-use crate::land::CoastDistance;
 
 /// How far letters on the water keep from the coast, in ems.
 const FROM_COAST: f32 = 0.2;
@@ -28,8 +30,8 @@ pub struct Chosen {
 /// How a label becomes smaller.
 #[derive(Clone, Debug)]
 pub enum Shrinks {
-    /// Along the line that it stands on, about its middle.
-    Along(Line),
+    /// Along the line that it stands on, about its middle; with the width of its river there, in units.
+    Along(Line, f32),
     /// About the middle between its ends.
     ToMiddle,
     /// Towards what it stands beside, on the water.
@@ -43,32 +45,55 @@ impl Chosen {
         em.min(self.label.em)
     }
 
-    /// The same with letters of another size around the same middle.
-    pub fn resized(&self, em: f32, coast: Option<&CoastDistance>) -> Self {
-        let is_afloat = |letters: &[Placed]| {
-            let corners = |letter: &Placed| letter.around(em).corners();
-            letters.iter().flat_map(corners).all(|at| coast.is_none_or(|coast| coast.height(at) <= -FROM_COAST * em))
-        };
+    /// The same with letters as small as they are on such pictures; as it is where those would be in the way of its river.
+    pub fn resized<G: Background>(&self, input: &Input<'_>, background: &G) -> Self {
+        let em = self.em(input);
         let letters = match &self.shrinks {
-            Shrinks::Along(line) => self.along(line, em),
-            Shrinks::ToMiddle => self.shrunk(self.middle(), em),
+            _ if em >= self.label.em => None,
+            Shrinks::Along(line, width) => {
+                let is_clear = |letters: &[Placed]| self.is_clear(letters, em, input);
+                let belongs = |letters: &[Placed]| {
+                    self.label.river.is_none_or(|river| belongs(background, letters, em, river, *width))
+                };
+                self.along(line, em).find(|letters| is_clear(letters) && belongs(letters))
+            }
+            Shrinks::ToMiddle => Some(self.shrunk(self.middle(), em)),
             Shrinks::Towards(place) => {
-                let nearer = self.shrunk(*place, em);
-                if is_afloat(&nearer) { nearer } else { self.shrunk(self.middle(), em) }
+                let nearer = Some(self.shrunk(*place, em)).filter(|letters| is_afloat(letters, em, input));
+                nearer.or_else(|| Some(self.shrunk(self.middle(), em)))
             }
         };
-        Self { label: Label { em, letters, ..self.label.clone() }, ..self.clone() }
+        let label = letters.map(|letters| Label { em, letters, ..self.label.clone() });
+        Self { label: label.unwrap_or_else(|| self.label.clone()), ..self.clone() }
     }
 
-    /// Its letters about the middle of its line.
-    fn along(&self, line: &Line, em: f32) -> Vec<Placed> {
+    /// Its letters about the middle of its line, or a little before or behind that.
+    fn along(&self, line: &Line, em: f32) -> impl Iterator<Item = Vec<Placed>> {
+        const OFF: [f32; 7] = [0.0, -0.15, 0.15, -0.3, 0.3, -0.45, 0.45];
         let start = (line.length() - self.text.length * em) * 0.5;
-        let mut walk = walk_from(line, start);
-        let place = |letter: &Letter| {
-            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * em));
-            between(letter, from, to, em)
+        let letters = move |off: f32| {
+            let mut walk = walk_from(line, start + off * em);
+            let place = |letter: &Letter| {
+                let ends = [letter.at, letter.at + letter.glyph.advance];
+                let [from, to] = ends.map(|at| walk.at(start + (off + at) * em));
+                between(letter, from, to, em)
+            };
+            self.text.letters.iter().map(place).collect::<Option<Vec<Placed>>>()
         };
-        self.text.letters.iter().filter_map(place).collect()
+        OFF.into_iter().filter_map(letters)
+    }
+
+    /// Returns `true` if letters can be read, and none touches its river.
+    fn is_clear(&self, letters: &[Placed], em: f32, input: &Input<'_>) -> bool {
+        let mut turns = Turns::default();
+        let is_readable = |letter: &Placed| is_upright(letter.along) && turns.take(letter.along).is_some();
+        let river = self.label.river.filter(|_| self.label.kind == Kind::River);
+        let course = river.map_or(&[][..], |river| &input.rivers[river as usize].course);
+        let touches = |letter: &Placed| {
+            let around = letter.around(em);
+            course.windows(2).any(|pair| around.meets_river(pair))
+        };
+        letters.iter().all(is_readable) && !letters.iter().any(touches)
     }
 
     /// Its letters, nearer to a place.
@@ -100,4 +125,11 @@ pub fn middle(label: &Label) -> Vec2 {
     let half = |letter: &Placed| letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), label.em);
     let ends = [label.letters.first(), label.letters.last()].map(|letter| letter.map_or(Vec2::ZERO, half));
     (ends[0] + ends[1]) * 0.5
+}
+
+/// Returns `true` if letters are all on the water, off the coast.
+fn is_afloat(letters: &[Placed], em: f32, input: &Input<'_>) -> bool {
+    let corners = |letter: &Placed| letter.around(em).corners();
+    let coast = |at: Vec2| input.coast.map_or(f32::MIN, |coast| coast.height(at));
+    letters.iter().flat_map(corners).all(|at| coast(at) <= -FROM_COAST * em)
 }

@@ -24,7 +24,7 @@ const CLEAR: f32 = 0.25;
 
 /// The letters and numbers, each twice, on opposite sides.
 pub fn letters(input: &Input<'_>, grid: &SheetGrid) -> Vec<Label> {
-    let [least, most] = input.frame;
+    let [least, most] = input.view;
     let off = 0.5 * MARGIN * grid.em;
     let columns = cells(least.x, most.x, grid).flat_map(|(number, x)| {
         let name = char::from(b'A' + (number % 26) as u8).to_string();
@@ -60,7 +60,7 @@ fn letter(name: &str, middle: Vec2, em: f32) -> Label {
 
 /// The margin and the line around the map, the ends of the grid's lines in it, and where they cross, but for crossings in the way of something.
 pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid, taken: &[(u32, Box)]) -> Label {
-    let ([least, most], em) = (input.frame, grid.em);
+    let ([least, most], em) = (input.view, grid.em);
     let along = |least: f32, most: f32| {
         let numbers = (least / grid.every).floor() as u32 + 1..(most / grid.every).ceil() as u32;
         numbers.map(|number| number as f32 * grid.every)

@@ -110,7 +110,7 @@ impl Search<'_> {
             Some((off, start, self.lay(&line, start)?))
         });
         let best = tries.filter(|(.., letters)| self.is_free(letters)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-        best.map(|(_, start, letters)| (letters, Shrinks::Along(line.part(start, length))))
+        best.map(|(_, start, letters)| (letters, Shrinks::Along(line.part(start, length), 0.0)))
     }
 
     fn lay(&self, line: &Line, start: f32) -> Option<Vec<Placed>> {

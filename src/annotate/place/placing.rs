@@ -43,7 +43,7 @@ pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
         level.set(&mut at_level);
         chosen = Map::new(&at_level, background, level, chosen).choose();
     }
-    let chosen: Vec<Chosen> = chosen.iter().map(|chosen| chosen.resized(chosen.em(input), input.coast)).collect();
+    let chosen: Vec<Chosen> = chosen.iter().map(|chosen| chosen.resized(input, background)).collect();
     finish(input, background, chosen)
 }
 
@@ -53,6 +53,8 @@ fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>)
     let corners = blocks(input, background, &mut boxes);
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
     labels.retain(|label| is_shown(input, label));
+    // Stable: rivers first, in the order of their importance.
+    labels.sort_by_key(|label| label.river.is_none());
     let Marks { elevations, grid, .. } = &input.marks;
     if let Some(elevations) = elevations {
         for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
@@ -135,13 +137,13 @@ struct Map<'a, G> {
 impl<'a, G: Background> Map<'a, G> {
     /// A map with the labels of smaller pictures.
     fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: Vec<Chosen>) -> Self {
-        let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(chosen.em(input), input.coast)).collect();
+        let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(input, background)).collect();
         let mut boxes = chosen.iter().flat_map(Chosen::boxes).collect();
         blocks(input, background, &mut boxes);
         let mut this = Self { input, background, level, chosen, boxes };
         for (number, before) in before.iter().enumerate() {
-            if this.chosen[number].label.em < before.label.em {
-                this.draw_near(number);
+            if before.em(input) < before.label.em {
+                this.draw_near(number, before.em(input));
             }
         }
         this
@@ -155,9 +157,9 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Lets a label that has become smaller stand as near to its river as such letters do, and in full, if nothing is in the way.
-    fn draw_near(&mut self, number: usize) {
-        let Chosen { label, usual, shrinks: Shrinks::Along(line), .. } = &self.chosen[number] else { return };
-        let (Kind::River, Some(river), em) = (label.kind, label.river, label.em) else { return };
+    fn draw_near(&mut self, number: usize, em: f32) {
+        let Chosen { label, usual, shrinks: Shrinks::Along(line, _), .. } = &self.chosen[number] else { return };
+        let (Kind::River, Some(river)) = (label.kind, label.river) else { return };
         let (usual, name) = (*usual, &self.input.rivers[river as usize].name);
         let ends = [line.at.first(), line.at.last()].map(|at| at.copied().unwrap_or_default());
         let middle = (ends[0] + ends[1]) * 0.5;
@@ -338,8 +340,8 @@ impl<'a, G: Background> Map<'a, G> {
                 most_cost,
                 is_lenient,
             };
-            let (label, line) = search.label(form)?;
-            Some(Chosen { label, text: text_of, usual, over_least: 1.0, shrinks: Shrinks::Along(line) })
+            let (label, line, width) = search.label(form)?;
+            Some(Chosen { label, text: text_of, usual, over_least: 1.0, shrinks: Shrinks::Along(line, width) })
         })
     }
 

@@ -50,7 +50,7 @@ pub fn region<G: Background>(
         let search = Search { input, background, taken, line: &line, em: em(usual), text, is_range };
         let (letters, on) = search.best()?;
         let label = Label::new(Kind::Region, None, name, search.em, letters);
-        Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::Along(on) })
+        Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::Along(on, 0.0) })
     })
 }
 

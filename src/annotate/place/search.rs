@@ -75,13 +75,15 @@ struct Candidate {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// The label in the best place, with the line that it stands on; `None` if there is none.
-    pub fn label(&self, text: &str) -> Option<(Label, Line)> {
+    /// The label in the best place, with the line that it stands on and how wide the river is there; `None` if there is none.
+    pub fn label(&self, text: &str) -> Option<(Label, Line, f32)> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        let line = self.lines[candidate.line].part(candidate.start, self.text.length * self.em);
-        Some((Label::new(self.kind, Some(self.river), text, self.em, letters), line))
+        let (line, length) = (&self.lines[candidate.line], self.text.length * self.em);
+        let width = line.width[walk_from(line, candidate.start + length * 0.5).place()];
+        let label = Label::new(self.kind, Some(self.river), text, self.em, letters);
+        Some((label, line.part(candidate.start, length), width))
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.
@@ -246,7 +248,7 @@ impl<G: Background> Search<'_, G> {
         }
         let count = letters.len() as f32;
         let mean = own_sum / count;
-        if count == 0.0 || (own_sum * NEARER > rival_sum && !self.is_lenient) {
+        if count == 0.0 || own_sum * NEARER > rival_sum {
             return None;
         }
         if self.kind == Kind::Reach {
@@ -271,4 +273,16 @@ impl<G: Background> Search<'_, G> {
                 && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
         })
     }
+}
+
+/// Returns `true` if letters, of an em in units, are nearer to their river, which is so wide there, than to any that could be taken for it.
+pub fn belongs<G: Background>(background: &G, letters: &[Placed], em: f32, river: u32, width: f32) -> bool {
+    let (mut own, mut rival) = (0.0, 0.0);
+    for letter in letters {
+        let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), em);
+        let distances = background.distances(middle, river, RIVAL * width, FARTHEST * em);
+        own += distances[0];
+        rival += distances[1];
+    }
+    own * NEARER <= rival
 }

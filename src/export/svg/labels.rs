@@ -29,19 +29,25 @@ pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
     AnnotationText { halo: halo.into_string(), labels: letters.into_string() }
 }
 
-/// Writes the mask that leaves rivers out around letters.
+/// How far the halo fades around its edge: the standard deviation of a blur, in units.
+const FEATHER: f32 = 1.0;
+/// How strong a halo is that every letter has: pictures lay it only where the ground asks for it.
+const EVERYWHERE: f32 = 0.5;
+
+/// Writes the mask that leaves rivers out around letters, fading outward.
 fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     if labels.is_empty() {
         return;
     }
     out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
-    out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n");
+    out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n<filter id=\"feather\"><feGaussianBlur stdDeviation=\"");
+    out.units(FEATHER).text("\"/></filter>\n<g filter=\"url(#feather)\">\n");
     for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
         out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
             .units(2.0 * label.kind.halo() * label.em);
         out.text("\" d=\"").path(&outlines(label)).text("\"/>\n");
     }
-    out.text("<g stroke=\"#000\" stroke-linecap=\"round\">\n");
+    out.text("</g>\n<g stroke=\"#000\" stroke-linecap=\"round\">\n");
     for label in labels.iter().filter(|label| !label.kind.is_block()) {
         let mut path = Path::default();
         label.spaces().for_each(|ends| path.line(&ends));
@@ -176,7 +182,7 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
 /// Writes the attributes of the halo around letters, if there is one.
 fn halo(out: &mut Text, label: &Label, look: LabelLook) {
     if let Some((colour, strength)) = look.halo.filter(|_| !label.kind.is_afloat()) {
-        out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(strength);
+        out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(EVERYWHERE * strength);
         out.text("\" stroke-linejoin=\"round\" stroke-width=\"").units(2.0 * label.kind.halo() * label.em).text("\"");
     }
 }
