@@ -38,7 +38,7 @@ const FROM_RIDGES: f32 = 8.0;
 const RANGE: f32 = 150.0;
 /// Land as high as this has hills beside divides, and as high as that mountains, as shares of the highest.
 pub const HIGH: f32 = 0.3;
-pub const ALPINE: f32 = 0.48;
+pub const ALPINE: f32 = 0.52;
 /// How far inland main divides have mountains in the middle of their ranges, where heights are not known, in units.
 const FAR: f32 = 70.0;
 
