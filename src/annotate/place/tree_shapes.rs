@@ -31,14 +31,16 @@ pub(super) fn broadleaf(mut hand: Hand) -> Shape {
 pub(super) fn canopy(mut hand: Hand) -> Shape {
     let radius = at(hand.between(0.42, 0.44), hand.between(0.41, 0.43));
     let middle = at(hand.swing(0.02), -0.54);
-    let boughs = [2, 0, 1, 2, 1, 0, 1, 2][usize::from(hand.number) % 8];
-    let shade = (0..boughs).map(|i| {
-        let start = middle + at(-0.14 + 0.15 * i as f32 + hand.swing(0.03), 0.06 + hand.swing(0.08));
-        let end = start + at(0.15, -0.02 + hand.swing(0.03));
-        PenStroke::dash(start, (start + end) * 0.5 - at(0.0, 0.14), end, [PEN * 0.5, PEN * 0.9])
+    // A row of treetops, seen over those before it.
+    let tops = [3u8, 0, 0, 2, 0, 0, 3, 0][usize::from(hand.number) % 8];
+    let mut start = middle + at(-0.2 + hand.swing(0.04), hand.swing(0.08));
+    let shade = (0..tops).map(|_| {
+        let from = start;
+        start += at(hand.between(0.12, 0.17), hand.swing(0.05));
+        PenStroke::dash(from, (from + start) * 0.5 - at(0.0, 0.13), start, [PEN * 0.6, PEN * 0.9])
     });
     let shade = shade.collect();
-    tree(Feature::Canopy, &mut hand, (middle, radius, 6), shade)
+    tree(Feature::Canopy, &mut hand, (middle, radius, 5), shade)
 }
 
 /// A small tree of a row.
@@ -55,7 +57,7 @@ fn tree(feature: Feature, hand: &mut Hand, (middle, radius, boughs): (Vec2, Vec2
     let turn = hand.between(0.0, 1.0);
     let corner = |hand: &mut Hand, i: u8| {
         let angle = (f32::from(i) + turn + hand.swing(0.16)) / f32::from(boughs) * std::f32::consts::TAU;
-        middle + at(libm::cosf(angle), libm::sinf(angle)) * radius * hand.between(0.86, 0.92)
+        middle + at(libm::cosf(angle), libm::sinf(angle)) * radius * hand.between(0.82, 0.88)
     };
     let corners: Vec<Vec2> = (0..boughs).map(|i| corner(hand, i)).collect();
     // A bough bulges out between two corners.
@@ -64,7 +66,7 @@ fn tree(feature: Feature, hand: &mut Hand, (middle, radius, boughs): (Vec2, Vec2
             let (from, to) = (corners[i], corners[(i + 1) % corners.len()]);
             let half = (from + to) * 0.5;
             let out = (half - middle) / radius;
-            [middle + out.normalize_or_zero() * radius * 1.16, to]
+            [middle + out.normalize_or_zero() * radius * (2.0 - 0.9 * half.distance(middle) / radius.x), to]
         })
         .collect();
     // Of an outline that others cut into, the outer half is left; it is heavier away from the light.
