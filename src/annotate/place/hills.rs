@@ -105,6 +105,8 @@ impl Rules<'_> {
         if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
         }
+        let (at, room) = self.roomiest(at);
+        let high = self.input.heights.map(|heights| heights.share(at));
         let is_alpine = match high {
             Some(high) => high >= ALPINE,
             None => is_main && inland >= FAR && range >= 0.8,
@@ -118,7 +120,6 @@ impl Rules<'_> {
             true => (Feature::Mountain, [LEAST_MOUNTAIN, MOST_MOUNTAIN]),
             false => (Feature::Hill, [LEAST, MOST]),
         };
-        let (at, room) = self.roomiest(at);
         let uneven = 0.8 + 0.2 * self.chance.unit([number, 1, 1]);
         let largest = (least + (most - least) * (0.35 + 0.65 * rise)) * uneven;
         let half = largest.min((room - FROM_BANKS) / REACH);

@@ -206,7 +206,7 @@ fn is_shown(one: &Standing, scale: f32) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::annotate::place::SHAPES;
+    use crate::annotate::place::{Feature, SHAPES};
     use crate::base::memory::testing::with_lists_up_to;
     use crate::domain::Domain;
     use crate::paint::styles::scenery_look;
@@ -231,11 +231,12 @@ mod tests {
     #[test]
     fn what_is_nearer_hides_what_is_behind_it_and_nothing_else() {
         for shape in 0..SHAPES.len() as u8 {
-            let aside = if SHAPES[usize::from(shape)].feature.is_tree() {
-                Vec2::new(20.0, 40.0)
-            } else {
-                Vec2::new(40.0, 25.0)
-            };
+            let feature = SHAPES[usize::from(shape)].feature;
+            // Round crowns have a test of their own, and reeds are next to nothing.
+            if feature.is_leafy() || feature == Feature::Marsh {
+                continue;
+            }
+            let aside = if feature.is_plant() { Vec2::new(20.0, 40.0) } else { Vec2::new(40.0, 25.0) };
             let behind = standing(shape, 0, Vec2::new(480.0, 480.0), 100.0);
             let front = Standing { number: 2, foot: behind.foot + aside, ..behind };
             let (alone, both) = (drawn(&[front], Style::Ink), drawn(&[behind, front], Style::Ink));
@@ -248,6 +249,48 @@ mod tests {
             let apart = [behind, Standing { foot: Vec2::new(800.0, 800.0), ..front }];
             assert!(ink(&drawn(&apart, Style::Ink)).abs_diff(2 * whole) < whole / 10, "{shape}");
         }
+    }
+
+    #[test]
+    fn crowns_that_touch_have_one_edge_around_all_of_them() {
+        // A crown without treetops in it.
+        let shape = Feature::Canopy.shapes().find(|&shape| SHAPES[usize::from(shape)].shade.is_empty()).unwrap();
+        let crown = |number: u32, x: f32| standing(shape, number, Vec2::new(x, 560.0), 250.0);
+        let all = [crown(0, 440.0), crown(1, 560.0)];
+        let painter = drawn(&all, Style::Ink);
+        let [one, other] = [0, 1].map(|i| ink(&drawn(&all[i..=i], Style::Ink)));
+        assert!(ink(&painter) < (one + other) * 4 / 5, "{} of {}", ink(&painter), one + other);
+        let (mask, edge) = (painter.mask.mask(), &SHAPES[usize::from(shape)].silhouette);
+        // The edge of each within the other is gone, but for what lies at the other's own.
+        let inside = |at: Vec2, other: &Standing| (at - other.foot - Vec2::new(0.0, -0.54 * 250.0)).length() < 75.0;
+        for (this, other) in [(&all[0], &all[1]), (&all[1], &all[0])] {
+            let points = edge.curves.iter().map(|curve| this.foot + curve[1] * this.size);
+            let within: Vec<Vec2> = points.filter(|at| inside(*at, other)).collect();
+            assert!(!within.is_empty());
+            for at in within {
+                let at = at * 0.2;
+                let pixel = mask.data()[at.y as usize * 200 + at.x as usize];
+                assert_eq!(pixel, 0, "{at}");
+            }
+        }
+        // The dark side is right and below.
+        let washed = |x: f32, y: f32| painter.washed.mask().data()[y as usize * 200 + x as usize];
+        assert!(washed(80.0, 85.0) == 0 && washed(112.0, 100.0) == 0);
+    }
+
+    #[test]
+    fn the_wash_of_a_wood_lies_on_its_right_and_below() {
+        let crown = [standing(6, 0, Vec2::new(500.0, 560.0), 100.0)];
+        let painter = drawn(&crown, Style::Ink);
+        let (mut sum, mut count) = (Vec2::ZERO, 0.0);
+        for (i, &washed) in painter.washed.mask().data().iter().enumerate() {
+            let at = Vec2::new((i % 200) as f32, (i / 200) as f32) + 0.5;
+            sum += at * f32::from(washed);
+            count += f32::from(washed);
+        }
+        let middle = Vec2::new(500.0, 560.0 - 54.0) * 0.2;
+        let aside = sum / count - middle;
+        assert!(count > 0.0 && aside.x > 1.0 && aside.y > 1.0, "{aside} of {count}");
     }
 
     #[test]
@@ -270,7 +313,9 @@ mod tests {
     fn glyphs_beyond_the_picture_are_no_matter_and_without_memory_there_are_none() {
         let beyond =
             [Vec2::new(-500.0, 20.0), Vec2::new(20.0, 4000.0), Vec2::new(-2.0, -3.0), Vec2::new(1002.0, 1003.0)];
-        drawn(&beyond.map(|foot| standing(9, 0, foot, 60.0)), Style::Survey);
+        for shape in [7, 18, 24, 30, 40] {
+            drawn(&beyond.map(|foot| standing(shape, 0, foot, 60.0)), Style::Survey);
+        }
         let view = View::new(&Domain::with_aspect(1.0), 2000, 2000).unwrap();
         let look = scenery_look(Style::Ink).unwrap();
         assert!(with_lists_up_to(3_000_000, || SceneryPainter::new(&view, look)).is_none());
