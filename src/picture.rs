@@ -217,7 +217,7 @@ impl Picture {
         land: Option<&Land>,
     ) -> Painted {
         let annotation = self.annotation.as_ref().map(|(_, annotation)| annotation);
-        let relief = relief.map(|relief| (relief, recipe.number(NumberKey::Shade)));
+        let relief = relief.map(|relief| (relief, recipe.shade()));
         let (courses, style) = (recipe.get(), recipe.get());
         let coast = is_finished.then(|| (Seed::from_text(recipe.seed()), recipe.number(NumberKey::Roughness)));
         self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, coast, annotation, style })

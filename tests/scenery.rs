@@ -54,7 +54,7 @@ fn coord(at: Vec2) -> geo::Coord<f64> {
 fn line(stroke: &PenStroke, one: &Standing) -> geo::LineString<f64> {
     const PIECES: u32 = 12;
     let (mut from, mut points) = (stroke.start, vec![stroke.start]);
-    for &[control, end] in stroke.curves {
+    for &[control, end] in &stroke.curves {
         let at = |t: f32| from * ((1.0 - t) * (1.0 - t)) + control * (2.0 * t * (1.0 - t)) + end * (t * t);
         points.extend((1..=PIECES).map(|i| at(i as f32 / PIECES as f32)));
         from = end;
@@ -65,7 +65,8 @@ fn line(stroke: &PenStroke, one: &Standing) -> geo::LineString<f64> {
 /// A glyph's silhouette, and all of its strokes.
 fn shapes(one: &Standing) -> (geo::Polygon<f64>, Vec<geo::LineString<f64>>) {
     let shape = one.shape();
-    let strokes = shape.outline.iter().chain(shape.shade).map(|stroke| line(stroke, one)).collect();
+    let strokes = shape.outline.iter().chain(&shape.shade).chain(&shape.wash);
+    let strokes = strokes.map(|stroke| line(stroke, one)).collect();
     (geo::Polygon::new(line(&shape.silhouette, one), vec![]), strokes)
 }
 
@@ -135,7 +136,7 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
         prop_assert!(clear >= f64::from(FROM_BANKS) - SLACK, "{one:?} is {clear} from a bank");
         let foot = discs_near(one.foot, 20.0, &water).into_iter().map(|disc| one.foot.distance(disc.at) - disc.half);
         let foot = foot.fold(f32::MAX, f32::min);
-        prop_assert!(!one.is_tree() || foot >= FOOT_FROM_BANKS - 0.01, "{one:?} has its foot {foot} from a bank");
+        prop_assert!(!one.is_plant() || foot >= FOOT_FROM_BANKS - 0.01, "{one:?} has its foot {foot} from a bank");
         check_coast_and_letters(one, &input)?;
     }
     prop_assert!(all.windows(2).all(|pair| pair[0].foot.y <= pair[1].foot.y), "the nearest come last");
@@ -168,7 +169,7 @@ proptest! {
     #![proptest_config(first(3, large(500)))]
 
     fn nothing_stands_in_water_on_letters_or_nearer_to_a_bank_than_said(
-        link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(vec!["ink", "basins", "parchment", "past-courses"]),
+        link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(vec!["ink", "basins", "parchment", "ink-wash", "past-courses"]),
     ) {
         let rounds = rounds.to_string();
         let more = [(Key::MeanderRounds, &*rounds), (Key::GreatRivers, "5"), (Key::Style, style), (Key::Labels, "some")];
@@ -191,8 +192,10 @@ proptest! {
         let maps = [&sessions[0], &sessions[1]].map(|session| session.map().unwrap());
         let [before, after] = maps.each_ref().map(|map| placed(map, 1400.0));
         for (here, there) in [(&before, &after), (&after, &before)] {
-            let trees: BTreeMap<u32, &Standing> = there.0.iter().map(|tree| (tree.number, tree)).collect();
-            for tree in &here.0 {
+            // Marshes and rows of trees go where their river goes.
+            let is_tree = |one: &&Standing| !matches!(one.feature(), Feature::Marsh | Feature::Willow);
+            let trees: BTreeMap<u32, &Standing> = there.0.iter().filter(is_tree).map(|tree| (tree.number, tree)).collect();
+            for tree in here.0.iter().filter(is_tree) {
                 match trees.get(&tree.number) {
                     Some(same) => prop_assert_eq!(tree, *same),
                     // A disc that holds a part of a tree is larger than that by less than this.
@@ -263,7 +266,7 @@ fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {
         let session = finished(&format!("{MAP}&{more}"));
         let map = session.map().unwrap();
         let all = scenery::input(&map, &[]).map_or_else(Vec::new, |input| Scenery::whole(&input));
-        let trees = all.iter().filter(|one| one.is_tree()).count();
+        let trees = all.iter().filter(|one| one.is_plant()).count();
         (trees, all.len() - trees)
     };
     let trees = ["woods=0", "woods=0.2", "woods=0.5", "woods=1"].map(|woods| count(woods).0);
@@ -292,6 +295,81 @@ fn hills_are_higher_where_the_land_is() {
     assert!(hill > 0.2 * highest && mountain > 0.6 * highest, "{hill} and {mountain} of {highest}");
 }
 
+/// The scenery of a map in a style with its relief, and its heights as shares of the highest.
+fn with_heights(link: &str, check: impl Fn(&[Standing], &SceneryInput<'_>, &dyn Fn(Vec2) -> f32)) {
+    let session = finished(link);
+    let map = session.map().unwrap();
+    let (all, input) = placed(&map, 1400.0);
+    let heights = input.heights.unwrap();
+    check(&all, &input, &|at| heights.share(at));
+}
+
+fn of(all: &[Standing], feature: Feature) -> Vec<&Standing> {
+    all.iter().filter(|one| one.feature() == feature).collect()
+}
+
+#[test]
+fn mountains_stand_on_high_ground_alone_and_the_largest_highest() {
+    for style in ["parchment", "ink-wash", "basins"] {
+        with_heights(&format!("{MAP}&hills=1&style={style}"), |all, _, height| {
+            let mountains = of(all, Feature::Mountain);
+            assert!(mountains.len() > 30, "{} in {style}", mountains.len());
+            // The middle of its height is on the place that it was chosen for.
+            let middle = |one: &Standing| height(one.foot - Vec2::new(0.0, 0.5 * one.size));
+            assert!(mountains.iter().all(|one| middle(one) > 0.5), "{style}");
+            let mean = |all: &[&Standing]| all.iter().map(|one| middle(one)).sum::<f32>() / all.len() as f32;
+            let (tall, low): (Vec<&Standing>, Vec<&Standing>) = mountains.iter().partition(|one| one.shape >= 44);
+            assert!(mean(&tall) > mean(&low) + 0.1, "{} and {}", mean(&tall), mean(&low));
+        });
+    }
+}
+
+#[test]
+fn conifers_are_high_and_broad_leaves_low() {
+    with_heights(&format!("{MAP}&woods=1&style=atlas"), |all, _, height| {
+        let mean = |feature: Feature| {
+            let trees = of(all, feature);
+            assert!(trees.len() > 100, "{} of {feature:?}", trees.len());
+            trees.iter().map(|one| height(one.foot)).sum::<f32>() / trees.len() as f32
+        };
+        let [low, high] = [Feature::Canopy, Feature::Conifer].map(mean);
+        assert!(high > 1.8 * low, "{low} and {high}");
+    });
+}
+
+#[test]
+fn marshes_lie_on_level_low_ground_near_great_rivers_and_rows_along_them() {
+    with_heights("land=island&sea=0.55&attractors=3000&seed=elbe&woods=0.7&style=parchment", |all, input, height| {
+        // Three units wide at least.
+        let great: Vec<&[Place]> = input.streams.iter().flat_map(|stream| stream.course.windows(2)).collect();
+        let great: Vec<&[Place]> =
+            great.into_iter().filter(|piece| piece.iter().any(|place| place.half >= 1.5)).collect();
+        let away = |one: &Standing| {
+            let discs = discs_near(one.foot, 40.0, &great).into_iter();
+            discs.map(|disc| disc.at.distance(one.foot) - disc.half).fold(f32::MAX, f32::min)
+        };
+        let (marshes, rows) = (of(all, Feature::Marsh), of(all, Feature::Willow));
+        assert!(marshes.len() > 5 && rows.len() > 20, "{} marshes, {} trees in rows", marshes.len(), rows.len());
+        for marsh in marshes {
+            let here = height(marsh.foot);
+            let level = |way: Vec2| (height(marsh.foot + way * 8.0) - here).abs() <= 0.05;
+            assert!(here <= 0.09 && [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].into_iter().all(level), "{marsh:?}");
+            assert!(away(marsh) < 30.1, "{marsh:?}");
+        }
+        for tree in rows {
+            assert!(away(tree) < 8.6, "{tree:?}");
+        }
+    });
+}
+
+#[test]
+fn light_gives_way_to_hills_where_both_show_the_relief() {
+    let shade = |link: &str| link::read(link).unwrap().shade();
+    assert_eq!(shade("style=parchment"), shade("style=parchment&woods=1"));
+    assert!(shade("style=parchment&hills=1") < 0.2 * shade("style=parchment"));
+    assert_eq!(shade("style=atlas&hills=1"), shade("style=atlas"));
+}
+
 #[test]
 fn scenery_does_not_depend_on_how_large_a_picture_is() {
     let session = finished(&format!("{MAP}&woods=0.6&hills=0.6"));
@@ -308,16 +386,22 @@ fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() 
     let document = roxmltree::Document::parse(&text).unwrap();
     let ids: BTreeMap<&str, roxmltree::Node<'_, '_>> =
         document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
-    for (group, is_wood) in [("woods", true), ("hills", false)] {
+    for (group, is_wood, is_leafy) in [("crowns", true, true), ("others", true, false), ("hills", false, false)] {
         let expected: Vec<String> = all
             .iter()
-            .filter(|one| one.is_tree() == is_wood)
+            .filter(|one| one.is_plant() == is_wood && one.feature().is_leafy() == is_leafy)
             .map(|one| format!("#{}-{}", if is_wood { "tree" } else { "hill" }, one.shape))
             .collect();
+        assert!(expected.len() > 30, "{group}");
         let uses: Vec<&str> = ids[group].children().filter_map(|node| node.attribute("href")).collect();
         assert_eq!(uses, expected, "{group}");
         assert!(uses.iter().all(|href| ids[&href[1..]].has_tag_name("symbol")), "{group}");
     }
+    // What crowns cover is emptied once all of their outlines are there; then come the others.
+    let woods: Vec<&str> =
+        ids["woods"].children().filter_map(|node| node.attribute("href").or(node.attribute("id"))).collect();
+    assert_eq!(woods, ["#crowns", "others"]);
+    assert_eq!(ids["crowns"].parent().and_then(|parent| parent.parent_element()), Some(ids["woods"]));
     assert_eq!(ids["scenery"].attribute("mask"), Some("url(#strokes)"));
     assert!(svg("woods=0.5&style=survey").contains("url(#bodies)") && !svg("woods=0.5&style=survey").contains("hill"));
     assert!(!svg("hills=0.5").contains("\"woods\""));

@@ -99,15 +99,6 @@ impl Coverage {
         rects
     }
 
-    /// Returns `true` if anything is drawn in a rectangle.
-    #[cfg(feature = "names")]
-    pub fn is_drawn_on(&self, rect: Rect) -> bool {
-        let row = |row: u32| row as usize * self.mask.width() as usize;
-        let mut rows = (rect.top..rect.bottom)
-            .map(|y| &self.mask.data()[row(y) + rect.left as usize..row(y) + rect.right as usize]);
-        rows.any(|row| row.iter().any(|&coverage| coverage > 0))
-    }
-
     /// Reduces the coverage of pixels by shares in 255ths.
     pub fn take_away(&mut self, pixels: impl Iterator<Item = (usize, u8)>) {
         let mask = self.mask.data_mut();
@@ -129,15 +120,25 @@ impl Coverage {
         }
     }
 
-    /// Raises the coverage in a rectangle to shares, row by row, where it is lower.
+    /// Raises the coverage in a rectangle to shares of a strength, row by row, where it is lower.
     #[cfg(feature = "names")]
-    pub fn add_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
+    pub fn add_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>, strength: f32) {
         let width = self.mask.width() as usize;
         for (row, shares) in (rect.top as usize..).zip(rows) {
             let pixels = &mut self.mask.data_mut()[row * width + rect.left as usize..row * width + rect.right as usize];
             for (pixel, share) in pixels.iter_mut().zip(shares).filter(|(_, share)| *share > 0.0) {
-                *pixel = (*pixel).max((share * 255.0 + 0.5) as u8);
+                *pixel = (*pixel).max((share * strength * 255.0 + 0.5) as u8);
             }
+        }
+    }
+
+    /// Raises the coverage of pixels to that in another mask of the same size, where it is lower.
+    #[cfg(feature = "names")]
+    pub fn add(&mut self, other: &Self) {
+        let mask = self.mask.data_mut();
+        for (i, share) in Covered::by(other.mask.data()) {
+            let Some(pixel) = mask.get_mut(i) else { return };
+            *pixel = (*pixel).max(share);
         }
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Picture, Source, is_same};
 use crate::paint::{Painted, Rivers};
-use crate::recipe::{Key, NumberKey, Recipe};
+use crate::recipe::{Key, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
 
 /// The kind of difference between two recipes for which there is a draft.
@@ -74,7 +74,7 @@ impl Picture {
         }
         let relief = self.drafts.relief(session, wanted)?;
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
-        let relief = Some((&relief, recipe.number(NumberKey::Shade)));
+        let relief = Some((&relief, recipe.shade()));
         let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
         let rivers = Rivers { network, past, rounds, courses, land, relief, coast: None, annotation: None, style };

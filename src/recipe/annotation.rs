@@ -16,6 +16,13 @@ impl Recipe {
         [shown(NumberKey::Woods, style.has_woods()), shown(NumberKey::Hills, style.has_hills())]
     }
 
+    /// The exaggeration of heights for light and shadow: less where hills are drawn, which show the relief in their own way.
+    pub fn shade(&self) -> f32 {
+        const GIVES_WAY: f32 = 0.85;
+        let [_, hills] = self.scenery();
+        self.number(NumberKey::Shade) * (1.0 - GIVES_WAY * hills)
+    }
+
     /// Returns `true` if the map has woods or hills.
     pub fn has_scenery(&self) -> bool {
         self.scenery() != [0.0; 2]

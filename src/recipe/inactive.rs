@@ -205,7 +205,12 @@ impl Given<'_> {
     }
 
     fn no_hills(&self) -> Reason {
-        (!self.recipe.get::<Style>().has_hills()).then_some("this style shows no hills")
+        let style = self.recipe.get::<Style>();
+        match (style.has_hills(), style.has_relief()) {
+            (true, _) => None,
+            (false, true) => Some("this style shows the relief itself, without signs for hills"),
+            (false, false) => Some("this style shows no hills"),
+        }
     }
 
     fn no_labels(&self) -> Reason {
@@ -293,6 +298,8 @@ mod tests {
             ("style=ink&land=rectangle", Key::Woods),
             ("style=ink&land=rectangle", Key::Hills),
             ("style=survey", Key::Woods),
+            ("style=parchment", Key::Hills),
+            ("style=ink-wash", Key::Hills),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
         }
@@ -323,6 +330,7 @@ mod tests {
         ("mountains plains rills", "this style shows no relief, though files of heights have it");
     const NO_WOODS: (&str, &str) = ("woods", "this style shows no woods");
     const NO_HILLS: (&str, &str) = ("hills", "this style shows no hills");
+    const RELIEF_ITSELF: (&str, &str) = ("hills", "this style shows the relief itself, without signs for hills");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
     /// Values that are set over the lively recipe, and the keys without effect in the result, each with its reason.
@@ -470,8 +478,8 @@ mod tests {
             "style=skeleton",
             &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS, NO_WOODS, NO_HILLS],
         ),
-        ("style=atlas", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_HILLS]),
-        ("style=orbit", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_WOODS, NO_HILLS]),
+        ("style=atlas", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, RELIEF_ITSELF]),
+        ("style=orbit", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_WOODS, RELIEF_ITSELF]),
         (
             "style=skeleton&meander-rounds=0",
             &[

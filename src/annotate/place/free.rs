@@ -6,7 +6,7 @@ use super::background::{LAKE, Piece, RIDGE};
 use super::banks::Banks;
 use super::input::SceneryInput;
 use super::letters::Box;
-use super::shapes::{Feature, discs};
+use super::standing::Standing;
 
 /// How far all of a glyph keeps from banks, in units, and how far a tree's foot does.
 pub const FROM_BANKS: f32 = 2.4;
@@ -14,6 +14,8 @@ pub const FOOT_FROM_BANKS: f32 = 4.2;
 /// How far all of it keeps from the coast, and from letters.
 pub const FROM_COAST: f32 = 4.0;
 pub const FROM_LETTERS: f32 = 3.0;
+/// How wide great rivers are at least, in units.
+pub const GREAT: f32 = 3.0;
 
 /// A disc of the map: its middle and its radius.
 pub type Disc = (Vec2, f32);
@@ -23,6 +25,8 @@ pub type Disc = (Vec2, f32);
 pub struct FreeGround {
     size: Vec2,
     water: Banks,
+    /// Of rivers so wide that marshes and rows of trees lie along them.
+    great: Banks,
     ridges: Banks,
     letters: Vec<Box>,
 }
@@ -33,9 +37,12 @@ impl FreeGround {
         let streams = (0..).zip(&input.streams).flat_map(|(number, stream)| Piece::along(number, &stream.course));
         let lakes = input.lakes.iter().flat_map(|line| Piece::along(LAKE, line));
         let ridges = input.ridges.iter().flat_map(|line| Piece::along(RIDGE, line));
+        let streams: Vec<Piece> = streams.collect();
+        let great = streams.iter().filter(|piece| piece.is_as_wide_as(GREAT)).copied().collect();
         Self {
             size: input.size,
-            water: Banks::new(input.size, streams.chain(lakes).collect()),
+            great: Banks::new(input.size, great),
+            water: Banks::new(input.size, streams.into_iter().chain(lakes).collect()),
             ridges: Banks::new(input.size, ridges.collect()),
             letters: input.letters.clone(),
         }
@@ -46,13 +53,18 @@ impl FreeGround {
         self.water.distance(at, most)
     }
 
+    /// How far it is from the nearest bank of a great river, at most `most`.
+    pub fn distance_to_great_bank(&self, at: Vec2, most: f32) -> f32 {
+        self.great.distance(at, most)
+    }
+
     /// How far it is from the nearest ridge, at most `most`.
     pub fn distance_to_ridge(&self, at: Vec2, most: f32) -> f32 {
         self.ridges.distance(at, most)
     }
 
     /// Whether all of a glyph is clear of water, coast, ridges and letters.
-    pub fn is_clear(&self, input: &SceneryInput<'_>, feature: Feature, foot: Vec2, size: f32) -> bool {
+    pub fn is_clear(&self, input: &SceneryInput<'_>, one: &Standing) -> bool {
         let is_ashore = |(at, radius): Disc| input.coast.is_none_or(|coast| coast.height(at) >= radius + FROM_COAST);
         let is_dry = |(at, radius): Disc| {
             let clear = radius + FROM_BANKS;
@@ -63,18 +75,13 @@ impl FreeGround {
             let is_far = |letter: &Box| at.distance_squared(letter.middle) > squared(clear + letter.radius());
             self.letters.iter().all(|letter| is_far(letter) || letter.gap([at, at]) > clear)
         };
-        discs_at(feature, foot, size).all(|disc| is_ashore(disc) && is_dry(disc) && is_blank(disc))
+        one.discs().all(|disc| is_ashore(disc) && is_dry(disc) && is_blank(disc))
     }
 
-    /// Things by where they stand, none yet.
-    pub fn spots(&self) -> Spots {
-        Spots::new(self.size)
+    /// Things by where they stand, none yet, on a map so many times as high.
+    pub fn spots(&self, times: f32) -> Spots {
+        Spots::new(self.size * Vec2::new(1.0, times))
     }
-}
-
-/// The discs that a glyph lies within.
-pub fn discs_at(feature: Feature, foot: Vec2, size: f32) -> impl Iterator<Item = Disc> {
-    discs(feature).iter().map(move |(middle, radius)| (foot + Vec2::from(*middle) * size, radius * size))
 }
 
 fn squared(x: f32) -> f32 {
@@ -126,12 +133,12 @@ impl Spots {
 #[cfg(test)]
 mod tests {
     use super::super::input::Stream;
+    use super::super::shapes::SHAPES;
     use super::*;
     use crate::base::random::Seed;
     use crate::land::CoastDistance;
     use crate::network::Place;
 
-    const FEATURES: [Feature; 4] = [Feature::Broadleaf, Feature::Conifer, Feature::Hill, Feature::Mountain];
     const SIZE: Vec2 = Vec2::new(200.0, 120.0);
     const STREAM: [Vec2; 2] = [Vec2::new(80.0, 20.0), Vec2::new(110.0, 50.0)];
     const LAKE: [Vec2; 2] = [Vec2::new(70.0, 95.0), Vec2::new(85.0, 90.0)];
@@ -154,13 +161,13 @@ mod tests {
     }
 
     /// By how much a glyph is clear of the coast, which lies along x = 20, of the stream, the lake, the ridge and the letter.
-    fn rooms(feature: Feature, foot: Vec2, size: f32) -> [f32; 5] {
+    fn rooms(one: &Standing) -> [f32; 5] {
         let rooms = |(at, radius): Disc| {
             let bank = |ends: [Vec2; 2], half: f32| to_segment(at, ends) - half - 2.4 - radius;
             let (coast, letter) = (at.x - 20.0 - 4.0 - radius, to_letter(at) - 3.0 - radius);
             [coast, bank(STREAM, 3.0), bank(LAKE, 5.0), bank(RIDGE, 0.5), letter]
         };
-        discs_at(feature, foot, size)
+        one.discs()
             .map(rooms)
             .fold([f32::MAX; 5], |least, next| std::array::from_fn(|rule| least[rule].min(next[rule])))
     }
@@ -186,14 +193,15 @@ mod tests {
         let ground = FreeGround::new(&input);
         // For each rule, how many glyphs only that one forbids, and by next to nothing.
         let mut narrowly = [0; 5];
-        for (i, feature) in (0..250_000).zip(FEATURES.iter().cycle()) {
+        for (i, shape) in (0..250_000).zip((0..SHAPES.len() as u8).cycle()) {
             let foot = Vec2::new((i as f32 * 0.618_034).fract(), (i as f32 / 250_000.0 * 499.0).fract()) * SIZE;
             let size = 6.2 + 2.6 * (i % 7) as f32 / 6.0;
-            let rooms = rooms(*feature, foot, size);
+            let one = Standing { shape, number: 0, foot, size };
+            let rooms = rooms(&one);
             let least = rooms.into_iter().fold(f32::MAX, f32::min);
             if least.abs() > 1e-3 {
-                let is_clear = ground.is_clear(&input, *feature, foot, size);
-                assert_eq!(is_clear, least > 0.0, "{feature:?} at {foot}, {size} large: {rooms:?}");
+                let is_clear = ground.is_clear(&input, &one);
+                assert_eq!(is_clear, least > 0.0, "{one:?}: {rooms:?}");
             }
             for rule in 0..5 {
                 let is_alone = (0..5).all(|other| (rooms[other] < 0.0) == (other == rule));

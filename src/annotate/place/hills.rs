@@ -1,39 +1,46 @@
-//! Hills: on divides, where there is room for them; and where the relief is known, larger the higher the land is, mountains at last.
+//! Hills: on divides, where there is room for them; and where the relief is known, larger the higher the land is, mountains at last. They
+//! stand in rows, one before the other, so that the nearer hide the feet of the farther, and become ranges.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
 use super::divides::{Divide, Divides};
-use super::free::{FROM_BANKS, FreeGround, discs_at};
+use super::free::{FROM_BANKS, FreeGround, Spots};
 use super::input::{Heights, SceneryInput};
 use super::shapes::Feature;
 use super::standing::Standing;
 use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;
 
-/// Half of a hill's width at least, and of one on usual and on main divides at most, in units.
-const LEAST: f32 = 5.4;
-const MOST: f32 = 9.5;
-const MOST_ON_MAIN: f32 = 12.5;
+/// Half of a hill's width at least, and at most; and half of a mountain's, in units.
+const LEAST: f32 = 3.8;
+const MOST: f32 = 9.0;
+const LEAST_MOUNTAIN: f32 = 4.2;
+const MOST_MOUNTAIN: f32 = 17.0;
 /// How wide a hill is beside its disc around the middle, in which there may be no water.
 const REACH: f32 = 1.06;
+/// How many sizes a hill is tried in, each this much as large as the one before.
+const TRIES: u8 = 4;
+const SMALLER: f32 = 0.84;
 /// What distance from rivers main divides count more, in units.
 const MAIN_FIRST: f32 = 8.0;
-/// How far middles of hills are apart, in sums of halves of their widths: they overlap a little, as in a range.
+/// How far middles of hills and of mountains are apart, in sums of halves of their widths: they overlap, as in a range.
 const SPACING: f32 = 0.8;
+const SPACING_IN_RANGES: f32 = 0.56;
+/// How much closer they stand one before the other than side by side.
+const BEFORE: f32 = 1.7;
 /// How far from the coast hills begin, and over how much more they become frequent, in units.
-const FROM_COAST: f32 = 18.0;
-const FADE: f32 = 40.0;
+const FROM_COAST: f32 = 14.0;
+const FADE: f32 = 30.0;
 /// How far they keep from ridges, in units.
 const FROM_RIDGES: f32 = 8.0;
 /// Ranges and gaps between them: about how long they are, in units, and which share of divides are gaps.
 const RANGE: f32 = 150.0;
 /// Land as high as this has hills beside divides, and as high as that mountains, as shares of the highest.
-const HIGH: f32 = 0.42;
-const ALPINE: f32 = 0.62;
-
+pub const HIGH: f32 = 0.3;
+pub const ALPINE: f32 = 0.52;
 /// How far inland main divides have mountains in the middle of their ranges, where heights are not known, in units.
-const FAR: f32 = 90.0;
+const FAR: f32 = 70.0;
 
 /// A place where a hill might stand.
 struct Candidate {
@@ -41,6 +48,8 @@ struct Candidate {
     at: Vec2,
     half: f32,
     feature: Feature,
+    /// How high it rises among its kind, from 0 to 1.
+    rise: f32,
     rank: f32,
 }
 
@@ -49,12 +58,9 @@ pub fn hills(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, div
     let rules = Rules { input, ground, divides, chance: input.seed.item_hash(Purpose::Scenery), ranges: ranges(input) };
     let candidates: Vec<Candidate> =
         (0..).zip(points).filter_map(|(number, at)| rules.candidate(number, *at)).collect();
-    let (mut spots, mut hills) = (ground.spots(), Vec::new());
+    let (mut spots, mut hills) = (ground.spots(BEFORE), Vec::new());
     for i in sort::argsort(candidates.iter().map(|candidate| sort::key(-candidate.rank))) {
-        let candidate = &candidates[i];
-        let spot = (candidate.at, candidate.half * SPACING);
-        let hill = if spots.is_free(spot) { rules.hill(candidate) } else { None };
-        if let Some(hill) = hill {
+        if let Some((hill, spot)) = rules.hill(&candidates[i], &spots) {
             spots.add(spot);
             hills.push(hill);
         }
@@ -90,6 +96,8 @@ impl Rules<'_> {
         // In ranges most places have a hill, between them few.
         let range = (0.55 + 1.4 * self.ranges.get_noise_2d(at.x, at.y)).clamp(0.12, 1.0);
         let often = match high {
+            // Mountains are where the land is high, whatever the noise says.
+            Some(high) if high >= ALPINE => 1.0,
             Some(high) => range * ((high - 0.1) * 3.0).clamp(0.0, 1.0),
             None if is_main => range.max(0.7),
             None => range * 0.9,
@@ -97,32 +105,75 @@ impl Rules<'_> {
         if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
         }
-        let room = self.ground.distance_to_bank(at, 2.0 * MOST_ON_MAIN);
-        let most = match high {
-            Some(high) => LEAST + (MOST_ON_MAIN - LEAST) * (high * 1.15).min(1.0),
-            None if is_main => MOST_ON_MAIN,
-            None => MOST,
-        };
-        let uneven = 0.86 + 0.14 * self.chance.unit([number, 1, 1]);
-        let half = most.min((room - FROM_BANKS) / REACH) * uneven;
+        let (at, room) = self.roomiest(at);
+        let high = self.input.heights.map(|heights| heights.share(at));
         let is_alpine = match high {
             Some(high) => high >= ALPINE,
-            None => is_main && inland >= FAR && half >= MOST && range >= 1.0,
+            None => is_main && inland >= FAR && range >= 0.8,
         };
-        let feature = if is_alpine { Feature::Mountain } else { Feature::Hill };
+        let rise = match high {
+            Some(high) if is_alpine => (high - ALPINE) / (1.0 - ALPINE),
+            Some(high) => high / ALPINE,
+            None => range,
+        };
+        let (feature, [least, most]) = match is_alpine {
+            true => (Feature::Mountain, [LEAST_MOUNTAIN, MOST_MOUNTAIN]),
+            false => (Feature::Hill, [LEAST, MOST]),
+        };
+        let uneven = 0.8 + 0.2 * self.chance.unit([number, 1, 1]);
+        let largest = (least + (most - least) * (0.35 + 0.65 * rise)) * uneven;
+        let half = largest.min((room - FROM_BANKS) / REACH);
         let rank = room + if is_main { MAIN_FIRST } else { 0.0 } + high.map_or(0.0, |high| high * 2.0 * MAIN_FIRST);
-        (half >= LEAST).then_some(Candidate { number, at, half, feature, rank })
+        (half >= LEAST).then_some(Candidate { number, at, half, feature, rise, rank })
     }
 
-    /// The hill of a candidate, if all of it is clear.
-    fn hill(&self, candidate: &Candidate) -> Option<Standing> {
-        let &Candidate { number, at, half, feature, .. } = candidate;
+    /// The place with most room that a few steps from another lead to, and how far banks are from it.
+    fn roomiest(&self, at: Vec2) -> (Vec2, f32) {
+        const STEPS: [f32; 3] = [3.0, 2.0, 1.0];
+        let room = |at: Vec2| self.ground.distance_to_bank(at, 2.0 * MOST_MOUNTAIN);
+        let mut best = (at, room(at));
+        for step in STEPS {
+            for way in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| best.0 + way * step) {
+                let there = room(way);
+                if there > best.1 {
+                    best = (way, there);
+                }
+            }
+        }
+        best
+    }
+
+    /// The hill of a candidate, as large as there is room for, and the spot that it takes; `None` if there is room for none.
+    fn hill(&self, candidate: &Candidate, spots: &Spots) -> Option<(Standing, (Vec2, f32))> {
+        let mut half = candidate.half;
+        for _ in 0..TRIES {
+            if half < LEAST {
+                return None;
+            }
+            // What is too small for a mountain is a hill.
+            let feature = if half < LEAST_MOUNTAIN { Feature::Hill } else { candidate.feature };
+            let spacing = if feature == Feature::Mountain { SPACING_IN_RANGES } else { SPACING };
+            let spot = (candidate.at * Vec2::new(1.0, BEFORE), half * spacing);
+            let hill = self.standing(candidate, feature, half);
+            if spots.is_free(spot) && self.is_clear(&hill) {
+                return Some((hill, spot));
+            }
+            half *= SMALLER;
+        }
+        None
+    }
+
+    fn standing(&self, candidate: &Candidate, feature: Feature, half: f32) -> Standing {
         // The middle of its height is where the room is.
-        let foot = at + Vec2::new(0.0, 0.3 * half);
-        let is_off_ridges = discs_at(feature, foot, half)
-            .all(|(at, radius)| self.ground.distance_to_ridge(at, radius + FROM_RIDGES) >= radius + FROM_RIDGES);
-        let is_clear = is_off_ridges && self.ground.is_clear(self.input, feature, foot, half);
-        is_clear.then(|| Standing::new(feature, foot, half, number, self.chance.unit([number, 2, 1])))
+        let foot = candidate.at + Vec2::new(0.0, if feature == Feature::Hill { 0.3 } else { 0.5 } * half);
+        let shape = 0.72 * candidate.rise.min(1.0) + 0.28 * self.chance.unit([candidate.number, 2, 1]);
+        Standing::new(feature, foot, half, candidate.number, shape)
+    }
+
+    fn is_clear(&self, hill: &Standing) -> bool {
+        let is_off_ridges =
+            |(at, radius): (Vec2, f32)| self.ground.distance_to_ridge(at, radius + FROM_RIDGES) >= radius + FROM_RIDGES;
+        hill.discs().all(is_off_ridges) && self.ground.is_clear(self.input, hill)
     }
 }
 

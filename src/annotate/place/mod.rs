@@ -21,6 +21,7 @@ mod costs;
 mod divides;
 mod free;
 mod grid_letters;
+mod hill_shapes;
 mod hills;
 mod inlets;
 mod input;
@@ -38,6 +39,8 @@ mod search;
 mod shapes;
 mod spot_heights;
 mod standing;
+mod tree_shapes;
+mod wetlands;
 mod woods;
 
 pub use background::{Background, Ink, Piece, cell_middle};

@@ -13,30 +13,35 @@ pub struct Standing {
     pub number: u32,
     /// The middle of its base, in units.
     pub foot: Vec2,
-    /// How high a tree is, and half of a hill's width, in units.
+    /// How high a tree is, and half of the width of a hill or a marsh, in units.
     pub size: f32,
 }
 
 impl Standing {
-    /// One of a feature, in one of its shapes by chance.
+    /// One of a feature, in one of its shapes: the first for a chance of 0, the last for one of 1.
     pub(super) fn new(feature: Feature, foot: Vec2, size: f32, number: u32, chance: f32) -> Self {
         let shapes = feature.shapes();
-        let shape = shapes.start + (chance * shapes.len() as f32) as u8;
+        let shape = (shapes.start + (chance * shapes.len() as f32) as u8).min(shapes.end - 1);
         Self { shape, number, foot, size }
     }
 
-    /// What it looks like.
+    /// Its glyph.
     pub fn shape(&self) -> &'static Shape {
         &SHAPES[usize::from(self.shape) % SHAPES.len()]
     }
 
-    /// What it is.
+    /// Its subject.
     pub fn feature(&self) -> Feature {
         self.shape().feature
     }
 
-    /// Whether it is a tree.
-    pub fn is_tree(&self) -> bool {
-        self.feature().is_tree()
+    /// Returns `true` if it belongs to the woods: a tree or a marsh, no hill.
+    pub fn is_plant(&self) -> bool {
+        self.feature().is_plant()
+    }
+
+    /// The discs that it lies within: their middles and radii, in units.
+    pub(super) fn discs(&self) -> impl Iterator<Item = (Vec2, f32)> {
+        self.shape().discs.iter().map(|(middle, radius)| (self.foot + *middle * self.size, radius * self.size))
     }
 }

@@ -1,63 +1,97 @@
 //! Woods: trees where noise is high and no water, letter or hill is near. Each of the points of the map has a tree or none for itself, so
-//! what moves takes away the trees in its way and moves no other.
+//! what moves takes away the trees in its way and moves no other. Woods are closed up to their edge; beyond it trees stand alone.
 
+use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
-use super::free::{FOOT_FROM_BANKS, FreeGround, Spots, discs_at};
+use super::free::{FOOT_FROM_BANKS, FreeGround, Spots};
 use super::input::SceneryInput;
 use super::shapes::Feature;
 use super::standing::Standing;
-use crate::base::random::Purpose;
+use super::wetlands::Wetlands;
+use crate::base::random::{ItemHash, Purpose};
 
 /// How large woods and their glades are, at most, in units, and in how many sizes, each half as large as the one before.
 const SIZE: f32 = 150.0;
 const OCTAVES: i32 = 3;
-/// The noise from which on there are woods, where next to all land is wooded and where next to none is; and how soon they are dense beyond.
-const NONE: f32 = 0.56;
+/// The noise from which on there are woods, where next to all land is wooded and where next to none is.
+const NONE: f32 = 0.54;
 const ALL: f32 = -0.6;
-const EDGE: f32 = 6.0;
-/// How much more noise it takes for conifers.
-const CONIFERS: f32 = 0.2;
-/// How far from the coast woods begin, and over how much more they become dense, in units.
+/// How much less noise trees that stand alone need, and how many of the points there have one.
+const FRINGE: f32 = 0.16;
+const ALONE: f32 = 0.1;
+/// How far from the coast woods begin, and over how much more they need more noise, at most so much, in units.
 const FROM_COAST: f32 = 10.0;
-const FADE: f32 = 14.0;
+const SHORE: f32 = 16.0;
+const MORE_AT_THE_SHORE: f32 = 0.25;
+/// The tree line, where the relief is known: from which height on it takes more noise for trees, as a share of the highest, and how much
+/// more at the highest.
+const TREE_LINE: f32 = 0.4;
+const MORE_AT_THE_TOP: f32 = 3.2;
+/// How much of a second noise it takes for conifers at the lowest, and how much less at the highest land.
+const CONIFERS: f32 = 0.5;
+const FEWER_BELOW: f32 = 2.2;
+/// How far inland is as good as half of the greatest height, where heights are not known, in units.
+const HALFWAY_UP: f32 = 150.0;
 /// How high trees are, in units: the lowest, and how much higher others are.
-const LEAST: f32 = 6.2;
-const MORE: f32 = 2.6;
-/// The tree line, where the relief is known: from which height on trees become rare, and over how much more, as shares of the highest.
-const TREE_LINE: f32 = 0.5;
-const RARER: f32 = 0.2;
+const ROUND: [f32; 2] = [6.8, 2.0];
+const POINTED: [f32; 2] = [5.6, 2.6];
 
-/// The trees of a map, in the order of its points.
+/// The trees and marshes of a map, in the order of its points.
 pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hills: &[Standing]) -> Vec<Standing> {
-    let (chance, noise) =
-        (input.seed.item_hash(Purpose::Scenery), input.seed.noise(Purpose::Scenery, 1, 1.0 / SIZE, OCTAVES));
-    let mut taken = ground.spots();
-    hills.iter().flat_map(|hill| discs_at(hill.feature(), hill.foot, hill.size)).for_each(|disc| taken.add(disc));
-    let least = NONE + (ALL - NONE) * input.woods;
-    let tree = |(number, &at): (u32, &Vec2)| {
+    let mut taken = ground.spots(1.0);
+    hills.iter().flat_map(Standing::discs).for_each(|disc| taken.add(disc));
+    let trees = Trees::new(input);
+    let wetlands = Wetlands::new(input, ground);
+    let has_room = |one: &Standing| is_free(input, ground, &taken, one);
+    let plant = |(number, &at): (u32, &Vec2)| {
         let inland = input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
         if inland <= 0.0 {
             return None;
         }
-        let over = noise.get_noise_2d(at.x, at.y) - least;
-        let often = (over * EDGE).clamp(0.0, 1.0) * (inland / FADE).min(1.0);
-        let above = input.heights.map_or(0.0, |heights| heights.share(at) - TREE_LINE);
-        if chance.unit([number, 0, 2]) >= often * (1.0 - above / RARER).clamp(0.0, 1.0) {
-            return None;
-        }
-        let is_conifer = noise.get_noise_2d(at.x + 0.5 * SIZE, at.y) > CONIFERS;
-        let feature = if is_conifer { Feature::Conifer } else { Feature::Broadleaf };
-        let size = LEAST + MORE * chance.unit([number, 1, 2]);
-        is_free(input, ground, &taken, (feature, at, size))
-            .then(|| Standing::new(feature, at, size, number, chance.unit([number, 2, 2])))
+        let tree = trees.at(number, at, inland).filter(has_room);
+        tree.or_else(|| wetlands.at(number, at, inland).filter(has_room))
     };
-    (0..).zip(points).filter_map(tree).collect()
+    (0..).zip(points).filter_map(plant).collect()
 }
 
-fn is_free(input: &SceneryInput<'_>, ground: &FreeGround, taken: &Spots, tree: (Feature, Vec2, f32)) -> bool {
-    let (feature, foot, size) = tree;
-    ground.distance_to_bank(foot, FOOT_FROM_BANKS) >= FOOT_FROM_BANKS
-        && discs_at(feature, foot, size).all(|disc| taken.is_free(disc))
-        && ground.is_clear(input, feature, foot, size)
+fn is_free(input: &SceneryInput<'_>, ground: &FreeGround, taken: &Spots, one: &Standing) -> bool {
+    ground.distance_to_bank(one.foot, FOOT_FROM_BANKS) >= FOOT_FROM_BANKS
+        && one.discs().all(|disc| taken.is_free(disc))
+        && ground.is_clear(input, one)
+}
+
+/// The trees that a map would have without water, letters and hills.
+struct Trees<'a> {
+    input: &'a SceneryInput<'a>,
+    chance: ItemHash,
+    noise: FastNoiseLite,
+}
+
+impl<'a> Trees<'a> {
+    fn new(input: &'a SceneryInput<'a>) -> Self {
+        let noise = input.seed.noise(Purpose::Scenery, 1, 1.0 / SIZE, OCTAVES);
+        Self { input, chance: input.seed.item_hash(Purpose::Scenery), noise }
+    }
+
+    /// The tree of a point, if it has one.
+    fn at(&self, number: u32, at: Vec2, inland: f32) -> Option<Standing> {
+        let share = self.input.heights.map_or((0.5 * inland / HALFWAY_UP).min(0.5), |heights| heights.share(at));
+        let above = (self.input.heights.map_or(0.0, |_| share) - TREE_LINE).max(0.0);
+        let shore = MORE_AT_THE_SHORE * (1.0 - inland / SHORE).max(0.0);
+        let least = NONE + (ALL - NONE) * self.input.woods + shore + MORE_AT_THE_TOP * above;
+        let over = self.noise.get_noise_2d(at.x, at.y) - least;
+        let is_closed = over >= 0.0;
+        if over < -FRINGE || !is_closed && self.chance.unit([number, 0, 2]) >= ALONE {
+            return None;
+        }
+        let is_conifer = self.noise.get_noise_2d(at.x + 0.5 * SIZE, at.y) > CONIFERS - FEWER_BELOW * share;
+        let (feature, [low, more]) = match (is_conifer, is_closed) {
+            (true, _) => (Feature::Conifer, POINTED),
+            (false, true) => (Feature::Canopy, ROUND),
+            (false, false) => (Feature::Broadleaf, ROUND),
+        };
+        let size = low + more * self.chance.unit([number, 1, 2]);
+        Some(Standing::new(feature, at, size, number, self.chance.unit([number, 2, 2])))
+    }
 }

@@ -36,7 +36,7 @@ use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
-use crate::recipe::{CourseShape, NumberKey, link};
+use crate::recipe::{CourseShape, link};
 
 /// Draws a map and returns the text of an SVG file.
 ///
@@ -91,7 +91,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let basins = basins(map, network, palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
-        exaggeration: recipe.number(NumberKey::Shade),
+        exaggeration: recipe.shade(),
         basins: basins.as_ref().map(|(basins, _)| basins),
     });
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);

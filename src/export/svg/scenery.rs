@@ -1,5 +1,6 @@
 //! Woods and hills: a symbol for each glyph, and a `use` for each tree and hill. They stand in a mask. In it a nearer
-//! one first clears its silhouette, and an ink shows through the mask, as in a picture.
+//! one first clears its silhouette, and an ink shows through the mask, as in a picture. Round crowns stand in it twice: first
+//! with their outlines, then emptied, so that only the edge of what they cover together is left.
 
 use glam::Vec2;
 
@@ -7,7 +8,7 @@ use super::path::Path;
 use super::text::Text;
 use crate::annotate::place::{PenStroke, SHAPES, Standing};
 use crate::paint::SceneryLook;
-use crate::paint::annotation::scenery::HALF;
+use crate::paint::annotation::scenery::{LIT, WASH};
 
 /// The size of a symbol, in its units, since numbers are rounded to hundredths.
 const SIZE: f32 = 10.0;
@@ -22,22 +23,42 @@ pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLo
         symbol(out, number, look);
     }
     out.text("</defs>\n");
+    let has = |is_of: fn(&Standing) -> bool| all.iter().any(is_of);
+    let [has_woods, has_hills] = [has(Standing::is_plant), has(|one| !one.is_plant())];
+    let has_crowns = has(|one| one.feature().is_leafy());
     mask(out, "strokes", size, "#000");
-    group(out, "hills", all.iter().filter(|one| !one.is_tree()));
-    group(out, "woods", all.iter().filter(|one| one.is_tree()));
+    if has_woods {
+        out.text("<g id=\"woods\">\n<g stroke=\"#fff\" fill=\"none\">");
+        group(out, "crowns", all.iter().filter(|one| one.feature().is_leafy()));
+        out.text("</g>\n<use href=\"#crowns\" fill=\"#000\" color=\"#fff\"/>\n");
+        group(out, "others", all.iter().filter(|one| one.is_plant() && !one.feature().is_leafy()));
+        out.text("</g>\n");
+    }
+    group(out, "hills", all.iter().filter(|one| !one.is_plant()));
     out.text("</mask>\n");
     if let Some((colour, covers)) = look.body {
         mask(out, "bodies", size, "#fff");
-        let has_hills = all.iter().any(|one| !one.is_tree());
-        out.text(if has_hills { "<use href=\"#hills\"/>" } else { "" }).text("<use href=\"#woods\"/></mask>\n<rect");
+        out.text(if has_hills { "<use href=\"#hills\"/>" } else { "" });
+        out.text(if has_woods { "<use href=\"#woods\" fill=\"#fff\"/>" } else { "" }).text("</mask>\n<rect");
         out.sized(size).text(" fill=\"").colour(colour).text("\" fill-opacity=\"").units(covers);
         out.text("\" mask=\"url(#bodies)\"/>\n");
+    }
+    if has_crowns {
+        mask(out, "washes", size, "#fff");
+        out.text("<use href=\"#crowns\" fill=\"#fff\"/>\n<use href=\"#crowns\" fill=\"#000\" color=\"#000\" x=\"");
+        let [x, y] = LIT.to_array().map(hundredths);
+        out.hundredths(x).text("\" y=\"").hundredths(y).text("\"/>\n</mask>\n<rect").sized(size).text(" fill=\"");
+        out.colour(look.ink).text("\" fill-opacity=\"").units(WASH * look.shade).text("\" mask=\"url(#washes)\"/>\n");
     }
     out.text("<rect id=\"scenery\"")
         .sized(size)
         .text(" fill=\"")
         .colour(look.ink)
         .text("\" mask=\"url(#strokes)\"/>\n");
+}
+
+fn hundredths(units: f32) -> i32 {
+    (units * 100.0) as i32
 }
 
 /// Begins a mask in which silhouettes have a colour.
@@ -48,44 +69,74 @@ fn mask(out: &mut Text, id: &'static str, size: Vec2, silhouettes: &'static str)
 
 fn name(out: &mut Text, number: u8) {
     let shape = &SHAPES[usize::from(number)];
-    let kind = if shape.feature.is_tree() { "tree-" } else { "hill-" };
+    let kind = if shape.feature.is_plant() { "tree-" } else { "hill-" };
     out.text(kind).whole(number.into());
 }
 
+/// Writes a glyph. The silhouette of a round crown has the colour of fills, its outline that of strokes, both as its group
+/// says; its faint strokes have the current colour.
 fn symbol(out: &mut Text, number: u8, look: SceneryLook) {
     let shape = &SHAPES[usize::from(number)];
+    let is_leafy = shape.feature.is_leafy();
     out.text("<symbol id=\"");
     name(out, number);
-    out.text("\" overflow=\"visible\"><path fill=\"currentColor\" d=\"").path(&path(&[shape.silhouette], true));
-    out.text("\"/><g fill=\"none\" stroke=\"#fff\" stroke-linecap=\"round\" stroke-linejoin=\"round\"><path stroke-opacity=\"");
-    out.units(look.shade).text("\" d=\"").path(&path(shape.shade, false));
-    out.text("\"/><path d=\"").path(&path(shape.outline, false)).text("\"/></g></symbol>\n");
+    out.text("\" overflow=\"visible\"><path stroke=\"none\"").text(if is_leafy {
+        ""
+    } else {
+        " fill=\"currentColor\""
+    });
+    out.text(" d=\"").path(&area(&shape.silhouette)).text("\"/>");
+    if let Some(wash) = &shape.wash {
+        out.text("<path fill=\"#fff\" fill-opacity=\"")
+            .units(WASH * look.shade)
+            .text("\" d=\"")
+            .path(&area(wash))
+            .text("\"/>");
+    }
+    out.text("<g fill=\"none\" stroke-linecap=\"round\"><g stroke-opacity=\"").units(look.shade);
+    out.text(if is_leafy { "\" stroke=\"currentColor\">" } else { "\" stroke=\"#fff\">" });
+    strokes(out, &shape.shade);
+    out.text(if is_leafy { "</g><g>" } else { "</g><g stroke=\"#fff\">" });
+    strokes(out, &shape.outline);
+    out.text("</g></g></symbol>\n");
 }
 
-fn path(strokes: &[PenStroke], is_closed: bool) -> Path {
-    let mut path = Path::default();
+/// Writes strokes, a path for each curve: each has a width.
+fn strokes(out: &mut Text, strokes: &[PenStroke]) {
     for stroke in strokes {
-        path.start(stroke.start * SIZE);
-        stroke.curves.iter().for_each(|curve| path.curve(curve.map(|at| at * SIZE)));
-        if is_closed {
-            path.close();
+        let ([first, last], count) = (stroke.halves, stroke.curves.len() as f32);
+        let mut start = stroke.start;
+        for (i, curve) in stroke.curves.iter().enumerate() {
+            let width = 2.0 * (first + (last - first) * (i as f32 + 0.5) / count);
+            let mut path = Path::default();
+            path.start(start * SIZE);
+            path.curve(curve.map(|at| at * SIZE));
+            out.text("<path stroke-width=\"").units(width * SIZE).text("\" d=\"").path(&path).text("\"/>");
+            start = curve[1];
         }
     }
+}
+
+/// The path around an area.
+fn area(edge: &PenStroke) -> Path {
+    let mut path = Path::default();
+    path.start(edge.start * SIZE);
+    edge.curves.iter().for_each(|curve| path.curve(curve.map(|at| at * SIZE)));
+    path.close();
     path
 }
 
 fn group<'a>(out: &mut Text, id: &'static str, all: impl Iterator<Item = &'a Standing>) {
     let mut all = all.peekable();
-    if all.peek().is_none() {
+    if all.peek().is_none() && id == "hills" {
         return;
     }
     out.text("<g id=\"").text(id).text("\">\n");
     for one in all {
         out.text("<use href=\"#");
         name(out, one.shape);
-        // Strokes have one width for all sizes.
         out.text("\" transform=\"translate(").units(one.foot.x).text(" ").units(one.foot.y).text(")scale(");
-        out.units(one.size / SIZE).text(")\" stroke-width=\"").units(2.0 * HALF * SIZE / one.size).text("\"/>\n");
+        out.units(one.size / SIZE).text(")\"/>\n");
     }
     out.text("</g>\n");
 }

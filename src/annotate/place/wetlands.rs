@@ -1,0 +1,66 @@
+//! Marshes on flat ground beside great rivers and low by the sea, and rows of small trees along great rivers. They go where their river goes.
+
+use fastnoise_lite::FastNoiseLite;
+use glam::Vec2;
+
+use super::free::FreeGround;
+use super::input::SceneryInput;
+use super::shapes::Feature;
+use super::standing::Standing;
+use crate::base::random::{ItemHash, Purpose};
+
+/// How far from banks rows of trees stand at most, and how many of the points there have one.
+const ROW: f32 = 8.5;
+const IN_ROWS: f32 = 0.85;
+/// How far from banks marshes lie at most, in units.
+pub const MARSH: f32 = 30.0;
+/// How high marshes lie at most, as a share of the highest land; how far inland, in units, where heights are not known.
+pub const LOW: f32 = 0.09;
+const NEAR_THE_SEA: f32 = 70.0;
+/// How much the land rises or falls at most, as a share of the highest, over this way to each side, in units.
+pub const LEVEL: f32 = 0.05;
+pub const AROUND: f32 = 8.0;
+/// How large marshes and the gaps between them are, in units.
+const SIZE: f32 = 70.0;
+/// The noise from which on there are marshes, in a map with few woods, and how much less it takes with all.
+const FEW: f32 = 0.34;
+const LESS: f32 = 0.5;
+
+/// The marshes and rows of a map.
+pub struct Wetlands<'a> {
+    input: &'a SceneryInput<'a>,
+    ground: &'a FreeGround,
+    chance: ItemHash,
+    noise: FastNoiseLite,
+}
+
+impl<'a> Wetlands<'a> {
+    /// Of a map.
+    pub fn new(input: &'a SceneryInput<'a>, ground: &'a FreeGround) -> Self {
+        let noise = input.seed.noise(Purpose::Scenery, 3, 1.0 / SIZE, 2);
+        Self { input, ground, chance: input.seed.item_hash(Purpose::Scenery), noise }
+    }
+
+    /// The marsh or the tree of a row at a point, if it has one.
+    pub fn at(&self, number: u32, at: Vec2, inland: f32) -> Option<Standing> {
+        let away = self.ground.distance_to_great_bank(at, MARSH);
+        if away >= MARSH {
+            return None;
+        }
+        let [likely, size, shape] = [0, 1, 2].map(|use_of| self.chance.unit([number, use_of, 3]));
+        let wet = self.noise.get_noise_2d(at.x, at.y) - FEW + LESS * self.input.woods;
+        if wet > 0.0 && self.is_low(at, inland) {
+            return Some(Standing::new(Feature::Marsh, at, 2.3 + 0.5 * size, number, shape));
+        }
+        let is_row = away < ROW && likely < IN_ROWS * (self.input.woods * 2.0).min(1.0);
+        is_row.then(|| Standing::new(Feature::Willow, at, 4.2 + 1.4 * size, number, shape))
+    }
+
+    /// Whether the land lies low and level.
+    fn is_low(&self, at: Vec2, inland: f32) -> bool {
+        let Some(heights) = self.input.heights else { return inland < NEAR_THE_SEA };
+        let here = heights.share(at);
+        let ways = [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y];
+        here <= LOW && ways.into_iter().all(|way| (heights.share(at + way * AROUND) - here).abs() <= LEVEL)
+    }
+}
