@@ -22,6 +22,7 @@ mod hypsometry;
 mod identity;
 mod inspect;
 mod labels;
+mod margins;
 mod marks;
 mod markup;
 mod mask;

@@ -24,6 +24,10 @@ pub enum Kind {
     Title,
     /// What the map has grown from.
     Seed,
+    /// A line or a name on a plate, under the title.
+    Plate,
+    /// The numbers of the scale bar, and the letter over a north point.
+    Margin,
     /// A line of the legend.
     Legend,
     /// The height of a summit or a saddle, beside it.
@@ -71,6 +75,8 @@ impl Kind {
             Self::Offshore => set(Group::Names, 0.08, 0.13, true),
             Self::Title => set(Group::Cartouche, 0.05, 0.13, true),
             Self::Seed => set(Group::Cartouche, 0.08, 0.13, true),
+            Self::Plate => set(Group::Cartouche, 0.03, 0.13, true),
+            Self::Margin => set(Group::Cartouche, 0.03, 0.13, true),
             Self::Legend => set(Group::Legend, 0.05, 0.13, true),
             Self::SpotHeight => set(Group::Marks, 0.03, 0.13, false),
             Self::GridLetter => set(Group::Marks, 0.03, 0.13, true),

@@ -32,11 +32,11 @@ const MOST_RIVERS: usize = 400;
 /// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
 /// islands, of seas; the title; and what the style has besides names.
 pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
-    let mut map = Map { input, background, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
     let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
-    let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
-    // Everything else keeps off its corner.
-    map.boxes.extend(around);
+    let cartouche::Set { labels: cartouche, around, beside } = cartouche.unwrap_or_default();
+    // Everything else keeps off its places.
+    let boxes = around.into_iter().map(|around| (NONE, around)).collect();
+    let mut map = Map { input, background, labels: Vec::new(), boxes, beside, area: 0.0 };
     let corners = map.corner_marks();
     map.label_rivers();
     map.label_areas();
@@ -67,6 +67,8 @@ struct Map<'a, G> {
     background: &'a G,
     labels: Vec<Label>,
     boxes: Vec<(u32, Box)>,
+    /// What names of seas keep off besides.
+    beside: Option<Box>,
     /// What they cover, in square units.
     area: f32,
 }
@@ -144,7 +146,8 @@ impl<G: Background> Map<'_, G> {
             label.into_iter().for_each(|label| self.take(NONE, label));
         }
         for sea in seas {
-            let label = areas::water(self.input, sea, &self.boxes);
+            let taken: Vec<_> = self.boxes.iter().copied().chain(self.beside.map(|beside| (NONE, beside))).collect();
+            let label = areas::water(self.input, sea, &taken);
             label.into_iter().for_each(|label| self.take(NONE, label));
         }
     }
