@@ -23,6 +23,7 @@ mod identity;
 mod inspect;
 mod label_places;
 mod labels;
+mod margins;
 mod marks;
 mod markup;
 mod mask;

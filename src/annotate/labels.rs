@@ -7,9 +7,10 @@ use glam::Vec2;
 use crate::annotate::glyph::initials;
 use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
 use crate::annotate::place::{
-    Area, AreaKind, Cartouche, Elevations, Heights, Input, Label, Landmark, LandmarkKind, Legend, MARGIN, Marks,
-    Raster, Reach, River, RiverClass, Seal, SheetGrid, Strip, place,
+    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, Label, Landmark, LandmarkKind, Legend, MARGIN, Marks,
+    NorthPoint, Plate, Raster, Reach, River, RiverClass, SHEET_MARGIN, Seal, SheetGrid, Strip, place,
 };
+use crate::annotate::plates;
 use crate::base::geometry::distance;
 use crate::base::memory;
 use crate::base::random::Seed;
@@ -39,8 +40,8 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
     let (recipe, network, land) = (map.recipe(), map.network(), map.land());
-    let (share, cartouche) = (share_of_land(recipe.get()), recipe.get::<recipe::Cartouche>());
-    if share == 0.0 && cartouche == recipe::Cartouche::None {
+    let share = share_of_land(recipe.get());
+    if share == 0.0 && !recipe.has_title() {
         return None;
     }
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
@@ -70,11 +71,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
         most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
-        cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
-            title: std::mem::take(&mut names.title),
-            seed: recipe.seed().into(),
-            is_framed: cartouche == recipe::Cartouche::Framed,
-        }),
+        cartouche: recipe.has_title().then(|| cartouche(map, &mut names, frame)),
         areas: names.places.iter().zip(&regions).filter_map(|(place, region)| area_of(place, region)).collect(),
         landmarks: names.places.iter().filter_map(landmark_of).collect(),
         rivers: rivers(network, names),
@@ -85,10 +82,40 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     })
 }
 
-/// The part of the plane that labels may be in, its two corners: a map with a neatline; anything around another.
+/// The title, and what stands with it.
+fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
+    let recipe = map.recipe();
+    let style: Style = recipe.get();
+    Cartouche {
+        plate: match recipe.get() {
+            recipe::Cartouche::Lengths => Some(Plate::Lengths(plates::longest(map.network(), names))),
+            recipe::Cartouche::Profile => plates::profile(map, names).map(Plate::Profile),
+            _ => None,
+        },
+        title: std::mem::take(&mut names.title),
+        seed: recipe.seed().into(),
+        is_framed: recipe.is_sheet(),
+        frame: if style.shows(Shown::CompassRose) { Frame::Scrolls } else { Frame::Rules },
+        // A legend has one of its own.
+        has_scale: !(style.shows(Shown::Legend) && recipe.get::<Labels>() != Labels::None),
+        north: match style {
+            _ if style.shows(Shown::NorthArrow) => Some(NorthPoint::Arrow),
+            _ => style.shows(Shown::CompassRose).then_some(NorthPoint::Rose),
+        },
+        // Pictures of other maps have a neat line.
+        sheet: (recipe.is_sheet() && painted_margin(map) == 0.0 && !style.shows(Shown::SpotHeights)).then_some(sheet),
+    }
+}
+
+/// How wide the margin is that is painted with the neat line of a map, in units; 0 if there is none.
+fn painted_margin(map: &Map) -> f32 {
+    margin_of(palette_of(map.recipe().get()), map.domain().size, map.land().map(Arc::as_ref))
+}
+
+/// The part of the plane that labels may be in, its two corners: a map with a neat line; anything around another.
 pub(super) fn on_map(map: &Map) -> [Vec2; 2] {
-    let (size, palette) = (map.domain().size, palette_of(map.recipe().get()));
-    let margin = margin_of(palette, size, map.land().map(Arc::as_ref));
+    let (size, painted) = (map.domain().size, painted_margin(map));
+    let margin = if map.recipe().is_sheet() { painted.max(SHEET_MARGIN) } else { painted };
     if margin > 0.0 { [Vec2::splat(margin), size - margin] } else { [Vec2::MIN, Vec2::MAX] }
 }
 
@@ -143,7 +170,7 @@ fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetG
 }
 
 fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {
-    let has_heading = recipe.get::<recipe::Cartouche>() == recipe::Cartouche::None;
+    let has_heading = !recipe.has_title();
     let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
     let class = |order: u8| {
         let ends = || {

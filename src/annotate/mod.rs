@@ -14,5 +14,7 @@ pub mod names;
 #[doc(hidden)]
 pub mod place;
 #[cfg(feature = "names")]
+mod plates;
+#[cfg(feature = "names")]
 #[doc(hidden)]
 pub mod scenery;

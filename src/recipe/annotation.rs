@@ -33,14 +33,29 @@ impl Recipe {
         self.get::<Labels>() != Labels::None && self.get::<Style>().has_marks()
     }
 
+    /// Returns `true` if the map shows its title: as the cartouche says, and by itself if it has names.
+    pub fn has_title(&self) -> bool {
+        match self.get() {
+            Cartouche::Auto => self.get::<Labels>() != Labels::None,
+            Cartouche::None => false,
+            Cartouche::Plain | Cartouche::Framed | Cartouche::Lengths | Cartouche::Profile => true,
+        }
+    }
+
+    /// Returns `true` if the map is a sheet with a neat line in every style: its cartouche is framed, or a plate.
+    #[cfg(feature = "names")]
+    pub(crate) fn is_sheet(&self) -> bool {
+        matches!(self.get(), Cartouche::Framed | Cartouche::Lengths | Cartouche::Profile)
+    }
+
     /// Returns `true` if the map has labels, a cartouche, woods or hills.
     pub fn is_annotated(&self) -> bool {
-        self.get::<Labels>() != Labels::None || self.get::<Cartouche>() != Cartouche::None || self.has_scenery()
+        self.get::<Labels>() != Labels::None || self.has_title() || self.has_scenery()
     }
 
     /// The style, if it decides what the annotation consists of; `None` if that would be the same in any other.
     pub fn annotating_style(&self) -> Option<Style> {
-        (self.has_scenery() || self.has_marks()).then(|| self.get())
+        (self.has_scenery() || self.has_marks() || self.has_title()).then(|| self.get())
     }
 
     /// The person's own names.

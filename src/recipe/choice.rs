@@ -148,14 +148,20 @@ choices! {
         Many = "many", "many";
     }
 
-    /// The form of a map's title, in a corner.
+    /// The form of a map's title, and what stands with it.
     Cartouche of Cartouche {
+        /// The title with a scale bar, on maps with names.
+        Auto = "auto", "with names";
         /// No title.
         None = "none", "none";
-        /// The title, and the seed under it.
+        /// The title with a scale bar, with names or without.
         Plain = "plain", "plain";
-        /// The same in a double line.
+        /// The same in a frame, on a sheet with a neat line.
         Framed = "framed", "framed";
+        /// A plate of the longest rivers side by side, with the title as its heading.
+        Lengths = "lengths", "lengths of rivers";
+        /// A plate with the long profile of the greatest river.
+        Profile = "profile", "long profile";
     }
 
     /// A style of painting.
@@ -201,6 +207,10 @@ pub(crate) enum Shown {
     Legend,
     /// A mark: a painter's seal.
     Seal,
+    /// A north point beside the title's scale bar.
+    NorthArrow,
+    /// A compass rose, and scrolls around a framed title.
+    CompassRose,
     /// The beds in which great rivers ran before.
     Beds,
 }
@@ -223,19 +233,19 @@ impl LandKind {
 impl Style {
     /// The row of a style in the table of what styles show.
     const fn shown(self) -> &'static [Shown] {
-        use Shown::{Beds, Hills, Legend, Relief, Seal, SpotHeights, Woods};
+        use Shown::{Beds, CompassRose, Hills, Legend, NorthArrow, Relief, Seal, SpotHeights, Woods};
         match self {
             Self::Ink => &[Woods, Hills],
             Self::Skeleton => &[],
             Self::Atlas => &[Relief, Woods],
             Self::Night => &[Relief, Woods],
-            Self::Survey => &[Relief, Woods, SpotHeights],
+            Self::Survey => &[Relief, Woods, SpotHeights, NorthArrow],
             Self::Basins => &[Relief, Woods, Hills],
-            Self::Parchment => &[Relief, Woods, Hills],
-            Self::PastCourses => &[Woods, Hills, Beds],
+            Self::Parchment => &[Relief, Woods, Hills, CompassRose],
+            Self::PastCourses => &[Woods, Hills, Beds, NorthArrow],
             Self::InkWash => &[Relief, Woods, Hills, Seal],
             Self::Orbit => &[Relief],
-            Self::Blueprint => &[Relief, Woods, Legend],
+            Self::Blueprint => &[Relief, Woods, Legend, NorthArrow],
             Self::Dark => &[Woods, Hills],
         }
     }

@@ -1,6 +1,6 @@
 //! Parameters that have no effect in a recipe, and the reasons: the only place that decides this.
 
-use super::choice::{Cartouche, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Style};
+use super::choice::{CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
@@ -214,7 +214,7 @@ impl Given<'_> {
     }
 
     fn no_labels(&self) -> Reason {
-        let has_none = self.recipe.get::<Labels>() == Labels::None && self.recipe.get::<Cartouche>() == Cartouche::None;
+        let has_none = self.recipe.get::<Labels>() == Labels::None && !self.recipe.has_title();
         has_none.then_some("there are no labels")
     }
 
@@ -294,7 +294,8 @@ mod tests {
             ("growth=drainage&land=island", Key::MouthSpacing),
             ("growth=drainage&land=valley", Key::Drowning),
             ("labels=none", Key::Labels),
-            ("cartouche=plain", Key::LabelSize),
+            ("labels=none&cartouche=plain", Key::LabelSize),
+            ("labels=few&cartouche=none", Key::LabelSize),
             ("style=ink&land=rectangle", Key::Woods),
             ("style=ink&land=rectangle", Key::Hills),
             ("style=survey", Key::Woods),
@@ -574,6 +575,13 @@ mod tests {
             ],
         ),
     ];
+
+    #[test]
+    fn letters_have_a_size_where_there_are_letters() {
+        for link in ["labels=none", "labels=none&cartouche=auto", "labels=none&cartouche=none"] {
+            assert_eq!(reason(link, Key::LabelSize), Some("there are no labels"), "{link}");
+        }
+    }
 
     #[test]
     fn each_kind_of_recipe_has_its_idle_keys_and_no_others() {

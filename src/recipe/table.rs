@@ -728,7 +728,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Cartouche,
             name: "cartouche",
             label: "Cartouche",
-            help: "The map's title in a corner, with the seed under it.",
+            help: "The map's title and a scale, in a frame, or over a plate: the lengths of the longest rivers, or the profile of the greatest.",
             unit: "",
             group: "Names",
             stage: Name,

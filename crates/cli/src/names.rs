@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use clap::ArgMatches;
 use riverseed::annotate::glyph::lacking;
 use riverseed::annotate::names::Names;
-use riverseed::recipe::{Cartouche, Key, Labels, Mark, Recipe};
+use riverseed::recipe::{Key, Labels, Mark, Recipe};
 use riverseed::{Map, Network, River};
 
 use super::grow::{grow, progress};
@@ -40,7 +40,7 @@ pub fn say_what_is_unused(map: &Map, say: Say<'_>) {
 
 /// Warns of letters that the type lacks, in own names and in the seed of a cartouche.
 pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
-    let has_cartouche = recipe.get::<Cartouche>() != Cartouche::None;
+    let has_cartouche = recipe.has_title();
     if recipe.get::<Labels>() == Labels::None && !has_cartouche {
         return;
     }

@@ -1,65 +1,183 @@
-//! The cartouche: the map's title in a corner, with the seed's text in small letters under it, and a double line around both if it is framed.
+//! The cartouche: the map's title, with a line in small letters under it, where the sea is free; a frame around both if it is framed; and with
+//! it a scale bar and a compass rose. Or a plate, which the title is the heading of.
 
 use glam::Vec2;
 
+use super::anchor::{self, Anchor};
 use super::background::Background;
-use super::corner::{self, Corner};
-use super::input::{Cartouche, Input};
-use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+use super::corner;
+use super::input::{Cartouche, Input, NorthPoint};
+use super::letters::{Box, Kind, Label, Placed, Text};
+use super::{compass_rose, frames, neat_line, plate, scale_bar};
 use crate::annotate::glyph::lacking;
 
-/// Sizes of the title, the length of its em in units, and how much larger it is than the smallest letters that can be read.
-const SIZES: [f32; 5] = [30.0, 26.0, 22.0, 19.0, 16.0];
-const OVER_LEAST: f32 = 1.25;
-const LEAST: f32 = 11.0;
-/// The size that is taken where no corner is all sea, and by which share smaller ones have to be more so.
-const ON_LAND: usize = 2;
-const MORE_SEA: f32 = 0.1;
-/// How large the seed's letters are, over those of the title.
-const SEED: [f32; 3] = [0.56, 0.48, 0.4];
-/// How much wider than the title the seed may be, or than a title of so many ems.
+/// Lengths of the title's em that are tried, in units, and the first of those on land.
+const SIZES: [f32; 15] = [58.0, 51.0, 45.0, 39.5, 35.0, 31.0, 27.5, 24.5, 21.5, 19.0, 17.0, 15.0, 13.5, 12.0, 11.0];
+const ON_LAND: usize = 5;
+/// A place at sea with less room than this, in units, is none where the title may stand on land in this size.
+const LEAST_AT_SEA: f32 = 19.0;
+/// How much larger the title is than the smallest letters that can be read, if there is room.
+const OVER_LEAST: f32 = 1.3;
+/// How much smaller a title in two lines is than one in one line that is as good, and letters that are still as large as on other pictures.
+const TWO_LINES: f32 = 0.8;
+const AS_LARGE: f32 = 0.8;
+/// How large the line under the title is, over the title, and at most, where the title itself is small.
+const UNDER_TITLE: f32 = 0.4;
+const MOST_UNDER_TITLE: f32 = 0.85;
+/// How much wider than the title it may be, or than a title of so many ems.
 const WIDER: f32 = 1.25;
-const SHORT: f32 = 8.0;
+const SHORT: f32 = 6.0;
 
 /// The most that it takes up of the map's width and height.
 const MOST: Vec2 = Vec2::new(0.6, 0.4);
-/// How far other labels keep from its letters, in ems.
-const AROUND: f32 = 0.6;
+/// How far other labels keep from its letters, in ems, and how far those are from the coast.
+const AROUND: f32 = 0.5;
+const FROM_COAST: f32 = 0.3;
+/// How far the names of seas keep from both ends of its lines, in ems.
+const BESIDE: f32 = 6.0;
+
+/// The length of the em that the ground on land is cleared by, in units, where letters are larger: its corners are round.
+const CLEARED: f32 = 12.0;
 
 /// How high capitals are, how deep letters reach under their line, and how far lines are apart, in ems.
 const CAPITAL: f32 = 0.66;
-const UNDER: f32 = 0.2;
-const LINE: f32 = 1.15;
-const TO_SEED: f32 = 1.2;
+const UNDER: f32 = 0.22;
+const LINE: f32 = 1.08;
+const TO_SEED: f32 = 1.25;
 
 /// A cartouche in its place.
+#[derive(Default)]
 pub struct Set {
     pub labels: Vec<Label>,
     /// What other labels keep off.
-    pub around: Box,
+    pub around: Vec<Box>,
+    /// What names of seas keep off besides, so that none stands on one line with the title.
+    pub beside: Option<Box>,
 }
 
-/// Puts the title into the corner with the most sea, and of those with the least ink. Smaller letters, and two lines, are tried where that keeps
-/// it off land. `None` if there is no room.
+/// Sets the title and what stands with it. The title has the place along the frame where the sea has the most room for it, on land that with
+/// the most sea and the least ink; the same on pictures of all sizes, of which small ones leave out the line under it, or break it in two.
+/// `None` if there is no title, or no room for it.
 pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Set> {
-    let sizes = SIZES.map(|size| size.max(OVER_LEAST * input.least_em) * input.label_size);
-    let blocks = sizes.into_iter().flat_map(|em| [1, 2].map(|lines| Block::new(input, cartouche, em, lines)));
-    let mut blocks: Vec<Option<Block>> = blocks.collect();
-    // Even where its letters are no larger than others on the map.
-    let least = input.least_em.max(LEAST) * input.label_size;
-    blocks.extend([1, 2].map(|lines| Block::new(input, cartouche, least, lines)));
-    let at_sea = blocks.iter().flatten().find_map(|block| {
-        let corner = block.corner(input, background)?;
-        (corner.sea == 1.0).then_some((block, corner))
-    });
-    // Else smaller ones if that makes a difference.
-    let mostly_at_sea = || {
-        let placed =
-            blocks[2 * ON_LAND..].iter().flatten().filter_map(|block| Some((block, block.corner(input, background)?)));
-        placed.reduce(|best, next| if next.1.sea > best.1.sea + MORE_SEA { next } else { best })
+    let plate = cartouche.plate.as_ref().and_then(|plate| plate::set(input, background, cartouche, plate));
+    let (mut set, title) = match plate {
+        Some(plate) => (Set { labels: plate.labels, around: vec![plate.around], beside: None }, None),
+        None => title(input, background, cartouche).map(|(set, place)| (set, Some(place)))?,
     };
-    let (block, corner) = at_sea.or_else(mostly_at_sea)?;
-    Some(block.set(cartouche, &corner))
+    let mut others: Vec<Anchor> = title.into_iter().collect();
+    if cartouche.has_scale
+        && let Some((labels, around, place)) = scale_bar::set(input, background, cartouche, title, &set.around)
+    {
+        others.push(place);
+        set.labels.extend(labels);
+        set.around.push(around);
+    }
+    if cartouche.north == Some(NorthPoint::Rose)
+        && let Some((label, around)) = compass_rose::set(input, &others, &set.around)
+    {
+        set.labels.push(label);
+        set.around.push(around);
+    }
+    set.labels.extend(cartouche.sheet.map(neat_line::label));
+    Some(set)
+}
+
+/// The title in its place.
+fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<(Set, Anchor)> {
+    let Place { anchor, size, is_at_sea } = Place::of(input, background, cartouche)?;
+    // On land it has a ground of its own, and that has edges.
+    let cartouche = &Cartouche { is_framed: cartouche.is_framed || !is_at_sea, ..cartouche.clone() };
+    let sizes = sizes(if is_at_sea { &SIZES } else { &SIZES[ON_LAND..] }, input);
+    let fit = |form: &Form| {
+        let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, input.least(), form));
+        blocks
+            .map(|block| (anchor.place(anchor::frame(input), block.size), block))
+            .find(|(at, block)| !is_at_sea || block.is_open(input, *at))
+    };
+    let forms: Vec<(Vec2, Block)> = FORMS.iter().filter_map(fit).collect();
+    let wanted = (AS_LARGE * size * input.shrink).max(OVER_LEAST * input.least()).min(sizes[0]);
+    let largest = || forms.iter().reduce(|best, next| if next.1.em > best.1.em { next } else { best });
+    let (at, block) = forms.iter().find(|(_, block)| block.em >= wanted).or_else(largest)?;
+    Some((block.set(cartouche, *at, is_at_sea), anchor))
+}
+
+/// The lengths of the em that are tried in a picture, the longest first: as in others, and down to the smallest that can be read.
+fn sizes(sizes: &[f32], input: &Input<'_>) -> Vec<f32> {
+    let least = input.least();
+    let mut sizes: Vec<f32> = sizes.iter().map(|size| size * input.label_size).collect();
+    if let Some(first) = sizes.first_mut() {
+        *first = first.max(OVER_LEAST * least);
+    }
+    sizes.retain(|size| *size >= least);
+    sizes.push(least);
+    sizes
+}
+
+/// In how many lines a title stands, and whether there is another under it.
+struct Form {
+    lines: usize,
+    has_seed: bool,
+}
+
+/// The forms of a title, the best first.
+const FORMS: [Form; 4] = [
+    Form { lines: 1, has_seed: true },
+    Form { lines: 2, has_seed: true },
+    Form { lines: 1, has_seed: false },
+    Form { lines: 2, has_seed: false },
+];
+
+/// Where the title of a map stands, and how large it is there in pictures that are large enough.
+struct Place {
+    anchor: Anchor,
+    size: f32,
+    is_at_sea: bool,
+}
+
+impl Place {
+    /// The place with the most room; that depends on the map alone.
+    fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
+        let frame = input.frame;
+        let sizes = SIZES.map(|size| size * input.whole_size());
+        let blocks = |sizes: &[f32], form: &Form| -> Vec<Block> {
+            sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, 0.0, form)).collect()
+        };
+        let framed = Cartouche { is_framed: true, ..cartouche.clone() };
+        let on_land: Vec<Block> =
+            sizes[ON_LAND..].iter().filter_map(|&em| Block::new(input, &framed, em, 0.0, &FORMS[0])).collect();
+        let forms = [(blocks(&sizes, &FORMS[0]), 1.0), (blocks(&sizes, &FORMS[1]), TWO_LINES)];
+        let mut best: Option<(f32, corner::Corner, Self)> = None;
+        for &anchor in &Anchor::ALL {
+            let first = |(blocks, worth): &(Vec<Block>, f32)| {
+                let found = blocks.iter().map(|block| (anchor.place(frame, block.size), block));
+                let (at, block) = found.into_iter().find(|(at, block)| block.is_open(input, *at))?;
+                Some((block.em * worth, at, block.size, block.em))
+            };
+            let better = |a: (f32, Vec2, Vec2, f32), b: (f32, Vec2, Vec2, f32)| if b.0 > a.0 { b } else { a };
+            let Some((worth, at, block, size)) = forms.iter().filter_map(first).reduce(better) else { continue };
+            let judged = corner::judged(input, background, at, block, size);
+            let is_better = best
+                .as_ref()
+                .is_none_or(|(most, corner, _)| worth > *most || worth == *most && judged.is_better_than(corner));
+            if is_better {
+                best = Some((worth, judged, Self { anchor, size, is_at_sea: true }));
+            }
+        }
+        let least = on_land.first().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size());
+        let at_sea = best.filter(|(_, _, place)| place.size >= least).map(|(_, _, place)| place);
+        at_sea.or_else(|| Self::on_land(input, background, on_land.first()?))
+    }
+
+    /// The place with the most sea, and the least ink.
+    fn on_land<G: Background>(input: &Input<'_>, background: &G, block: &Block) -> Option<Self> {
+        let frame = input.frame;
+        let judged = |anchor: Anchor| {
+            (corner::judged(input, background, anchor.place(frame, block.size), block.size, block.em), anchor)
+        };
+        let places = Anchor::ALL.into_iter().map(judged);
+        let (_, anchor) = places.reduce(|best, next| if next.0.is_better_than(&best.0) { next } else { best })?;
+        Some(Self { anchor, size: block.em, is_at_sea: false })
+    }
 }
 
 /// A line of type.
@@ -77,41 +195,42 @@ struct Block {
     lines: Vec<Line>,
     /// Of the letters and of what is around them, in units.
     size: Vec2,
-    is_framed: bool,
 }
 
 impl Block {
-    /// Title and seed in letters of a size; `None` if the title has no such number of lines, or does not fit.
-    fn new(input: &Input<'_>, cartouche: &Cartouche, em: f32, count: usize) -> Option<Self> {
-        let titles = broken(&cartouche.title, count)?.into_iter().map(|line| Text::new(line, Kind::Title));
+    /// A title in letters of a size, and the line under it in none smaller than `least`; `None` if it has no such form, or does not fit.
+    fn new(input: &Input<'_>, cartouche: &Cartouche, em: f32, least: f32, form: &Form) -> Option<Self> {
+        let around = AROUND * em + if cartouche.is_framed { frames::width(cartouche.frame, em) } else { 0.0 };
+        let titles = broken(&cartouche.title, form.lines)?.into_iter().map(|line| Text::new(line, Kind::Title));
         let mut lines: Vec<Line> = Vec::new();
         for text in titles.filter(|text| !text.letters.is_empty()) {
-            let down = if lines.is_empty() { CAPITAL } else { CAPITAL + LINE * lines.len() as f32 } * em;
+            let down = around + (CAPITAL + LINE * lines.len() as f32) * em;
             lines.push(Line { kind: Kind::Title, text, em, down });
         }
         let down = lines.last()?.down;
-        let wide = lines.iter().map(|line| line.text.length * em).fold(SHORT * em, f32::max) * WIDER;
-        lines.extend(seed(input, &cartouche.seed, em, wide).map(|(text, em_of_seed)| {
-            let down = down + TO_SEED * em_of_seed + 0.25 * em;
-            Line { kind: Kind::Seed, text, em: em_of_seed, down }
-        }));
+        if form.has_seed {
+            let wide = lines.iter().map(|line| line.text.length * em).fold(SHORT * em, f32::max) * WIDER;
+            let (text, em_of_seed) = seed(&cartouche.seed, em, least, wide)?;
+            let down = down + TO_SEED * em_of_seed + 0.12 * em;
+            lines.push(Line { kind: Kind::Seed, text, em: em_of_seed, down });
+        }
         let width = lines.iter().map(|line| line.text.length * line.em).fold(0.0, f32::max);
         let height = lines.last().map_or(0.0, |line| line.down + UNDER * line.em);
-        let size = Vec2::new(width, height) + 2.0 * AROUND * em;
+        let size = Vec2::new(width + 2.0 * around, height + around);
         let room = (input.frame[1] - input.frame[0]) * MOST;
-        size.cmple(room).all().then_some(Self { em, lines, size, is_framed: cartouche.is_framed })
+        size.cmple(room).all().then_some(Self { em, lines, size })
     }
 
-    /// The best of the four corners.
-    fn corner<G: Background>(&self, input: &Input<'_>, background: &G) -> Option<Corner> {
-        corner::best(input, background, self.size, self.em, &[])
+    /// Whether all of it is at sea in a place.
+    fn is_open(&self, input: &Input<'_>, at: Vec2) -> bool {
+        anchor::is_open(input, at, self.size, FROM_COAST * self.em)
     }
 
-    /// The block in its corner: a label for the title, and one for the seed.
-    fn set(&self, cartouche: &Cartouche, corner: &Corner) -> Set {
+    /// The block in its place: a label for the title, and one for the seed.
+    fn set(&self, cartouche: &Cartouche, at: Vec2, is_at_sea: bool) -> Set {
         let mut labels: Vec<Label> = Vec::new();
         for line in &self.lines {
-            let letters = self.letters(line, corner.at);
+            let letters = self.letters(line, at);
             match labels.last_mut() {
                 Some(label) if label.kind == line.kind => label.letters.extend(letters),
                 _ => {
@@ -121,29 +240,21 @@ impl Block {
             }
         }
         if let Some(title) = labels.first_mut() {
-            title.strokes = if self.is_framed { corner::rules(corner.at, self.size, self.em) } else { Vec::new() };
-            title.cleared = if corner.sea < 1.0 { self.cleared(corner.at) } else { Vec::new() };
+            if cartouche.is_framed {
+                title.strokes = frames::strokes(cartouche.frame, at, self.size, self.em);
+            }
+            if !is_at_sea {
+                title.cleared = corner::filled(at, self.size, 0.3 * self.em.min(CLEARED));
+            }
         }
-        Set { labels, around: Box::level(corner.at, corner.at + self.size) }
+        let by = Vec2::new(BESIDE * self.em, 0.0);
+        let beside = is_at_sea.then(|| Box::level(at - by, at + self.size + by));
+        Set { labels, around: vec![Box::level(at, at + self.size)], beside }
     }
 
     fn letters(&self, line: &Line, at: Vec2) -> Vec<Placed> {
-        let from = Vec2::new(0.5 * (self.size.x - line.text.length * line.em), AROUND * self.em + line.down);
+        let from = Vec2::new(0.5 * (self.size.x - line.text.length * line.em), line.down);
         line.text.letters.iter().map(|letter| Placed::level(letter, at + from, line.em)).collect()
-    }
-
-    /// What is cleared for it on land: all within its frame, or the lines of type.
-    fn cleared(&self, at: Vec2) -> Vec<Stroke> {
-        if self.is_framed {
-            return corner::filled(at, self.size, 0.3 * self.em);
-        }
-        let of_line = |of: &Line| {
-            let room = 0.5 * (self.size.x - of.text.length * of.em);
-            let y = AROUND * self.em + of.down - 0.25 * of.em;
-            let ends = [room, self.size.x - room].map(|x| at + Vec2::new(x, y));
-            Stroke { ends, half: 0.5 * self.em }
-        };
-        self.lines.iter().map(of_line).collect()
     }
 }
 
@@ -158,15 +269,16 @@ fn broken(title: &str, count: usize) -> Option<Vec<&str>> {
     halves.min_by_key(longest).map(|(first, second)| vec![first, second])
 }
 
-/// The seed in the largest letters that are not too wide; `None` if there are none, or it has letters that the type has not.
-fn seed(input: &Input<'_>, seed: &str, em: f32, most: f32) -> Option<(Text, f32)> {
+/// The line under a title in letters that are not too wide, none smaller than the least; `None` if there are no such letters, or if it is empty
+/// or has some that the type has not.
+fn seed(seed: &str, em: f32, least: f32, most: f32) -> Option<(Text, f32)> {
     let text = Text::new(seed, Kind::Seed);
     if text.letters.is_empty() || lacking(seed).next().is_some() {
         return None;
     }
-    let least = input.least_em * input.label_size;
-    let sizes = SEED.map(|share| (share * em).max(least.min(em)));
-    sizes.into_iter().find(|em| text.length * em <= most).map(|em| (text, em))
+    let size = (UNDER_TITLE * em).max(least).min(most / text.length);
+    let smallest = least.max(0.6 * UNDER_TITLE * em);
+    (size >= smallest && size <= MOST_UNDER_TITLE * em).then_some((text, size))
 }
 
 #[cfg(test)]

@@ -77,21 +77,21 @@ pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid,
     let strokes = around(least, most).into_iter().chain(ends).chain(crosses);
     Label {
         strokes: strokes.map(|ends| Stroke { ends, half: HALF * em }).collect(),
-        cleared: margin(least, most, em),
+        cleared: margin(least, most, MARGIN * em, CORNER * em),
         ..Label::new(Kind::Grid, None, "", em, Vec::new())
     }
 }
 
-/// The margin around the map: a line along each side, and its corners, which lines with round ends leave out.
-fn margin(least: Vec2, most: Vec2, em: f32) -> Vec<Stroke> {
-    let [half, fine] = [0.5 * MARGIN * em, CORNER * em];
+/// A margin around a map: a line along each side, and its corners, which lines with round ends leave out; they reach a little beyond it.
+pub fn margin(least: Vec2, most: Vec2, wide: f32, fine: f32) -> Vec<Stroke> {
+    let half = 0.5 * wide;
     let middles = around(least - half, most + half);
     let corners = middles.map(|[corner, _]| filled(corner - half - fine, Vec2::splat(2.0 * (half + fine)), fine));
     middles.map(|ends| Stroke { ends, half }).into_iter().chain(corners.into_iter().flatten()).collect()
 }
 
 /// The four sides between two corners.
-fn around(least: Vec2, most: Vec2) -> [[Vec2; 2]; 4] {
+pub fn around(least: Vec2, most: Vec2) -> [[Vec2; 2]; 4] {
     let corners = [least, Vec2::new(most.x, least.y), most, Vec2::new(least.x, most.y)];
     [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4]])
 }

@@ -7,6 +7,9 @@ use crate::base::random::Seed;
 use crate::land::{CELL_SIZE, CoastDistance};
 use crate::network::Place;
 
+/// The length of a kilometre, in units: a unit is a hundredth of a degree of the equator, of which a degree has 111.32 km.
+pub const KILOMETRE: f32 = 1.0 / 1.113_2;
+
 /// A river that may have a label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct River {
@@ -119,15 +122,93 @@ pub struct Landmark {
     pub size: f32,
 }
 
-/// The title of a map.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The title of a map, and what stands with it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cartouche {
     /// What the map is called.
     pub title: String,
-    /// What it has grown from.
+    /// What it has grown from: the line under the title.
     pub seed: String,
-    /// Whether there is a double line around them.
+    /// Whether the title has a frame.
     pub is_framed: bool,
+    /// What a frame looks like.
+    pub frame: Frame,
+    /// Whether there is a scale bar.
+    pub has_scale: bool,
+    /// The sign that tells where north is.
+    pub north: Option<NorthPoint>,
+    /// What the title is the heading of; the title stands alone if there is no room for it.
+    pub plate: Option<Plate>,
+    /// The sheet that a neat line is drawn around, its north-western and its south-eastern corner; `None` if the picture has one already,
+    /// or is to have none.
+    pub sheet: Option<[Vec2; 2]>,
+}
+
+/// A frame around a title.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// A double line with notched corners.
+    #[default]
+    Rules,
+    /// Lines that roll up at the corners.
+    Scrolls,
+}
+
+/// A sign that tells where north is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NorthPoint {
+    /// A needle beside the scale bar.
+    Arrow,
+    /// A star of eight points.
+    Rose,
+}
+
+/// What a plate shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Plate {
+    /// The longest rivers, straightened, side by side, the longest first.
+    Lengths(Vec<StraightRiver>),
+    /// The height of the greatest river along its course.
+    Profile(LongProfile),
+}
+
+/// A river, straightened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StraightRiver {
+    /// Its number.
+    pub river: u32,
+    /// Its name.
+    pub name: String,
+    /// The length of its course, in kilometres.
+    pub kilometres: f32,
+    /// Points at even distances from its end to its source: how far it winds to one side there, and half its width, in units.
+    pub points: Vec<[f32; 2]>,
+}
+
+/// Heights along a river.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LongProfile {
+    /// Its number.
+    pub river: u32,
+    /// Its name.
+    pub name: String,
+    /// The length of its course, in kilometres.
+    pub kilometres: f32,
+    /// Heights over the sea at even distances from its end to its source, in metres; none is lower than the one before.
+    pub heights: Vec<f32>,
+    /// Its tributaries, the greatest first.
+    pub tributaries: Vec<Tributary>,
+}
+
+/// A river that joins another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tributary {
+    /// Its number.
+    pub river: u32,
+    /// Its name; empty if it has none.
+    pub name: String,
+    /// Where it joins the other: the share of that one's length from its end on.
+    pub share: f32,
 }
 
 /// The relief, and what its heights are in numbers.
@@ -235,6 +316,16 @@ pub struct Input<'a> {
 }
 
 impl Input<'_> {
+    /// The smallest letters that can be read, as the length of their em, in units.
+    pub fn least(&self) -> f32 {
+        self.least_em * self.shrink
+    }
+
+    /// What sizes of letters are multiplied by on the whole map.
+    pub fn whole_size(&self) -> f32 {
+        self.label_size / self.shrink
+    }
+
     /// The part of the domain that is seen: its north-western and its south-eastern corner.
     pub fn sheet(&self) -> [Vec2; 2] {
         self.marks.grid.map_or(self.view, |grid| grid.sheet)

@@ -1,10 +1,10 @@
-//! The legend: a box in a corner that says what the map is called, how long a hundred units are, and how many rivers of each order there are.
+//! The legend: a box in a corner that says what the map is called, how long a hundred kilometres are, and how many rivers of each order there are.
 
 use glam::Vec2;
 
 use super::background::Background;
 use super::corner;
-use super::input::{Input, Legend, RiverClass};
+use super::input::{Input, KILOMETRE, Legend, RiverClass};
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 
 /// The length of its em, in units.
@@ -25,7 +25,7 @@ const BETWEEN: f32 = 0.5;
 const RULE: f32 = 0.014;
 
 /// How long the scale is, in units.
-const SCALE: f32 = 100.0;
+const SCALE: f32 = 100.0 * KILOMETRE;
 /// How long the samples of rivers are, how wide half of one is at least and at most, and how far type is behind both, in ems.
 const SAMPLE: f32 = 2.4;
 const HALF: [f32; 2] = [0.03, 0.25];
@@ -122,7 +122,7 @@ impl Block {
         const HEIGHT: f32 = 0.36;
         const THIN: f32 = 0.03;
         let (left, em) = (AROUND * self.em, self.em);
-        let foot = self.add("100 units", SCALE / em + BEHIND, 1.0);
+        let foot = self.add("100 km", SCALE / em + BEHIND, 1.0);
         let (top, thin) = (foot - HEIGHT * em, THIN * em);
         let [middle, right] = [0.5, 1.0].map(|share| left + share * SCALE);
         self.stroke([[left, top], [right, top]], thin);

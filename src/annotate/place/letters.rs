@@ -29,6 +29,10 @@ pub enum Kind {
     Title,
     /// What the map has grown from.
     Seed,
+    /// A line or a name on a plate, under the title.
+    Plate,
+    /// The numbers of the scale bar, and the letter over a north point.
+    Margin,
     /// A line of the legend.
     Legend,
     /// The height of a summit or a saddle, beside it.
@@ -80,6 +84,8 @@ impl Kind {
             Self::Region => set(Group::Names, roman, 0.35, 0.13, false),
             Self::Title => set(Group::Cartouche, roman, 0.05, 0.13, true),
             Self::Seed => set(Group::Cartouche, italic, 0.08, 0.13, true),
+            Self::Plate => set(Group::Cartouche, italic, 0.03, 0.13, true),
+            Self::Margin => set(Group::Cartouche, roman, 0.03, 0.13, true),
             Self::Legend => set(Group::Legend, roman, 0.05, 0.13, true),
             Self::SpotHeight => set(Group::Marks, roman, 0.03, 0.13, false),
             Self::GridLetter | Self::Grid | Self::Seal => set(Group::Marks, roman, 0.03, 0.13, true),

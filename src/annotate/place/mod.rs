@@ -10,15 +10,18 @@
 //! points, evenly scattered ─► those that are clear of rivers, coasts and letters ─► hills on divides, trees in woods
 //! ```
 
+mod anchor;
 mod areas;
 mod background;
 mod banks;
 mod baseline;
 mod cartouche;
 mod chosen;
+mod compass_rose;
 mod corner;
 mod costs;
 mod divides;
+mod frames;
 mod free;
 mod grid_letters;
 mod hill_shapes;
@@ -27,11 +30,17 @@ mod inlets;
 mod input;
 mod islands;
 mod legend;
+mod lengths;
 mod letters;
 mod levels;
+mod neat_line;
+mod panel;
 mod placing;
+mod plate;
+mod profile;
 mod raster;
 mod regions;
+mod scale_bar;
 mod scatter;
 mod scenery;
 mod seal;
@@ -47,10 +56,12 @@ pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use grid_letters::MARGIN;
 pub use input::{
-    Area, AreaKind, Cartouche, Elevations, Heights, Input, Landmark, LandmarkKind, Legend, Marks, Reach, River,
-    RiverClass, SceneryInput, Seal, SheetGrid, Stream, Strip,
+    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Landmark, LandmarkKind, Legend,
+    LongProfile, Marks, NorthPoint, Plate, Reach, River, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver,
+    Stream, Strip, Tributary,
 };
 pub use letters::{Box, Kind, Label, Placed, Stroke};
+pub use neat_line::MARGIN as SHEET_MARGIN;
 pub use placing::place;
 pub use raster::Raster;
 pub use scenery::Scenery;

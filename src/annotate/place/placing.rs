@@ -50,9 +50,9 @@ pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
 /// The labels that a picture shows whole, with what stands in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
     let mut boxes: Vec<(u32, Box)> = chosen.iter().flat_map(Chosen::boxes).collect();
-    let corners = blocks(input, background, &mut boxes);
+    let (corners, _) = blocks(input, background, &mut boxes);
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
-    labels.retain(|label| is_shown(input, label));
+    labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
     // Stable: rivers first, in the order of their importance.
     labels.sort_by_key(|label| label.river.is_none());
     let Marks { elevations, grid, .. } = &input.marks;
@@ -69,11 +69,11 @@ fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>)
     labels
 }
 
-/// The cartouche, the legend and the seal, whichever there is to be, with what all else keeps off.
-fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32, Box)>) -> Vec<Label> {
+/// The cartouche, the legend and the seal, whichever there is to be, with what all else keeps off, and what names of seas keep off besides.
+fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32, Box)>) -> (Vec<Label>, Option<Box>) {
     let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
-    let (mut labels, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
-    boxes.extend(around);
+    let cartouche::Set { mut labels, around, beside } = cartouche.unwrap_or_default();
+    boxes.extend(around.into_iter().map(|around| (NONE, around)));
     let Marks { legend, seal, .. } = &input.marks;
     if let Some(set) = legend.as_ref().and_then(|legend| legend::set(input, background, legend, boxes)) {
         labels.extend(set.labels);
@@ -83,7 +83,7 @@ fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32
         labels.push(label);
         boxes.push((NONE, around));
     }
-    labels
+    (labels, beside)
 }
 
 /// Returns `true` if the picture shows all of a label.
@@ -132,6 +132,8 @@ struct Map<'a, G> {
     level: Level,
     chosen: Vec<Chosen>,
     boxes: Vec<(u32, Box)>,
+    /// What names of seas keep off besides.
+    beside: Option<Box>,
 }
 
 impl<'a, G: Background> Map<'a, G> {
@@ -139,8 +141,8 @@ impl<'a, G: Background> Map<'a, G> {
     fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: Vec<Chosen>) -> Self {
         let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(input, background)).collect();
         let mut boxes = chosen.iter().flat_map(Chosen::boxes).collect();
-        blocks(input, background, &mut boxes);
-        let mut this = Self { input, background, level, chosen, boxes };
+        let (_, beside) = blocks(input, background, &mut boxes);
+        let mut this = Self { input, background, level, chosen, boxes, beside };
         for (number, before) in before.iter().enumerate() {
             if before.em(input) < before.label.em {
                 this.draw_near(number, before.em(input));
@@ -379,7 +381,11 @@ impl<'a, G: Background> Map<'a, G> {
         }
         let chosen = match area.kind {
             AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
-            AreaKind::Lake | AreaKind::Sea => areas::water(self.input, area, &self.boxes),
+            AreaKind::Lake | AreaKind::Sea => {
+                let beside = self.beside.filter(|_| area.kind == AreaKind::Sea).map(|beside| (NONE, beside));
+                let taken: Vec<(u32, Box)> = self.boxes.iter().copied().chain(beside).collect();
+                areas::water(self.input, area, &taken)
+            }
         };
         chosen.into_iter().for_each(|chosen| self.take(chosen));
     }

@@ -79,14 +79,14 @@ fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
     of(&|kind| kind == Kind::Seal).into_iter().for_each(|label| draw_seal(out, label, look));
 }
 
-/// Draws the cartouche or the legend. The first of its labels holds the lines of all.
+/// Draws the cartouche or the legend. The first of its labels stands on the ground of all.
 fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, [id, baseline]: [&'static str; 2]) {
     let [first, ..] = labels else { return };
     let said: Vec<&str> = labels.iter().map(|label| label.text.as_str()).collect();
     out.text("<g id=\"").text(id).text("\" role=\"img\"").attribute("aria-label", &said.join(", "));
     out.text(" fill=\"").colour(look.ink).text("\">\n");
     draw_ground(out, first, look);
-    draw_lines(out, &first.strokes, look.ink);
+    labels.iter().for_each(|label| draw_lines(out, &label.strokes, look.ink));
     draw_each(out, labels, look, is_text, baseline);
     out.text("</g>\n");
 }
@@ -182,7 +182,10 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
 /// Writes the attributes of the halo around letters, if there is one.
 fn halo(out: &mut Text, label: &Label, look: LabelLook) {
     if let Some((colour, strength)) = look.halo.filter(|_| !label.kind.is_afloat()) {
-        out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(EVERYWHERE * strength);
+        out.text(" paint-order=\"stroke\" stroke=\"")
+            .colour(colour)
+            .text("\" stroke-opacity=\"")
+            .units(EVERYWHERE * strength);
         out.text("\" stroke-linejoin=\"round\" stroke-width=\"").units(2.0 * label.kind.halo() * label.em).text("\"");
     }
 }

@@ -152,7 +152,8 @@ export class SaveDialog {
   /** True if the map has labels or a title. */
   get #isNamed(): boolean {
     const { values } = this.recipe;
-    return ["labels", "cartouche"].some((key) => (values.get(key) ?? "none") !== "none");
+    const isTitled = !["auto", "none"].includes(values.get("cartouche") ?? "auto");
+    return isTitled || (values.get("labels") ?? "none") !== "none";
   }
 
   /** Takes the choices from the form. A typed size is ignored until it is valid. */

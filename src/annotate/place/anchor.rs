@@ -1,0 +1,59 @@
+//! The places along a map's frame that blocks of lines may stand in, and how much room the sea has for them there.
+
+use glam::Vec2;
+
+use super::grid_letters;
+use super::input::Input;
+
+/// How far blocks are from the frame, in units, whatever their size: so that a smaller one covers nothing that a larger one does not.
+const FROM_FRAME: f32 = 12.0;
+/// The length of the em of a grid's letters on large pictures, in units.
+const GRID_EM: f32 = 11.0;
+
+/// A place along the frame, by the shares of the room that are left and above of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor(Vec2);
+
+impl Anchor {
+    /// The corners, and the middles of the upper and the lower side.
+    pub const ALL: [Self; 6] = [
+        Self(Vec2::new(0.0, 0.0)),
+        Self(Vec2::new(1.0, 0.0)),
+        Self(Vec2::new(0.0, 1.0)),
+        Self(Vec2::new(1.0, 1.0)),
+        Self(Vec2::new(0.5, 0.0)),
+        Self(Vec2::new(0.5, 1.0)),
+    ];
+
+    /// Where the upper left corner of a block is in a frame.
+    pub fn place(self, [least, most]: [Vec2; 2], size: Vec2) -> Vec2 {
+        least + FROM_FRAME + self.0 * (most - least - 2.0 * FROM_FRAME - size)
+    }
+
+    /// Whether blocks in both may come near each other.
+    pub fn is_beside(self, other: Self) -> bool {
+        self.0.y == other.0.y && (self.0.x - other.0.x).abs() < 1.0
+    }
+}
+
+/// The frame of blocks in pictures of a size: letters of a grid take more of small ones.
+pub fn frame(input: &Input<'_>) -> [Vec2; 2] {
+    let em = GRID_EM.max(input.least_em) * input.label_size;
+    let margin = input.marks.grid.map_or(0.0, |_| (grid_letters::MARGIN * (em - GRID_EM)).max(0.0));
+    let [least, most] = input.frame;
+    [least + margin, most - margin]
+}
+
+/// Whether all of a block is sea, its surroundings too. Distances from the coast tell this of a whole square at once, so few are asked for.
+pub fn is_open(input: &Input<'_>, at: Vec2, size: Vec2, margin: f32) -> bool {
+    /// Half the diagonal of a square that is no longer divided, in units.
+    const FINE: f32 = 1.5;
+    let Some(coast) = input.coast else { return false };
+    let (middle, half) = (at + 0.5 * size, 0.5 * size.length_squared().sqrt());
+    let depth = -coast.height(middle);
+    if depth < margin || depth >= margin + half || half <= FINE {
+        return depth >= margin;
+    }
+    let part = if size.x > size.y { Vec2::new(0.5, 1.0) } else { Vec2::new(1.0, 0.5) } * size;
+    is_open(input, at, part, margin) && is_open(input, at + size - part, part, margin)
+}

@@ -1,0 +1,137 @@
+//! The scale bar: two hundred kilometres in four parts, with a needle to the north where a style wants one.
+
+use glam::Vec2;
+
+use super::anchor::{self, Anchor};
+use super::background::Background;
+use super::corner::{self, filled};
+use super::frames::along;
+use super::input::{Cartouche, Input, KILOMETRE, NorthPoint};
+use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+
+/// The length of the em of its letters, in units.
+const EM: f32 = 11.5;
+/// How far it is from the coast, and from other blocks, in ems.
+const FROM_COAST: f32 = 0.5;
+const FROM_BLOCKS: f32 = 0.8;
+/// How many kilometres each part is long, and how many parts there are.
+const PART: f32 = 50.0;
+const PARTS: u32 = 4;
+/// How high the bar is, how thin its lines, and how high its letters with the space under them are, in ems.
+const HEIGHT: f32 = 0.3;
+const THIN: f32 = 0.026;
+const LETTERS: f32 = 1.05;
+/// How wide and how high the needle is with what is around it, in ems.
+const NEEDLE: Vec2 = Vec2::new(1.7, 3.1);
+
+/// What the numbers stand for, in kilometres.
+const NUMBERS: [(&str, f32); 3] = [("0", 0.0), ("100", 100.0), ("200 km", 200.0)];
+
+/// Puts it into a place at sea that the title leaves free, with the box around it; `None` if there is no room. Which place that is does not
+/// depend on the size of the picture.
+pub fn set<G: Background>(
+    input: &Input<'_>,
+    background: &G,
+    cartouche: &Cartouche,
+    title: Option<Anchor>,
+    taken: &[Box],
+) -> Option<(Vec<Label>, Box, Anchor)> {
+    let has_needle = cartouche.north == Some(NorthPoint::Arrow);
+    let usual = EM * input.whole_size();
+    let frame = input.frame;
+    let is_free = |place: &Anchor| title.is_none_or(|title| *place != title && !place.is_beside(title));
+    let mut best: Option<(corner::Corner, Anchor)> = None;
+    // Rather below than above, as is the custom.
+    for place in [2, 3, 5, 0, 1, 4].map(|i| Anchor::ALL[i]).into_iter().filter(is_free) {
+        let size = size(usual, has_needle);
+        let at = place.place(frame, size);
+        if !anchor::is_open(input, at, size, FROM_COAST * usual) || meets(at, size, usual, taken) {
+            continue;
+        }
+        let judged = corner::judged(input, background, at, size, usual);
+        if best.as_ref().is_none_or(|(best, _)| judged.is_better_than(best)) {
+            best = Some((judged, place));
+        }
+    }
+    let (_, place) = best?;
+    let em = (EM * input.label_size).max(input.least());
+    let size = size(em, has_needle);
+    let at = place.place(anchor::frame(input), size);
+    let is_free = anchor::is_open(input, at, size, FROM_COAST * em) && !meets(at, size, em, taken);
+    is_free.then(|| (bar(at, em, has_needle), Box::level(at, at + size), place))
+}
+
+fn meets(at: Vec2, size: Vec2, em: f32, taken: &[Box]) -> bool {
+    taken.iter().any(|other| Box::level(at, at + size).meets(other, FROM_BLOCKS * em))
+}
+
+/// The length of the bar, in units.
+fn length() -> f32 {
+    PART * PARTS as f32 * KILOMETRE
+}
+
+/// The size of all of it, in units.
+fn size(em: f32, has_needle: bool) -> Vec2 {
+    let needle = if has_needle { NEEDLE * em } else { Vec2::ZERO };
+    let ends = Text::new(NUMBERS[2].0, Kind::Margin).length;
+    Vec2::new(needle.x + length() + (0.4 + ends) * em, ((LETTERS + HEIGHT) * em).max(needle.y))
+}
+
+/// A label for each number, the first with all strokes.
+fn bar(at: Vec2, em: f32, has_needle: bool) -> Vec<Label> {
+    let size = size(em, has_needle);
+    let left = at.x + 0.3 * em + if has_needle { NEEDLE.x * em } else { 0.0 };
+    let (foot, thin) = (at.y + size.y - THIN * em, THIN * em);
+    let top = foot - HEIGHT * em;
+    let x = |kilometres: f32| left + kilometres * KILOMETRE;
+    let mut strokes: Vec<Stroke> = Vec::new();
+    let mut line = |from: [f32; 2], to: [f32; 2]| strokes.push(Stroke { ends: [from.into(), to.into()], half: thin });
+    let right = x(PART * PARTS as f32);
+    line([left, top], [right, top]);
+    line([left, foot], [right, foot]);
+    for part in 0..=PARTS {
+        let here = x(PART * part as f32);
+        line([here, top], [here, foot]);
+    }
+    for part in (0..PARTS).step_by(2) {
+        let size = Vec2::new(PART * KILOMETRE, foot - top);
+        strokes.extend(filled(Vec2::new(x(PART * part as f32), top), size, thin * 1.5));
+    }
+    let number = |(says, kilometres): (&str, f32)| {
+        // The unit stands behind its number.
+        let digits = Text::new(says.trim_end_matches(" km"), Kind::Margin);
+        written(says, Vec2::new(x(kilometres) - 0.5 * digits.length * em, top - 0.28 * em), em)
+    };
+    let mut labels: Vec<Label> = NUMBERS.into_iter().map(number).collect();
+    if has_needle {
+        let tip = Vec2::new(at.x + 0.6 * em, at.y + 0.75 * em);
+        strokes.extend(needle(tip, Vec2::new(tip.x, at.y + size.y), em));
+        labels.push(north(tip, em));
+    }
+    labels.iter_mut().take(1).for_each(|first| first.strokes = std::mem::take(&mut strokes));
+    labels
+}
+
+fn written(says: &str, from: Vec2, em: f32) -> Label {
+    let text = Text::new(says, Kind::Margin);
+    let letters = text.letters.iter().map(|letter| Placed::level(letter, from, em)).collect();
+    Label::new(Kind::Margin, None, says, em, letters)
+}
+
+/// A line with half an arrowhead.
+fn needle(tip: Vec2, foot: Vec2, em: f32) -> Vec<Stroke> {
+    let mut strokes = vec![Stroke { ends: [tip, foot], half: 1.4 * THIN * em }];
+    for i in 0..=5 {
+        let to = tip + Vec2::new(-0.3, 0.75) * em;
+        let from = tip.lerp(tip + Vec2::new(0.0, 0.6) * em, i as f32 / 5.0);
+        strokes.push(Stroke { ends: [from, to], half: THIN * em });
+    }
+    strokes.extend(along(&[foot + Vec2::new(-0.3, -0.55) * em, foot + Vec2::new(0.3, -0.55) * em], THIN * em));
+    strokes
+}
+
+/// An N over a tip.
+pub fn north(tip: Vec2, em: f32) -> Label {
+    let half = 0.5 * Text::new("N", Kind::Margin).length;
+    written("N", tip - Vec2::new(half, 0.12) * em, em)
+}
