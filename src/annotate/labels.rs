@@ -93,7 +93,7 @@ fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
             _ => None,
         },
         title: std::mem::take(&mut names.title),
-        seed: recipe.seed().into(),
+        seed: std::mem::take(&mut names.subtitle),
         is_framed: recipe.is_sheet(),
         frame: if style.shows(Shown::CompassRose) { Frame::Scrolls } else { Frame::Rules },
         // A legend has one of its own.
@@ -184,7 +184,7 @@ fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {
         RiverClass { order, count: count as u32, half: ends().map(|end| end.half).sum::<f32>() / count.max(1) as f32 }
     };
     Legend {
-        heading: has_heading.then(|| [names.title.clone(), recipe.seed().into()]),
+        heading: has_heading.then(|| [names.title.clone(), names.subtitle.clone()]),
         classes: (1..=highest).rev().map(class).filter(|class| class.count > 0).collect(),
     }
 }

@@ -1,5 +1,8 @@
 //! The text of own names: `12.Silver Water_m12.The Old Man_214._t.Home`. An entry is a mark, which names a thing on the
 //! map, then a full stop and the name; underscores separate entries. An empty name removes the generated one.
+//!
+//! A mark rests on what a thing is or where it lies, never on its rank, so it stays when a slider moves: a river's is its identity, that
+//! of a place the number of the cell of the map in which its midst lies.
 
 use std::fmt;
 
@@ -8,9 +11,9 @@ use thiserror::Error;
 use super::hidden::{is_hidden, shown};
 
 /// The greatest length of the text and of one name, and the greatest number of entries.
-const LONGEST: usize = 400;
+const LONGEST: usize = 1200;
 const LONGEST_NAME: usize = 40;
-const MOST: usize = 12;
+const MOST: usize = 40;
 
 /// A thing on the map that an own name is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,12 +23,20 @@ pub enum Mark {
     River(u32),
     /// The stretch where a river meanders, by the river's identity.
     Reach(u32),
-    /// A sea, by its number.
+    /// A sea, by the cell of its midst.
     Sea(u32),
-    /// A lake, by its number.
+    /// A lake, by the cell of its midst.
     Lake(u32),
-    /// An island, by its number; 0 is the mainland.
+    /// An island, by the cell of its midst; 0 is the main land.
     Island(u32),
+    /// A bay or gulf, by the cell of its midst.
+    Bay(u32),
+    /// A cape, by the cell of its tip.
+    Cape(u32),
+    /// A strait, by the cell of its midst.
+    Strait(u32),
+    /// A range of mountains or hills, by the cell of its midst.
+    Range(u32),
     /// The map.
     Title,
 }
@@ -42,6 +53,10 @@ impl Mark {
             ("s", rest) => number(rest).map(Self::Sea),
             ("l", rest) => number(rest).map(Self::Lake),
             ("i", rest) => number(rest).map(Self::Island),
+            ("b", rest) => number(rest).map(Self::Bay),
+            ("c", rest) => number(rest).map(Self::Cape),
+            ("n", rest) => number(rest).map(Self::Strait),
+            ("h", rest) => number(rest).map(Self::Range),
             _ => number(text).map(Self::River),
         }
     }
@@ -55,6 +70,10 @@ impl fmt::Display for Mark {
             Self::Sea(number) => write!(f, "s{number}"),
             Self::Lake(number) => write!(f, "l{number}"),
             Self::Island(number) => write!(f, "i{number}"),
+            Self::Bay(number) => write!(f, "b{number}"),
+            Self::Cape(number) => write!(f, "c{number}"),
+            Self::Strait(number) => write!(f, "n{number}"),
+            Self::Range(number) => write!(f, "h{number}"),
             Self::Title => write!(f, "t"),
         }
     }
@@ -78,7 +97,7 @@ pub enum NamesError {
     },
     /// The text before the full stop is not a mark.
     #[error(
-        "'{mark}' is not a mark: expected a river's number, m and a river's number, s, l or i and the number of a sea, lake or island, or t, then a full stop"
+        "'{mark}' is not a mark: expected a river's number, m and a river's number, a letter and a place's number (s sea, l lake, i island, b bay or gulf, c cape, n strait, h range), or t, then a full stop"
     )]
     Mark {
         /// The text before the full stop.
@@ -206,7 +225,7 @@ mod tests {
 
     #[test]
     fn entries_are_read_and_written_alike() {
-        let text = "0.Silver Water_m0.The Old Man. Again_214._s0.Sea of Glass_l3.x_i0.y_t.z";
+        let text = "0.Silver Water_m0.The Old Man. Again_214._s0.Sea of Glass_l3.x_i0.y_b41.v_c5.w_n6.u_h7.s_t.z";
         let names = OwnNames::parse(text).unwrap();
         assert_eq!(names.to_string(), text);
         assert_eq!(names.get(Mark::Reach(0)), Some("The Old Man. Again"));
@@ -224,10 +243,10 @@ mod tests {
             error(&format!("m1.{}", "é".repeat(41))),
             "the name of 'm1' has 41 characters, at most 40 are allowed"
         );
-        assert_eq!(error(&"x".repeat(401)), "the text has 401 characters, at most 400 are allowed");
+        assert_eq!(error(&"x".repeat(1201)), "the text has 1201 characters, at most 1200 are allowed");
         assert_eq!(
-            error(&(0..13).map(|i| format!("{i}.a_")).collect::<String>()),
-            "there are 13 names, at most 12 are allowed"
+            error(&(0..41).map(|i| format!("{i}.a_")).collect::<String>()),
+            "there are 41 names, at most 40 are allowed"
         );
         let unseen = ['\u{ad}', '\u{34f}', '\u{61c}', '\u{180e}', '\u{feff}', '\u{fffd}', '\u{fffe}', '\u{ffff}'];
         let ends = [('\0', '\u{1f}'), ('\u{7f}', '\u{9f}'), ('\u{200b}', '\u{200f}'), ('\u{2028}', '\u{202e}')];

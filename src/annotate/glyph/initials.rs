@@ -19,15 +19,15 @@ fn is_between_words(letter: char) -> bool {
         || matches!(letter, '\u{80}'..='\u{bf}' | '\u{2000}'..='\u{206f}')
 }
 
-/// Whether it is a letter or a figure that the type has.
-fn is_letter(letter: char) -> bool {
+/// Returns `true` for a letter or a figure that the type has.
+pub fn is_letter(letter: char) -> bool {
     let is_one = letter.is_ascii_alphanumeric() || (letter >= '\u{c0}' && letter != '×' && letter != '÷');
     is_one && Typeface::of(Face::Italic).glyph(letter.into()).is_some_and(|glyph| !glyph.contours.is_empty())
 }
 
 /// The capital of a letter of Latin-1 or Latin Extended-A; the letter itself where the type has none. The tables of all letters would
 /// be ten times as large as all of this.
-fn capital(letter: char) -> char {
+pub fn capital(letter: char) -> char {
     let code = u32::from(letter);
     let capital = match letter {
         'a'..='z' | 'à'..='þ' => code - 32,

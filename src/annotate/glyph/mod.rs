@@ -11,6 +11,6 @@ mod measure;
 mod table;
 
 pub use fill::{Fill, pieces_of};
-pub use initials::{capitals, initials};
+pub use initials::{capital, capitals, initials, is_letter};
 pub use measure::{Letter, lacking, line_of};
 pub use table::{Curve, Face, Glyph, Typeface};

@@ -52,6 +52,16 @@ impl<'a> Heads<'a> {
         junction.map(|junction| self.lowest[junction] as usize)
     }
 
+    /// The identities of all rivers of the untrimmed tree that drain so many thousandths of all water, with these thousandths; the greatest
+    /// first.
+    pub fn great(&self, least: u64, total: u32) -> Vec<(u32, u64)> {
+        let thousandths = |node: usize| u64::from(self.discharge[node]) * 1000 / u64::from(total.max(1));
+        let is_great = |node: &usize| self.lowest[*node] == *node as u32 && thousandths(*node) >= least;
+        let mut great: Vec<usize> = (0..self.tree.len()).filter(is_great).collect();
+        great.sort_unstable_by_key(|&node| (u32::MAX - self.discharge[node], self.identity(node)));
+        great.into_iter().map(|node| (self.identity(node), thousandths(node))).collect()
+    }
+
     /// From where a river comes to the one it joins, beside where that comes from: east and south, in units.
     pub fn side(&self, node: usize) -> [f32; 2] {
         /// Far enough to tell.

@@ -1,5 +1,7 @@
 //! From words to names: what kind of water or land it is, and how a language says so.
 
+use super::PlaceKind;
+
 /// A kind of river, by the share of all water that it drains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Size {
@@ -9,11 +11,14 @@ pub(super) enum Size {
 }
 
 impl Size {
+    /// The least thousandths of all water of a river.
+    pub const RIVER: u64 = 20;
+
     /// By a share of the whole discharge, given in its parts.
     pub fn of(discharge: u32, total: u32) -> Self {
         let thousandths = u64::from(discharge) * 1000 / u64::from(total.max(1));
         match thousandths {
-            20.. => Self::River,
+            Self::RIVER.. => Self::River,
             6.. => Self::Creek,
             _ => Self::Brook,
         }
@@ -51,34 +56,24 @@ pub(super) fn fork(parent: &str, [east, south]: [f32; 2], manner: u32) -> [Strin
     [format!("{side} Fork of the {parent}"), format!("{side} Fork")]
 }
 
-/// The name of an island, by its square units.
-pub(super) fn island(word: &str, area: f32) -> String {
-    match area {
-        4000.0.. => format!("Isle of {word}"),
-        800.0.. => format!("{word} Holm"),
-        _ => format!("{word} Skerry"),
-    }
-}
-
-/// The name of a lake.
-pub(super) fn lake(word: &str, area: f32) -> String {
-    const MERE: f32 = 5000.0;
-    if area < MERE { format!("{word} Mere") } else { format!("Lake {word}") }
-}
-
-/// The name of a sea.
-pub(super) fn sea(word: &str, area: f32, manner: u32) -> String {
-    const SOUND: f32 = 40_000.0;
-    match manner / 32 % 3 {
-        _ if area < SOUND => format!("{word} Sound"),
-        0 => format!("Gulf of {word}"),
-        _ => format!("The {word} Sea"),
-    }
-}
-
-/// The name of a map, after its main land.
-pub(super) fn title(word: &str, manner: u32) -> String {
-    if (manner / 128).is_multiple_of(2) { format!("The Rivers of {word}") } else { format!("{word} and its Waters") }
+/// The name of a place, by its kind, its size in units and some chance.
+pub(super) fn place(kind: PlaceKind, word: &str, size: f32, chance: u32) -> String {
+    /// Forms, with the word where `#` is: the smaller places of a kind have those of the second list.
+    const FORMS: [(PlaceKind, f32, &str, &str); 8] = [
+        (PlaceKind::Sea, 200.0, "The # Sea|Sea of #|The # Sea", "# Sound|The # Water"),
+        (PlaceKind::Gulf, 0.0, "Gulf of #|The Gulf of #|# Gulf", ""),
+        (PlaceKind::Lake, 70.0, "Lake #|Lough #|Lake #", "# Mere|# Water|# Tarn"),
+        (PlaceKind::Island, 63.0, "Isle of #|# Island|#", "# Holm|# Skerry|# Eyot|The # Stone"),
+        (PlaceKind::Bay, 0.0, "Bay of #|# Bay|# Bight|# Bay", ""),
+        (PlaceKind::Cape, 0.0, "Cape #|# Point|# Head|Cape #|The Naze of #|# Ness", ""),
+        (PlaceKind::Strait, 0.0, "Strait of #|# Sound|The # Narrows|Strait of #", ""),
+        (PlaceKind::Range, 24.0, "The # Mountains|The # Range|# Mountains", "The # Hills|# Fells|The # Heights"),
+    ];
+    let forms = FORMS.iter().find(|(of, ..)| *of == kind);
+    let forms = forms.map_or("", |(_, least, large, small)| if size >= *least { large } else { small });
+    let count = forms.split('|').count().max(1);
+    let form = forms.split('|').nth(chance as usize % count).unwrap_or("#");
+    form.replace('#', word)
 }
 
 /// Words for a stretch that winds: the first half stand after `The`.
@@ -175,14 +170,16 @@ mod tests {
             ["River Dellen", "Dellen River", "River Dellen", "Dellen Water"]
         );
         assert_eq!(river("Dellen", Size::Brook, 1), "Dellen Burn");
-        assert_eq!(
-            [9e3, 1e3, 2e2].map(|area| island("Dellen", area)),
-            ["Isle of Dellen", "Dellen Holm", "Dellen Skerry"]
-        );
-        assert_eq!([9e3, 1e3].map(|area| lake("Dellen", area)), ["Lake Dellen", "Dellen Mere"]);
-        assert_eq!([0, 32].map(|manner| sea("Dellen", 1e5, manner)), ["Gulf of Dellen", "The Dellen Sea"]);
-        assert_eq!(sea("Dellen", 1e4, 0), "Dellen Sound");
-        assert_eq!([0, 128].map(|manner| title("Dellen", manner)), ["The Rivers of Dellen", "Dellen and its Waters"]);
+        let named = |kind, size| [0, 1].map(|chance| place(kind, "Dellen", size, chance));
+        assert_eq!(named(PlaceKind::Island, 90.0), ["Isle of Dellen", "Dellen Island"]);
+        assert_eq!(named(PlaceKind::Island, 20.0), ["Dellen Holm", "Dellen Skerry"]);
+        assert_eq!(named(PlaceKind::Lake, 20.0), ["Dellen Mere", "Dellen Water"]);
+        assert_eq!(named(PlaceKind::Sea, 500.0), ["The Dellen Sea", "Sea of Dellen"]);
+        assert_eq!(named(PlaceKind::Gulf, 0.0)[0], "Gulf of Dellen");
+        assert_eq!(named(PlaceKind::Bay, 0.0)[1], "Dellen Bay");
+        assert_eq!(named(PlaceKind::Cape, 0.0), ["Cape Dellen", "Dellen Point"]);
+        assert_eq!(named(PlaceKind::Strait, 0.0), ["Strait of Dellen", "Dellen Sound"]);
+        assert_eq!(named(PlaceKind::Range, 300.0)[0], "The Dellen Mountains");
         assert_eq!([0, 24, 72].map(|bits| reach(bits, 0)), ["The Meanders", "Snake River", "The Snake"]);
     }
 }

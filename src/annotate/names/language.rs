@@ -1,29 +1,33 @@
 //! Made-up languages: each seed has one, so that the names of a map sound alike.
 //!
-//! After Martin O'Leary, *Generating naming languages* (2015): a small set of sounds, the order they may stand in, and spelling. A language has five lists,
-//! drawn from those of one of twelve families, and habits of spelling.
+//! After Martin O'Leary, *Generating naming languages* (2015): a small set of sounds, the order they may stand in, and spelling. A language
+//! takes its sounds from one of twelve families, and has habits of spelling. How they make words, `syllables.rs` tells.
 
+use super::sounds::{fits, is_vowel, rime};
 use crate::base::random::{ItemHash, Purpose, Seed};
 
-/// How many entries a language has of each list: initials, first vowels, medials, later vowels, finals.
-pub(super) const SIZES: [usize; 5] = [11, 5, 12, 4, 6];
-
-/// Initials, first vowels, medials, later vowels, finals. Vowels stand in the lists of vowels only, and consonants in the others: a word
-/// can be split in one way. None is close to any one real language.
+/// The lists of a family: onsets, first vowels, later vowels, medials, open tails, closed tails, endings with a meaning, rimes of
+/// words of one syllable. Vowels stand in lists of vowels and at the beginning of tails and rimes, consonants elsewhere, so a word can be
+/// split in one way. None is close to any one real language.
 const FAMILIES: [&str; 12] = [
-    "h sk st b br g hr k r v f th sv n|a e i o u ei|ld nd rg lf rm st gr dr nn rr v lm|a e u i|r n d lm s ng rd m",
-    "t k v h z l m r s y p d dr|a ie u e o aa|rk rn tt lv sk mr zn vr lt nk dz rg|a e i u|n r t m ks v nd",
-    "d br sw th b l m g w gl p f n|e o i a u ea|ll sh ng kk mb dd rv lt nn th gg lb|e i o a|n m l g nd sk",
-    "g gw t k d r m n b ch dr tr l|e u a i o oe|rch dd dr tr rn lch th nn gw mm rg ld|i a o u|r th g ch d n l",
-    "z sh y k t m n d zh kh r b|a u o aa i e|zr md kh rz shk nz lb zh tr dv km rs|a u o i|d m r z sh k n",
-    "ts v m p kl z n gr dv b st h|o e a i u ae|vl rg sn tv zm lk str pn dr br ch mn|a o e u|v k n sk r t l",
-    "w n k t l p s ch m b f z|a o i e u aa|mb nd ng nz ld zw mp lw nk rb vw lz|a i o u|l n m r s k",
-    "p t kw h l m n w r k f v|a e i u o ua|lk nw rh mr kl pw tw hl rv lm vr nh|a i u o|n m r l k sh",
-    "l f n s th v m r g d h gl|i e a ai o u|lr rl lv ndr ll nn rn st nth ss ld vr|i a e o|l n r th s nd",
-    "gr kr dr b z r g t br d m v|u o a i e ou|rg zg gr bz lg kk nd rb dg ng mb gb|a u o i|k g z r sh b d",
-    "kl v l m n f pr j d h bl s gn|o i e a u eo|lv mst rn ft gn dl rsk nf mpr vl fl rdr|e o i a|l n s m v rd",
-    "tl k ch m p h t n w z kw y|a i o e u ia|tl lp kp mn tz sht lk nk kt sh tp zl|i a o e|l k n sk m v",
+    "h sk st br b d k r v th f n sv l|a e o i u ei|a e i o|ld nd rl rv st n l v rn lm d r nn|a e ey|en ar und is|wen dal mark gard|aur eyn arv orl ulv eyl",
+    "t k v h z l m r s p d n f|a ie u e o ai|a e i u|rk rn lv l r n m zn rt v lt nd s|a i o|en is ur at|dol vir mesk kam|aar uld iev erl oirn",
+    "d br sw th b l m g w gl p f n|e o i a u ea|i e o a|ll nn ng mb rv lt n l r d s lg|a ey o|en or ed ith|wick bray dun vell|aun eoth ilm orv uin",
+    "g gw t k d r m n b dr tr l h|e u a i o oe|i a o e|rch n r l nn th dd rn ld ll m|i o a|ar eth ol und an|vath gen mor bach|oer uch enn arth oul ild",
+    "sh y k t m n d z kh r b s|a u o i e ai|a o u i|zr md r n l sh m b z rz nd mn|a u i|ad im ar et|kesh baz mun dir|aid urz oum irn azh",
+    "ts v m p pl z n gr dr b st h l|o e a i u ae|a o e i|vl rg sn v l n r m tr dr st lm|a o e|in ek or an|mir vol ben dask|orv aen ust imn oel",
+    "w n k t l p s m b f z ch|a o i e u aa|a i o u|mb nd n l z nz r m s t lw k|a o i u|an el um|wai bei zum dou|aan oul imb oa",
+    "p t k h l m n w r kw s v|a e i u o ua|a i u o|lk n m r l k p t h nn s v|a i o u|en ul as|wai tei hou mar|oa uin iul aen",
+    "l f n s th v m r g d h gl|i e a o u ai|i a e o|ndr rl ll nn rn st th n l r d v m|a e ia|en or is ath|dor vel mir gond|iel aur eth aen oirn",
+    "gr kr dr b z r g t br d m v|u o a i e ou|a u i o|rz zg lg nd rb ndr mb g r n l z d|a u i|ek ur osh an|dak gul bol muz|ourn arz olg urz aum",
+    "kl v l m n f pr d h bl s r|o i e a u eo|e o i a|lv st rn ft nt pl n l r s v m d|a e o ia|en is ur|fel mor din vast|eol aun ulv oin erl",
+    "tl k ch m p h t n w z kw s|a i o e u ia|i a o e|tl lp n tz sht l k m p t nk z|a i o e|an il ek|wap tum kosh met|oal itz iak uan",
 ];
+/// How many of a family's onsets, first vowels, later vowels, medials, tails, endings and rimes a language has.
+const SIZES: [usize; 8] = [12, 5, 4, 12, 4, 3, 3, 5];
+
+/// What may stand before the consonant of an ending.
+const LINKS: [&str; 3] = ["", "l", "r"];
 
 /// How a sound may be spelled, as it is written above first. The longer stand before those that they are made of.
 const HABITS: [[&str; 3]; 10] = [
@@ -43,15 +47,27 @@ const HABITS: [[&str; 3]; 10] = [
 pub(super) const CAPITALS: [(char, char); 9] =
     [('á', 'Á'), ('ā', 'Ā'), ('ä', 'Ä'), ('æ', 'Æ'), ('š', 'Š'), ('č', 'Č'), ('ž', 'Ž'), ('ñ', 'Ñ'), ('þ', 'Þ')];
 
-/// A language: the entries that its words are made of, and how it puts names together.
+/// A language: the sounds that its words are made of, and how it puts names together.
 #[derive(Clone, Debug)]
 pub(super) struct Language {
-    /// Initials, first vowels, medials, later vowels, finals, spelled.
-    pub lists: [Vec<String>; 5],
+    /// Consonants that a word begins with.
+    pub onsets: Vec<String>,
+    /// Vowels of a word's first syllable.
+    pub nuclei: Vec<String>,
+    /// Vowels of those that follow, but the last.
+    pub inner: Vec<String>,
+    /// Consonants between vowels.
+    pub medials: Vec<String>,
+    /// What a word closes with, from the last consonants before its last vowel: plain closes, and endings with a meaning.
+    pub closes: [Vec<String>; 2],
+    /// What follows the onset of a word of one syllable.
+    pub rimes: Vec<String>,
     /// The order of its words.
     pub chance: ItemHash,
     /// Which of some forms it uses of a kind of name.
     pub manner: u32,
+    /// Of sixteen words, how many have each pattern: an onset or none, with a plain close or with one that has a meaning.
+    pub weights: [u32; 4],
 }
 
 /// What the chances of a language are of.
@@ -59,19 +75,24 @@ const FAMILY: u32 = 0;
 const ORDER: u32 = 1;
 const HABIT: u32 = 2;
 const MANNER: u32 = 3;
+const WEIGHT: u32 = 4;
 
 impl Language {
-    /// The seed's own language, or one by its number, which is the same for all seeds.
+    /// The seed's own language, or one by its number, which is the same for all seeds. Numbers go through the families in turn.
     pub fn new(seed: &str, number: u32) -> Self {
         let seed = if number == 0 { Seed::from_text(seed) } else { Seed::from_text(&format!("language {number}")) };
         let chance = seed.item_hash(Purpose::Names);
-        let family = FAMILIES[chance.bits([FAMILY, 0, 0]) as usize % FAMILIES.len()];
-        let mut lists: [Vec<String>; 5] = Default::default();
+        let family = if number == 0 { chance.bits([FAMILY, 0, 0]) } else { number - 1 };
+        let family = FAMILIES[family as usize % FAMILIES.len()];
+        let mut lists: [Vec<String>; 8] = Default::default();
         for ((i, list), entries) in (0..).zip(&mut lists).zip(family.split('|')) {
             *list = entries.split(' ').map(String::from).collect();
             shuffle(list, |item| chance.bits([ORDER, i, item]));
             list.truncate(SIZES[i as usize]);
         }
+        let [onsets, nuclei, inner, medials, open, closed, endings, rimes] = lists;
+        let tails: Vec<String> = open.into_iter().chain(closed).collect();
+        let mut lists = [onsets, nuclei, inner, medials, tails, endings, rimes];
         for (i, [sound, one, other]) in (0..).zip(HABITS) {
             match chance.bits([HABIT, i, 0]) % 3 {
                 0 => {}
@@ -79,8 +100,30 @@ impl Language {
                 _ => spell(&mut lists, sound, other),
             }
         }
-        Self { lists, chance, manner: chance.bits([MANNER, 0, 0]) }
+        let [onsets, nuclei, inner, medials, tails, endings, rimes] = lists;
+        let closes = [plain_closes(&medials, &tails, &endings), meant_closes(&endings)];
+        let [vowel_first, meant] = [0, 1].map(|i| 2 + chance.bits([WEIGHT, i, 0]) % 3);
+        let weights = [16 - vowel_first - meant - 1, vowel_first, meant, 1];
+        Self { onsets, nuclei, inner, medials, closes, rimes, chance, manner: chance.bits([MANNER, 0, 0]), weights }
     }
+}
+
+/// Each medial with each tail; but none that could be read as an ending with a meaning.
+fn plain_closes(medials: &[String], tails: &[String], endings: &[String]) -> Vec<String> {
+    let is_plain = |tail: &&String| endings.iter().all(|ending| rime(ending) != tail.as_str());
+    let of_tail = |tail: &String| {
+        let fitting = medials.iter().filter(|medial| fits(medial, tail.trim_start_matches(is_vowel)));
+        fitting.map(|medial| format!("{medial}{tail}")).collect::<Vec<_>>()
+    };
+    tails.iter().filter(is_plain).flat_map(of_tail).collect()
+}
+
+fn meant_closes(endings: &[String]) -> Vec<String> {
+    let of_ending = |ending: &String| {
+        let fitting = LINKS.into_iter().filter(|link| link.is_empty() || fits(link, ending));
+        fitting.map(|link| format!("{link}{ending}")).collect::<Vec<_>>()
+    };
+    endings.iter().flat_map(of_ending).collect()
 }
 
 /// Shuffles a list (Fisher and Yates).
@@ -90,10 +133,14 @@ fn shuffle(list: &mut [String], bits: impl Fn(u32) -> u32) {
     }
 }
 
-/// Spells a sound another way; but not if two entries of a list would then be alike.
-fn spell(lists: &mut [Vec<String>; 5], sound: &str, spelling: &str) {
+/// Spells a sound another way; but not if two entries of a list would then be alike, or a letter would double that is never doubled.
+fn spell(lists: &mut [Vec<String>; 7], sound: &str, spelling: &str) {
+    const NEVER: [&str; 4] = ["vv", "jj", "ij", "cs"];
     let spelled = lists.clone().map(|list| list.iter().map(|entry| entry.replace(sound, spelling)).collect::<Vec<_>>());
-    let is_clear = |list: &Vec<String>| (1..list.len()).all(|i| !list[..i].contains(&list[i]));
+    let is_clear = |list: &Vec<String>| {
+        let is_good = |entry: &String| !NEVER.iter().any(|never| entry.contains(never));
+        (0..list.len()).all(|i| !list[..i].contains(&list[i]) && is_good(&list[i]))
+    };
     if spelled.iter().all(is_clear) {
         *lists = spelled;
     }
@@ -103,29 +150,47 @@ fn spell(lists: &mut [Vec<String>; 5], sound: &str, spelling: &str) {
 mod tests {
     use super::*;
 
-    const VOWELS: &str = "aeiouáāäæ";
+    /// All lists of a language, those of vowels last.
+    fn lists(language: &Language) -> Vec<&Vec<String>> {
+        let Language { onsets, nuclei, inner, medials, closes: [plain, meant], rimes, .. } = language;
+        vec![onsets, medials, plain, meant, rimes, nuclei, inner]
+    }
 
     #[test]
     fn lists_are_full_and_no_two_entries_alike_and_vowels_stand_apart() {
         for number in 1..=999 {
-            let Language { lists, .. } = Language::new("", number);
-            for (i, list) in lists.iter().enumerate() {
+            let language = Language::new("", number);
+            for (i, list) in lists(&language).into_iter().enumerate() {
                 let mut distinct = list.clone();
                 distinct.sort();
                 distinct.dedup();
-                assert_eq!(distinct.len(), SIZES[i], "{list:?}");
-                let is_of_vowels = i == 1 || i == 3;
-                assert!(
-                    list.iter().flat_map(|entry| entry.chars()).all(|c| VOWELS.contains(c) == is_of_vowels),
-                    "{list:?}"
-                );
+                assert!(distinct.len() == list.len() && list.len() >= 3, "{list:?}");
+                let is_all = |is_vowels: bool| list.iter().all(|entry| entry.chars().all(|c| is_vowel(c) == is_vowels));
+                assert!(i >= 5 || i < 2 || !is_all(true));
+                assert!(i >= 2 || is_all(false), "{list:?}");
+                assert!(i < 5 || is_all(true), "{list:?}");
             }
+            let [plain, meant] = language.closes.each_ref().map(|closes| closes.iter().map(|close| rime(close)));
+            let plain: Vec<&str> = plain.collect();
+            assert!(
+                meant.into_iter().all(|rime| !plain.contains(&rime)),
+                "{number}: a word could be split in two ways"
+            );
+            assert_eq!(language.weights.iter().sum::<u32>(), 16);
         }
     }
 
     #[test]
     fn a_numbered_language_is_the_same_for_all_seeds_and_the_seed_s_own_is_not() {
-        assert_eq!(Language::new("kauri", 7).lists, Language::new("rimu", 7).lists);
-        assert_ne!(Language::new("kauri", 0).lists, Language::new("rimu", 0).lists);
+        assert_eq!(Language::new("kauri", 7).closes, Language::new("rimu", 7).closes);
+        assert_ne!(Language::new("kauri", 0).closes, Language::new("rimu", 0).closes);
+    }
+
+    #[test]
+    fn twelve_languages_are_of_twelve_families() {
+        let rimes: std::collections::BTreeSet<String> = (1..=12)
+            .map(|number| Language::new("", number).nuclei.concat() + &Language::new("", number).medials.concat())
+            .collect();
+        assert_eq!(rimes.len(), 12);
     }
 }

@@ -1,8 +1,8 @@
-//! Names of rivers, their meanders, seas, lakes and islands, in a made-up language.
+//! Names of rivers, their meanders, seas, lands and parts of their coasts, in a made-up language; and the country's, which is the seed.
 //!
-//! A river's name is made of its [identity](crate::River::identity) and the seed alone: it has the same name whatever is trimmed, however
-//! it meanders and in whatever style it is drawn. Only that a fork is called after its river, and the second of two reaches with the
-//! same word after its own, depends on others.
+//! A river's name is made of its [identity](crate::River::identity), the seed and facts of the untrimmed tree: it has the same name whatever is
+//! trimmed, however it meanders and in whatever style it is drawn. That a fork is called after its river, the second of two reaches with the
+//! same word after its own, and that of two great rivers with one word the smaller has another, depends on others.
 //!
 //! ```text
 //! identity ─► number ─► word (language, filter) ─► name (kinds), or one's own
@@ -17,11 +17,27 @@ mod kinds;
 #[cfg(feature = "names")]
 mod language;
 #[cfg(feature = "names")]
+mod lattice;
+#[cfg(feature = "names")]
+mod marks;
+#[cfg(feature = "names")]
 mod namer;
+#[cfg(feature = "names")]
+mod places;
+#[cfg(feature = "names")]
+mod ranges;
 #[cfg(feature = "names")]
 mod reaches;
 #[cfg(feature = "names")]
 mod regions;
+#[cfg(feature = "names")]
+mod shores;
+#[cfg(feature = "names")]
+mod sounds;
+#[cfg(feature = "names")]
+mod syllables;
+#[cfg(feature = "names")]
+mod title;
 #[cfg(feature = "names")]
 mod word;
 

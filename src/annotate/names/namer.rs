@@ -1,11 +1,17 @@
 //! Who gives names.
 
+use std::collections::BTreeMap;
+
 use glam::Vec2;
 
 use super::heads::Heads;
 use super::kinds::{self, Size};
 use super::language::Language;
-use super::{Names, PlaceKind, PlaceName, ReachName, RiverName, reaches, regions, word};
+use super::marks::{mark, numbers};
+use super::places::{self, Place};
+use super::regions::Found;
+use super::word::Words;
+use super::{Names, PlaceKind, PlaceName, ReachName, RiverName, reaches, title};
 use crate::base::sort;
 use crate::land::{Land, Region};
 use crate::map::Map;
@@ -23,62 +29,56 @@ impl Names {
     pub(crate) fn with_regions(map: &Map) -> (Self, Vec<Region>) {
         let (network, all_reaches) = (map.network(), map.reaches());
         let namer = Namer::new(map.recipe());
-        let rivers = namer.rivers(network, map.tree(), map.grown().total_discharge);
+        let (rivers, great) = namer.rivers(network, map.tree(), map.grown().total_discharge);
         let water =
             |reach: &Reach| network.rivers.get(reach.river as usize).map_or(0, |river| network.discharge(river));
         let order = sort::argsort(all_reaches.iter().map(|reach| u32::MAX - water(reach)));
         let course = |i: usize| Some((all_reaches[i].river, reaches::course(network, &all_reaches[i])?));
-        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &rivers);
-        let places = map.land().map_or(Vec::new(), |land| namer.places(land));
-        let (places, regions) = places.into_iter().unzip();
-        (Self { rivers, reaches, places, title: namer.title(), subtitle: String::new() }, regions)
+        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), (&rivers, &great));
+        let (places, regions) = map.land().map_or_else(Default::default, |land| namer.places(map, land));
+        let title = namer.title();
+        let subtitle = title::subtitle(&title, map.recipe().seed());
+        (Self { rivers, reaches, places, title, subtitle }, regions)
     }
 
-    /// What each name of a network's map is known by, and the name: rivers, the greatest first, then their reaches, seas, lakes and islands,
-    /// and the map.
+    /// The mark of each name of a network's map, with the name: the map, then rivers, the greatest first, their reaches, and places.
     pub fn marked(&self, network: &Network) -> Vec<(Mark, &str)> {
         let by_discharge = sort::argsort(network.rivers.iter().map(|river| u32::MAX - network.discharge(river)));
         let river = |i: usize| self.rivers.get(i).map(|river| (Mark::River(river.identity), river.name.as_str()));
         let reaches = self.reaches.iter().map(|reach| (Mark::Reach(reach.identity), reach.name.as_str()));
-        let places = self.places.iter().filter_map(|place| {
-            let mark = match place.kind {
-                PlaceKind::Sea => Mark::Sea(place.number),
-                PlaceKind::Lake => Mark::Lake(place.number),
-                PlaceKind::Island => Mark::Island(place.number),
-                _ => return None,
-            };
-            Some((mark, place.name.as_str()))
-        });
+        let places = self.places.iter().map(|place| (mark(place.kind, place.number), place.name.as_str()));
         let title = [(Mark::Title, self.title.as_str())];
-        by_discharge.into_iter().filter_map(river).chain(reaches).chain(places).chain(title).collect()
+        title.into_iter().chain(by_discharge.into_iter().filter_map(river)).chain(reaches).chain(places).collect()
     }
 
     /// The names of one's own in a recipe that name nothing on this map.
     pub fn unused(&self, recipe: &Recipe) -> Vec<Mark> {
-        let is_place = |kind, number| self.places.iter().any(|place| place.kind == kind && place.number == number);
-        let is_used = |mark: &Mark| match *mark {
+        let is_used = |own: &Mark| match *own {
             Mark::River(identity) => self.rivers.iter().any(|river| river.identity == identity),
             Mark::Reach(identity) => self.reaches.iter().any(|reach| reach.identity == identity),
-            Mark::Sea(number) => is_place(PlaceKind::Sea, number),
-            Mark::Lake(number) => is_place(PlaceKind::Lake, number),
-            // The main land gives the map its name.
-            Mark::Island(number) => number == 0 || is_place(PlaceKind::Island, number),
-            Mark::Title => true,
+            // The main land gives the map its name, even where it has no coast.
+            Mark::Title | Mark::Island(0) => true,
+            _ => self.places.iter().any(|place| mark(place.kind, place.number) == *own),
         };
-        recipe.own_names().marks().filter(|mark| !is_used(mark)).collect()
+        recipe.own_names().marks().filter(|own| !is_used(own)).collect()
     }
 }
 
-/// The language and the names of one's own by which names are given.
+/// The words and the names of one's own by which names are given.
 struct Namer {
-    language: Language,
+    words: Words,
     own: OwnNames,
+    /// The name of the country, if nothing of one's own is it: the seed, or a made-up word.
+    country: String,
 }
 
 impl Namer {
     fn new(recipe: &Recipe) -> Self {
         let language = Language::new(recipe.seed(), recipe.integer(IntegerKey::Language));
-        Self { language, own: recipe.own_names() }
+        let country = title::country(recipe.seed());
+        let words = Words::new(language, country.as_deref().unwrap_or_default());
+        let country = country.unwrap_or_else(|| words.place(number_of_word(PlaceKind::Island, 0)));
+        Self { words, own: recipe.own_names(), country }
     }
 
     /// One's own name for something, or another.
@@ -92,36 +92,28 @@ impl Namer {
         own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
     }
 
-    /// The word of a river. Every eighth number is left to what is no river.
-    fn river_word(&self, identity: u32) -> String {
-        let identity = u64::from(identity);
-        word::word(&self.language, identity + identity / 7)
-    }
-
-    fn place_word(&self, kind: PlaceKind, number: u32) -> String {
-        word::word(&self.language, (u64::from(number) * 3 + kind as u64) * 8 + 7)
-    }
-
-    fn rivers(&self, network: &Network, tree: &Tree, total: u32) -> Vec<RiverName> {
+    fn rivers(&self, network: &Network, tree: &Tree, total: u32) -> (Vec<RiverName>, Great) {
         let heads = Heads::of(tree);
-        let name = |river: &crate::River| self.river(&heads, river.identity, total);
-        network.rivers.iter().map(name).collect()
+        let great = self.words.great(heads.great(Size::RIVER, total));
+        let name = |river: &crate::River| self.river(&heads, &great, river.identity, total);
+        let rivers = network.rivers.iter().map(name).collect();
+        (rivers, great)
     }
 
-    fn river(&self, heads: &Heads, identity: u32, total: u32) -> RiverName {
-        let manner = self.language.manner;
+    fn river(&self, heads: &Heads, great: &Great, identity: u32, total: u32) -> RiverName {
+        let manner = self.words.language.manner;
         let Some(node) = heads.node(identity) else {
             return RiverName { identity, name: String::new(), short: String::new(), kind: String::new() };
         };
         let (name, short, kind) = match fork_of(heads, node, total) {
             Some(parent) => {
                 let parent = heads.identity(parent);
-                let parent = self.name_of_others(Mark::River(parent), || self.river_word(parent));
+                let parent = self.name_of_others(Mark::River(parent), || self.river_word(great, parent));
                 let [name, short] = kinds::fork(&parent, heads.side(node), manner);
                 (name, short, "Fork")
             }
             None => {
-                let (word, size) = (self.river_word(identity), Size::of(heads.discharge(node), total));
+                let (word, size) = (self.river_word(great, identity), Size::of(heads.discharge(node), total));
                 (kinds::river(&word, size, manner), word, size.generic(manner))
             }
         };
@@ -133,14 +125,14 @@ impl Namer {
     }
 
     /// Of reaches, that with the most water first.
-    fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, rivers: &[RiverName]) -> Vec<ReachName> {
+    fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, (rivers, great): (&[RiverName], &Great)) -> Vec<ReachName> {
         let mut named: Vec<ReachName> = Vec::new();
         for (number, course) in reaches {
             let Some(river) = rivers.get(number as usize) else { continue };
-            let bits = self.language.chance.bits([river.identity, 0, REACH]);
-            let usual = kinds::reach(bits, self.language.manner);
+            let bits = self.words.language.chance.bits([river.identity, 0, REACH]);
+            let usual = kinds::reach(bits, self.words.language.manner);
             let is_taken = named.iter().any(|reach| reach.name == usual);
-            let word = || self.name_of_others(Mark::River(river.identity), || self.river_word(river.identity));
+            let word = || self.name_of_others(Mark::River(river.identity), || self.river_word(great, river.identity));
             let usual = if is_taken { format!("{} Meanders", word()) } else { usual };
             let name = self.name(Mark::Reach(river.identity), || usual);
             named.push(ReachName { river: number, identity: river.identity, name, course });
@@ -148,43 +140,56 @@ impl Namer {
         named
     }
 
-    fn places(&self, land: &Land) -> Vec<(PlaceName, Region)> {
-        /// In square units: smaller ones have no names.
-        const LEAST_SEA: f32 = 10_000.0;
-        const LEAST_LAKE: f32 = 400.0;
-        const LEAST_ISLAND: f32 = 150.0;
-        let manner = self.language.manner;
-        let [seas, lakes, islands] = regions::tracts(land);
-        let place = |kind, least: f32, tract: regions::Tract| {
-            let (number, area) = (tract.number, tract.area);
-            let word = || self.place_word(kind, number);
-            let name = match kind {
-                PlaceKind::Sea => self.name(Mark::Sea(number), || kinds::sea(&word(), area, manner)),
-                PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
-                _ => self.name(Mark::Island(number), || kinds::island(&word(), area)),
-            };
-            (area >= least).then(|| {
-                (
-                    PlaceName { kind, number, name, at: tract.midst(land), line: Vec::new(), size: area.sqrt() },
-                    tract.region,
-                )
-            })
-        };
-        let seas = seas.into_iter().filter_map(|tract| place(PlaceKind::Sea, LEAST_SEA, tract));
-        let lakes = lakes.into_iter().filter_map(|tract| place(PlaceKind::Lake, LEAST_LAKE, tract));
-        // The main land gives the map its name.
-        let islands = islands.into_iter().skip(1).filter_map(|tract| place(PlaceKind::Island, LEAST_ISLAND, tract));
-        seas.chain(lakes).chain(islands).collect()
+    /// The word of a river.
+    fn river_word(&self, great: &Great, identity: u32) -> String {
+        great.get(&identity).cloned().unwrap_or_else(|| self.words.other(identity.into()))
     }
 
+    /// The map's title: one's own, or the main land's own name, or the country's.
     fn title(&self) -> String {
-        let land = || self.name_of_others(Mark::Island(0), || self.place_word(PlaceKind::Island, 0));
-        self.name(Mark::Title, || kinds::title(&land(), self.language.manner))
+        let land = self.own.get(Mark::Island(0)).filter(|own| !own.is_empty());
+        self.name(Mark::Title, || land.unwrap_or(&self.country).into())
+    }
+
+    /// The name of the main land: one's own, or the map's own title, or the country's.
+    fn land(&self) -> String {
+        let title = self.own.get(Mark::Title).filter(|own| !own.is_empty());
+        self.name(Mark::Island(0), || title.unwrap_or(&self.country).into())
+    }
+
+    /// The places of a map, each with its region, which parts of a coast and ranges do not have.
+    fn places(&self, map: &Map, land: &Land) -> (Vec<PlaceName>, Vec<Region>) {
+        let (places, regions): (Vec<Place>, Vec<Region>) = places::of(map, land).into_iter().unzip();
+        let found: Vec<&Found> = places.iter().map(|place| &place.found).collect();
+        let numbers = numbers(&found, &self.own, |i| places[i].kind_and_rank() == (PlaceKind::Island, 0));
+        let named = |(place, number): (Place, u32)| {
+            let (kind, _) = place.kind_and_rank();
+            let name = if number == 0 { self.land() } else { self.name(mark(kind, number), || self.usual(&place)) };
+            let Found { at, line, size, .. } = place.found;
+            PlaceName { kind, number, name, at, line, size }
+        };
+        (places.into_iter().zip(numbers).map(named).collect(), regions)
+    }
+
+    /// The made-up name of a place, by its kind and rank.
+    fn usual(&self, place: &Place) -> String {
+        let (kind, rank) = place.kind_and_rank();
+        let chance = self.words.language.chance.bits([rank, kind as u32, PLACE]);
+        kinds::place(kind, &self.words.place(number_of_word(kind, rank)), place.height_or_size, chance)
     }
 }
 
-/// Chances of reaches; those of words are above.
+/// The words of great rivers, by their identities.
+type Great = BTreeMap<u32, String>;
+
+/// The number of the word of a place.
+fn number_of_word(kind: PlaceKind, rank: u32) -> u64 {
+    u64::from(rank) * 8 + kind as u64
+}
+
+/// Chances of reaches and of places; those of words are above.
 const REACH: u32 = 1 << 15;
+const PLACE: u32 = REACH + 1;
 
 /// The river that one is a fork of: it brings over a third of that one's water, and that one is great and no fork itself. No river has two
 /// forks: above the one too little is left for another.

@@ -2,12 +2,24 @@
 
 use glam::Vec2;
 
+use super::PlaceKind;
+use super::lattice::{Lattice, SIDE, smoothed};
 use crate::land::{CELL_SIZE, Land, Region};
+
+/// A place that is to have a name.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub kind: PlaceKind,
+    /// A place in its midst, in units.
+    pub at: Vec2,
+    /// The line along which its name may run, in units; empty for most.
+    pub line: Vec<Vec2>,
+    /// How large it is, in units.
+    pub size: f32,
+}
 
 /// A sea, a lake or an island.
 pub(super) struct Tract {
-    /// Its place among its kind, the largest first.
-    pub number: u32,
     /// In square units.
     pub area: f32,
     pub region: Region,
@@ -17,9 +29,8 @@ pub(super) struct Tract {
 pub(super) fn tracts(land: &Land) -> [Vec<Tract>; 3] {
     let (seas, lakes): (Vec<Region>, Vec<Region>) =
         land.waters().into_iter().partition(|water| reaches_frame(land, water));
-    let tract =
-        |(number, region): (u32, Region)| Tract { number, area: region.cells as f32 * (CELL_SIZE * CELL_SIZE), region };
-    [seas, lakes, land.islands()].map(|regions| (0..).zip(regions).map(tract).collect())
+    let tract = |region: Region| Tract { area: region.cells as f32 * (CELL_SIZE * CELL_SIZE), region };
+    [seas, lakes, land.islands()].map(|regions| regions.into_iter().map(tract).collect())
 }
 
 impl Tract {
@@ -42,6 +53,30 @@ impl Tract {
         }
         midst.0
     }
+}
+
+/// The axis of the main land, from west to east: the middles of what is broadest of it from north to south, without its ends.
+pub(super) fn axis(lattice: &Lattice) -> Vec<Vec2> {
+    /// The share of the columns that is left out at either end.
+    const LEFT_OUT: usize = 12;
+    let middle = |column: usize| {
+        let (mut best, mut length) = ((0, 0), 0);
+        for row in 0..lattice.rows {
+            length = if lattice.lands[row * lattice.columns + column] == 1 { length + 1 } else { 0 };
+            if length > best.0 {
+                best = (length, row);
+            }
+        }
+        let (length, row) = best;
+        let middle = row as f32 + 1.0 - 0.5 * length as f32;
+        (length > 0).then(|| Vec2::new(column as f32 + 0.5, middle) * SIDE)
+    };
+    let middles: Vec<Vec2> = (0..lattice.columns).filter_map(middle).collect();
+    let out = middles.len() / LEFT_OUT;
+    let mut line = middles[out..middles.len() - out].to_vec();
+    // Where the broadest part is another one the middles jump.
+    (0..8).for_each(|_| line = smoothed(&line));
+    line
 }
 
 fn reaches_frame(land: &Land, region: &Region) -> bool {

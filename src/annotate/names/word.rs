@@ -1,58 +1,141 @@
-//! Words by number. They are not drawn but counted: a word is `initial vowel (medial vowel)ⁿ final`, vowels and consonants take turns, so a
-//! spelling splits in one way, and different numbers give different words. No list of words in use is kept, and no name depends on
-//! which others there are.
+//! Words by number. They are not drawn but counted: of all words of a pattern a number has one, and different numbers have different words.
+//! No list of words in use is kept; only great rivers, of which there are few, make way for each other.
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::filter::is_refused;
-use super::language::{CAPITALS, Language, SIZES};
+use super::language::{CAPITALS, Language};
+use super::sounds::{fits, is_vowel};
+use super::syllables::{LONGEST, Series, Syllables};
 
-/// The word of a number: 15,840 words with two vowels come first, then those with three, then four. One that nobody wants to
-/// read is replaced by that of the same number with a vowel more. The numbers that are due that many vowels anyhow begin where those of
-/// shorter words end, so a stand-in meets no other word.
-pub(super) fn word(language: &Language, number: u64) -> String {
-    let initials = SIZES[0] as u64;
-    // Neighbouring numbers begin with different letters.
-    let (initial, rest) = ((number % initials) as usize, number / initials);
-    let spelled = (1..).filter(|&pairs| rest < count(pairs)).map(|pairs| spell(language, initial, rest, pairs));
-    // A word of a dozen vowels is as good as any.
-    let word = spelled.take(LONGEST).find(|word| !is_refused(word));
-    capitalized(&word.unwrap_or_else(|| spell(language, initial, rest, LONGEST as u32)))
+/// A language with its words counted.
+#[derive(Clone, Debug)]
+pub(super) struct Words {
+    pub language: Language,
+    syllables: Syllables,
+    /// A word that nothing else may have, in small letters: the name of the land.
+    taken: String,
 }
 
-/// The most pairs of medial and vowel.
-const LONGEST: usize = 9;
-
-/// How many words have so many pairs of medial and vowel, and one initial.
-fn count(pairs: u32) -> u64 {
-    let [_, vowels, medials, later, finals] = SIZES.map(|size| size as u64);
-    (medials * later).pow(pairs) * vowels * finals
+/// Those who share the words of a language: none has a word that another might have.
+#[derive(Clone, Copy)]
+enum Share {
+    Great,
+    Place,
+    Other,
 }
 
-fn spell(language: &Language, initial: usize, rest: u64, pairs: u32) -> String {
-    let mut number = permuted(language, rest, [initial as u32, pairs]);
-    let mut digit = |list: usize| {
-        let entries = &language.lists[list];
-        let digit = (number % entries.len() as u64) as usize;
-        number /= entries.len() as u64;
-        entries[digit].as_str()
-    };
-    let mut word = [language.lists[0][initial].as_str(), digit(1)].concat();
-    (0..pairs).for_each(|_| [2, 3].into_iter().for_each(|list| word.push_str(digit(list))));
-    word + digit(4)
+impl Share {
+    /// The first and the last eighth of all words that it may have.
+    fn eighths(self) -> [u64; 2] {
+        match self {
+            Self::Great => [0, 1],
+            Self::Place => [1, 2],
+            Self::Other => [2, 8],
+        }
+    }
 }
+
+impl Words {
+    pub fn new(language: Language, land: &str) -> Self {
+        Self { syllables: Syllables::of(&language), taken: land.to_lowercase(), language }
+    }
+
+    /// The word of what is neither a great river nor a place.
+    pub fn other(&self, number: u64) -> String {
+        self.counted(Share::Other, number)
+    }
+
+    /// The word of a place.
+    pub fn place(&self, number: u64) -> String {
+        self.counted(Share::Place, number)
+    }
+
+    /// The words of great rivers, by their identities and thousandths of all water, the greatest first: of one syllable or two, the shorter the
+    /// greater they are. One whose word a greater river has takes its next.
+    pub fn great(&self, rivers: Vec<(u32, u64)>) -> BTreeMap<u32, String> {
+        let mut used = BTreeSet::new();
+        let word = |(identity, thousandths)| {
+            let mut own = (0..TRIES).map(|attempt| self.short(identity, attempt, thousandths));
+            let free = own.find(|word| self.is_fit(word) && used.insert(word.clone()));
+            (identity, free.map_or_else(|| self.other(identity.into()), |word| capitalized(&word)))
+        };
+        rivers.into_iter().map(word).collect()
+    }
+
+    /// One of the words for a great river.
+    fn short(&self, identity: u32, attempt: u32, thousandths: u64) -> String {
+        /// One syllable for so many in eight, of rivers with so many thousandths of all water.
+        const ONE: [(u64, u32); 3] = [(80, 5), (40, 3), (20, 1)];
+        let bits = |item| self.language.chance.bits([identity, attempt, GREAT + item]);
+        let eighths = ONE.iter().find(|(least, _)| thousandths >= *least).map_or(0, |(_, eighths)| *eighths);
+        let list = |list: &[String], item| list.get(bits(item) as usize % list.len().max(1)).cloned();
+        if bits(0) % 8 < eighths {
+            let (onset, rime) = (list(&self.language.onsets, 1).unwrap_or_default(), list(&self.language.rimes, 2));
+            let rime = rime.unwrap_or_default();
+            let coda = rime.trim_start_matches(is_vowel);
+            return if fits(&onset, coda) { onset + &rime } else { String::new() };
+        }
+        // Endings with a meaning make words longer.
+        let series = if bits(1) % 16 < self.language.weights[1] * 2 { Series(1) } else { Series(0) };
+        let [_, end] = Share::Great.eighths().map(|eighth| self.syllables.count(series, 0) * eighth / 8);
+        self.spell(series, 0, u64::from(bits(2)) % end.max(1))
+    }
+
+    /// The word of a number: words of two syllables come first, then those of three, then four. One that nobody wants to read is replaced by
+    /// that of the same number with a syllable more. The numbers that are due that many anyhow begin where those of shorter words end, so
+    /// a stand-in meets no other word.
+    fn counted(&self, share: Share, number: u64) -> String {
+        let (series, rank) = self.series(number);
+        let size = |pairs| {
+            let [from, to] = share.eighths().map(|eighth| self.syllables.count(series, pairs) * eighth / 8);
+            (from, to - from)
+        };
+        let pairs = (0..LONGEST).filter(|&pairs| rank < size(pairs).1);
+        let mut words = pairs.map(|pairs| self.spell(series, pairs, size(pairs).0 + rank));
+        capitalized(&words.find(|word| self.is_fit(word)).unwrap_or_default())
+    }
+
+    /// The series of a number, and its place among those of that series: of sixteen numbers some are of each.
+    fn series(&self, number: u64) -> (Series, u64) {
+        let (group, mut slot) = (number / 16, number * 7 % 16);
+        for (series, &weight) in self.language.weights.iter().enumerate() {
+            if slot < u64::from(weight) {
+                return (Series(series), group * u64::from(weight) + slot);
+            }
+            slot -= u64::from(weight);
+        }
+        (Series(0), group)
+    }
+
+    fn spell(&self, series: Series, pairs: usize, number: u64) -> String {
+        let number =
+            permuted(&self.language, number, self.syllables.count(series, pairs), (series.0 * LONGEST + pairs) as u32);
+        self.syllables.word(&self.language, series, pairs, number)
+    }
+
+    fn is_fit(&self, word: &str) -> bool {
+        !word.is_empty() && !is_refused(word) && word != self.taken
+    }
+}
+
+/// The most words that a great river tries.
+const TRIES: u32 = 64;
 
 /// Another number below the same count, and no two have the same: four rounds of a Feistel network (Luby and Rackoff 1988) on the next
 /// power of four, walked until they come back below the count (Black and Rogaway 2002).
-/// Each initial has an order of its own, or neighbouring numbers would rhyme.
-fn permuted(language: &Language, number: u64, [initial, pairs]: [u32; 2]) -> u64 {
+fn permuted(language: &Language, number: u64, count: u64, key: u32) -> u64 {
     const ROUNDS: u32 = 4;
-    let count = count(pairs);
+    if number >= count {
+        return number;
+    }
     let half = (1..32).find(|half| 1u64 << (2 * half) >= count).unwrap_or(32);
     let mask = (1u64 << half) - 1;
     let mut number = number;
     loop {
         for round in 0..ROUNDS {
             let (left, right) = (number >> half, number & mask);
-            let key = u64::from(language.chance.bits([right as u32, round, KEYS + pairs * INITIALS + initial]));
+            let key = u64::from(language.chance.bits([right as u32, round, KEYS + key]));
             number = right << half | (left ^ key & mask);
         }
         if number < count {
@@ -61,11 +144,11 @@ fn permuted(language: &Language, number: u64, [initial, pairs]: [u32; 2]) -> u64
     }
 }
 
-/// Items from here on are those of words.
+/// Items from here on are those of words, and of great rivers.
 const KEYS: u32 = 1 << 16;
-const INITIALS: u32 = SIZES[0] as u32;
+const GREAT: u32 = 1 << 17;
 
-fn capitalized(word: &str) -> String {
+pub(super) fn capitalized(word: &str) -> String {
     let capital = |letter: char| {
         let other = CAPITALS.iter().find(|(small, _)| *small == letter);
         other.map_or(letter.to_ascii_uppercase(), |(_, capital)| *capital)
@@ -76,44 +159,114 @@ fn capitalized(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::sounds::is_vowel;
     use super::*;
-    use std::collections::BTreeSet;
+
+    fn words_of(number: u32) -> Words {
+        Words::new(Language::new("", number), "")
+    }
+
+    /// The words of great rivers, places and others on a map with many of each.
+    fn all(words: &Words, others: u64) -> Vec<String> {
+        let great = words.great((0..120).map(|identity| (identity * 7, 200 / (u64::from(identity) / 6 + 1))).collect());
+        let places = (0..120).map(|number| words.place(number));
+        great.into_values().chain(places).chain((0..others).map(|number| words.other(number))).collect()
+    }
 
     #[test]
     fn different_numbers_give_different_words() {
-        let language = Language::new("kauri", 0);
-        let words: BTreeSet<String> = (0..200_000).map(|number| word(&language, number)).collect();
-        assert_eq!(words.len(), 200_000);
-        for number in 1..=300 {
-            let language = Language::new("", number);
-            let words: BTreeSet<String> = (0..300).map(|number| word(&language, number)).collect();
-            assert_eq!(words.len(), 300, "language {number}");
+        for (number, others) in [(0, 200_000)].into_iter().chain((1..=300).map(|number| (number, 2000))) {
+            let all = all(&words_of(number), others);
+            let distinct: BTreeSet<&String> = all.iter().collect();
+            assert_eq!(distinct.len(), all.len(), "language {number}");
+            assert!(all.iter().all(|word| !word.is_empty()));
         }
+    }
+
+    /// Two hundred words of a language, as many of each kind as on a map.
+    fn some(number: u32) -> Vec<String> {
+        let words = words_of(number);
+        let great = words.great((0..40).map(|identity| (identity * 7, 200 / (u64::from(identity) / 4 + 1))).collect());
+        let others = (0..130).map(|number| words.other(number * 71));
+        great.into_values().chain(others).chain((0..30).map(|number| words.place(number))).collect()
+    }
+
+    #[test]
+    fn words_end_and_begin_in_vowels_and_are_short_often_enough() {
+        let percent = |words: &[String], is_so: fn(&str) -> bool| {
+            words.iter().filter(|word| is_so(word)).count() * 100 / words.len()
+        };
+        let of: Vec<usize> = (1..=12).map(|number| percent(&some(number), |word| word.ends_with(is_vowel))).collect();
+        assert!(of.iter().filter(|share| (30..=60).contains(*share)).count() >= 5, "{of:?}");
+        let all: Vec<String> = (1..=12).flat_map(some).collect();
+        let shares = [
+            percent(&all, |word| word.ends_with(is_vowel)),
+            percent(&all, |word| word.chars().count() <= 4),
+            percent(&all, |word| word.to_lowercase().starts_with(is_vowel)),
+        ];
+        println!("{of:?} {shares:?}");
+        assert!(shares[0] >= 25 && shares[1] >= 7 && shares[2] >= 7, "{shares:?}");
+    }
+
+    #[test]
+    fn great_rivers_have_short_words_and_the_greatest_often_one_syllable() {
+        let syllables = |word: &str| {
+            let small = word.to_lowercase();
+            let begins = small.chars().zip(std::iter::once('-').chain(small.chars()));
+            begins.filter(|(letter, before)| is_vowel(*letter) && !is_vowel(*before)).count()
+        };
+        let words: Vec<Words> = (1..=60).map(words_of).collect();
+        let of = |thousandths| words.iter().flat_map(move |words| words.great(vec![(5, thousandths)]).into_values());
+        let short = |thousandths| of(thousandths).filter(|word| syllables(word) == 1).count();
+        assert!(of(300).chain(of(20)).all(|word| (1..=2).contains(&syllables(&word))));
+        assert!(short(300) >= 20 && short(300) > short(40) && short(40) > short(20), "{} {}", short(300), short(20));
+        let longer = words.iter().flat_map(|words| (0..40).map(|number| words.other(number * 300)));
+        assert!(
+            longer.clone().all(|word| syllables(&word) >= 2) && longer.map(|word| syllables(&word)).max() >= Some(3)
+        );
+    }
+
+    #[test]
+    fn of_two_great_rivers_with_one_word_the_smaller_has_another() {
+        for number in 1..=200 {
+            let words = words_of(number);
+            let all = words.great((0..90).map(|identity| (identity, 100)).collect());
+            let alone =
+                (0..90).filter(|&identity| words.great(vec![(identity, 100)])[&identity] == all[&identity]).count();
+            assert_eq!(all[&0], words.great(vec![(0, 100)])[&0], "the greatest gives way to none");
+            assert!(alone >= 45, "{alone}");
+        }
+    }
+
+    #[test]
+    fn no_word_is_the_land_s() {
+        let taken = words_of(3).other(5);
+        let words = Words::new(Language::new("", 3), &taken);
+        assert_ne!(words.other(5), taken);
+        assert!(all(&words, 3000).iter().all(|word| *word != taken));
     }
 
     #[test]
     fn numbers_are_permuted() {
         let language = Language::new("kauri", 0);
-        let all: BTreeSet<u64> = (0..count(1)).map(|number| permuted(&language, number, [0, 1])).collect();
-        assert_eq!((all.len() as u64, all.last()), (count(1), Some(&(count(1) - 1))));
-        let stay = (0..count(1)).filter(|&number| permuted(&language, number, [0, 1]) == number).count();
-        assert!(stay < 10, "{stay}");
+        let all: BTreeSet<u64> = (0..1000).map(|number| permuted(&language, number, 1000, 1)).collect();
+        assert_eq!((all.len(), all.last()), (1000, Some(&999)));
+        assert!((0..1000).filter(|&number| permuted(&language, number, 1000, 1) == number).count() < 12);
     }
 
     #[test]
     fn great_numbers_have_words_too() {
-        let language = Language::new("kauri", 0);
-        for number in [u64::from(u32::MAX), u64::from(u32::MAX) * 8 / 7 + 8] {
-            assert!(word(&language, number).chars().count() < 24);
+        let words = words_of(1);
+        for number in [u64::from(u32::MAX), u64::from(u32::MAX) * 8] {
+            assert!((4..24).contains(&words.other(number).chars().count()));
         }
     }
 
     #[test]
-    fn neighbours_begin_and_end_differently() {
-        let language = Language::new("kauri", 0);
-        let words: Vec<String> = (0..11).map(|number| word(&language, number)).collect();
-        let distinct = |of: fn(&str) -> String| words.iter().map(|word| of(word)).collect::<BTreeSet<_>>().len();
-        let last_four = |word: &str| word.chars().rev().take(4).collect();
-        assert!(distinct(|word| word.chars().take(2).collect()) > 8 && distinct(last_four) > 8, "{words:?}");
+    #[ignore = "prints words for a person to read"]
+    fn words_to_read() {
+        for number in 1..=12 {
+            println!("\n{number}: {}", some(number).join(" "));
+        }
     }
 }

@@ -10,8 +10,9 @@ use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
 use super::search::belongs;
 use crate::annotate::glyph::Letter;
 
-/// How far letters on the water keep from the coast, in ems.
+/// How far letters keep from the coast, and names of seas and lakes, in ems.
 const FROM_COAST: f32 = 0.2;
+const FROM_COAST_AT_SEA: f32 = 0.75;
 
 /// A label whose place is chosen.
 #[derive(Clone, Debug)]
@@ -48,6 +49,7 @@ impl Chosen {
     /// The same with letters as small as they are on such pictures; as it is where those would be in the way of its river.
     pub fn resized<G: Background>(&self, input: &Input<'_>, background: &G) -> Self {
         let em = self.em(input);
+        let is_off_coast = |letters: &[Placed]| is_off_coast(self.label.kind, letters, em, input);
         let letters = match &self.shrinks {
             _ if em >= self.label.em => None,
             Shrinks::Along(line, width) => {
@@ -57,10 +59,12 @@ impl Chosen {
                 };
                 self.along(line, em).find(|letters| is_clear(letters) && belongs(letters))
             }
-            Shrinks::ToMiddle => Some(self.shrunk(self.middle(), em)),
+            Shrinks::ToMiddle => {
+                [self.middle()].map(|to| self.shrunk(to, em)).into_iter().find(|letters| is_off_coast(letters))
+            }
             Shrinks::Towards(place) => {
-                let nearer = Some(self.shrunk(*place, em)).filter(|letters| is_afloat(letters, em, input));
-                nearer.or_else(|| Some(self.shrunk(self.middle(), em)))
+                let to = [*place, self.middle()];
+                to.map(|to| self.shrunk(to, em)).into_iter().find(|letters| is_off_coast(letters))
             }
         };
         let label = letters.map(|letters| Label { em, letters, ..self.label.clone() });
@@ -127,9 +131,16 @@ pub fn middle(label: &Label) -> Vec2 {
     (ends[0] + ends[1]) * 0.5
 }
 
-/// Returns `true` if letters are all on the water, off the coast.
-fn is_afloat(letters: &[Placed], em: f32, input: &Input<'_>) -> bool {
-    let corners = |letter: &Placed| letter.around(em).corners();
-    let coast = |at: Vec2| input.coast.map_or(f32::MIN, |coast| coast.height(at));
-    letters.iter().flat_map(corners).all(|at| coast(at) <= -FROM_COAST * em)
+/// Returns `true` if letters are all on the water or all on land, as their kind is, and off the coast.
+fn is_off_coast(kind: Kind, letters: &[Placed], em: f32, input: &Input<'_>) -> bool {
+    let least = match kind {
+        Kind::Water => FROM_COAST_AT_SEA * em,
+        _ => FROM_COAST * em,
+    };
+    let is_off = |at: Vec2| match input.coast.map(|coast| coast.height(at)) {
+        Some(height) if kind.is_afloat() => -height >= least,
+        Some(height) => height >= least,
+        None => true,
+    };
+    letters.iter().flat_map(|letter| letter.around(em).corners()).all(is_off)
 }

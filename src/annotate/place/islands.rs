@@ -49,7 +49,7 @@ pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, tak
     let chosen = |usual: f32| {
         area.name.iter().find_map(|name| {
             let (text, em) = (Text::new(name, Kind::Island), em(usual));
-            let search = Search { input, background, coast, area, corners, taken, em, text };
+            let search = Search { input, background, coast, area, corners, taken, em, usual, text };
             let (kind, letters) = search.letters()?;
             let label = Label::new(kind, None, name, em, letters);
             let towards = |label: &Label| Shrinks::Towards(search.nearest(middle(label)));
@@ -69,6 +69,8 @@ struct Search<'a, G> {
     corners: [Vec2; 2],
     taken: &'a [(u32, Box)],
     em: f32,
+    /// The usual length of that, in units.
+    usual: f32,
     text: Text,
 }
 
@@ -82,7 +84,15 @@ impl<G: Background> Search<'_, G> {
             return None;
         }
         let inside = self.inside().map(|letters| (Kind::Island, letters));
-        inside.or_else(|| Some((Kind::Offshore, self.beside()?)))
+        // One that has room for its name on larger pictures has none beside it on smaller ones.
+        let is_wide = self.coast.height(self.area.midst) >= ROOM * self.usual * self.input.whole_size();
+        inside.or_else(|| {
+            if is_wide && self.em > self.usual * self.input.label_size {
+                None
+            } else {
+                Some((Kind::Offshore, self.beside()?))
+            }
+        })
     }
 
     /// The letters near the island's midst, where the least ink is under them.

@@ -1,0 +1,117 @@
+//! The numbers of places: those of the cells in which their midst lies, so that an own name stays on its place when the coast moves a little.
+
+use glam::Vec2;
+
+use super::PlaceKind;
+use super::lattice::SIDE;
+use super::regions::Found;
+use crate::recipe::{Mark, OwnNames};
+
+/// The cells of a row, on maps of any aspect: the widest has 250.
+const STRIDE: u32 = 1000;
+
+/// How far a place may be from its mark: so many units, and half its size.
+const TOLERANCE: f32 = 48.0;
+
+/// The mark of a place.
+pub(super) fn mark(kind: PlaceKind, number: u32) -> Mark {
+    match kind {
+        PlaceKind::Sea => Mark::Sea(number),
+        PlaceKind::Lake => Mark::Lake(number),
+        PlaceKind::Island => Mark::Island(number),
+        // A gulf that a little more land makes a bay keeps its name.
+        PlaceKind::Gulf | PlaceKind::Bay => Mark::Bay(number),
+        PlaceKind::Cape => Mark::Cape(number),
+        PlaceKind::Strait => Mark::Strait(number),
+        PlaceKind::Range => Mark::Range(number),
+    }
+}
+
+/// The number of the cell of a place. 0 is the main land's.
+fn cell_of(at: Vec2) -> u32 {
+    let [column, row] = [at.x, at.y].map(|x| (x / SIDE).max(0.0) as u32);
+    (row.min(STRIDE - 1) * STRIDE + column.min(STRIDE - 1)).max(1)
+}
+
+/// The middle of a cell.
+fn middle_of(cell: u32) -> Vec2 {
+    Vec2::new((cell % STRIDE) as f32 + 0.5, (cell / STRIDE) as f32 + 0.5) * SIDE
+}
+
+/// The numbers of places: an own mark's number for the place of its kind that is nearest to it and near enough, else that of its own cell.
+/// No two marks are alike. A place that is the main land has 0.
+pub(super) fn numbers(places: &[&Found], own: &OwnNames, is_main: impl Fn(usize) -> bool) -> Vec<u32> {
+    let mut numbers: Vec<Option<u32>> = (0..places.len()).map(|i| is_main(i).then_some(0)).collect();
+    let mut pairs = Vec::new();
+    for (i, place) in places.iter().enumerate().filter(|(i, _)| !is_main(*i)) {
+        for number in own.marks().filter_map(|own| number_of(own, place.kind)).filter(|&number| number > 0) {
+            let away = place.at.distance(middle_of(number));
+            if away <= TOLERANCE + 0.5 * place.size {
+                pairs.push((away, i, number));
+            }
+        }
+    }
+    // The nearest first; of those as near, the greater place.
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let is_taken = |numbers: &[Option<u32>], kind, number| {
+        let taken =
+            |(place, of): (&&Found, &Option<u32>)| of.is_some_and(|of| mark(place.kind, of) == mark(kind, number));
+        places.iter().zip(numbers).any(taken)
+    };
+    for (_, i, number) in pairs {
+        if numbers[i].is_none() && !is_taken(&numbers, places[i].kind, number) {
+            numbers[i] = Some(number);
+        }
+    }
+    for (i, place) in places.iter().enumerate() {
+        let free = || (cell_of(place.at)..).find(|&number| !is_taken(&numbers, place.kind, number));
+        numbers[i] = numbers[i].or_else(free);
+    }
+    numbers.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// The number of a mark for places of a kind.
+fn number_of(own: Mark, kind: PlaceKind) -> Option<u32> {
+    let number = match own {
+        Mark::Sea(number)
+        | Mark::Lake(number)
+        | Mark::Island(number)
+        | Mark::Bay(number)
+        | Mark::Cape(number)
+        | Mark::Strait(number)
+        | Mark::Range(number) => number,
+        _ => return None,
+    };
+    (mark(kind, number) == own).then_some(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn place(kind: PlaceKind, x: f32, y: f32, size: f32) -> Found {
+        Found { kind, at: Vec2::new(x, y), line: vec![], size }
+    }
+
+    #[test]
+    fn a_mark_is_taken_by_the_nearest_place_of_its_kind_that_is_near_enough() {
+        let own = OwnNames::readable("b50050.a_b1.b_c50050.c_s50050.d");
+        let places = [
+            place(PlaceKind::Bay, 420.0, 404.0, 30.0),
+            place(PlaceKind::Gulf, 404.0, 410.0, 200.0),
+            place(PlaceKind::Cape, 520.0, 404.0, 60.0),
+            place(PlaceKind::Sea, 604.0, 404.0, 400.0),
+            place(PlaceKind::Island, 604.0, 404.0, 400.0),
+        ];
+        let numbers = numbers(&places.each_ref(), &own, |i| i == 4);
+        assert_eq!(numbers, [50_052, 50_050, 50_065, 50_050, 0]);
+    }
+
+    #[test]
+    fn places_in_one_cell_have_numbers_of_their_own_and_no_number_panics() {
+        let places = [place(PlaceKind::Bay, 1.0, 1.0, 9.0), place(PlaceKind::Gulf, 2.0, 2.0, 9.0)];
+        assert_eq!(numbers(&places.each_ref(), &OwnNames::readable("b4294967295.x_b0.y"), |_| false), [1, 2]);
+        assert_eq!(cell_of(Vec2::splat(1e9)), 999_999);
+        assert_eq!(cell_of(Vec2::splat(-1e9)), 1);
+    }
+}

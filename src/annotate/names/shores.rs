@@ -1,0 +1,185 @@
+//! Bays, gulfs, straits and capes: parts of a coast that have names.
+
+use std::collections::BTreeMap;
+
+use glam::Vec2;
+
+use super::PlaceKind;
+use super::lattice::{Lattice, SEA, SIDE, distance};
+use super::regions::Found;
+
+/// The most bays, gulfs, straits and capes of a map.
+const MOST_BAYS: usize = 6;
+const MOST_GULFS: usize = 2;
+const MOST_STRAITS: usize = 4;
+const MOST_CAPES: usize = 6;
+
+/// All of them, by kind, the most important of each first.
+pub(super) fn found(lattice: &Lattice, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
+    let views = lattice.views();
+    let straits = straits(lattice, &views);
+    let gulfs = enclosed(lattice, &views, PlaceKind::Gulf, &far);
+    let mut bays = enclosed(lattice, &views, PlaceKind::Bay, &far);
+    let is_apart = |bay: &Found, other: &Found| bay.at.distance(other.at) > APART;
+    bays.retain(|bay| gulfs.iter().chain(&straits).all(|other| is_apart(bay, other)));
+    bays.truncate(MOST_BAYS);
+    let mut capes = capes(lattice);
+    capes.truncate(MOST_CAPES);
+    gulfs.into_iter().chain(bays).chain(capes).chain(straits).collect()
+}
+
+/// How far a bay is from a gulf or a strait, in units.
+const APART: f32 = 48.0;
+
+type View = [(u16, u8); 16];
+
+/// Bays or gulfs: sea that sees land near in eleven of sixteen directions at least, all others side by side, and nearly all of one land.
+fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
+    /// Land is near at so many units, and a bay or gulf has so many square units.
+    const BAY: (f32, f32) = (72.0, 1000.0);
+    const GULF: (f32, f32) = (190.0, 16_000.0);
+    let ((near, least), most) = if kind == PlaceKind::Gulf { (GULF, MOST_GULFS) } else { (BAY, usize::MAX) };
+    let class = |cell: usize| u32::from(lattice.lands[cell] == SEA && is_enclosed(&views[cell], near));
+    let classes: Vec<u32> = (0..views.len()).map(class).collect();
+    let mut components = lattice.components(&classes);
+    components.retain(|cells| cells.len() as f32 * SIDE * SIDE >= least);
+    components.sort_by_key(|cells| usize::MAX - cells.len());
+    let place = |cells: &Vec<usize>| {
+        let midst = cells.iter().map(|&cell| lattice.at(cell)).max_by(|a, b| far(*a).total_cmp(&far(*b)));
+        Found { kind, at: midst.unwrap_or_default(), line: Vec::new(), size: mouth(lattice, &classes, cells) }
+    };
+    // What has no mouth is the sea itself, or water that land surrounds.
+    let mut places: Vec<Found> = components.iter().map(place).filter(|place| place.size > 0.0).collect();
+    places.truncate(most);
+    places
+}
+
+fn is_enclosed(view: &View, near: f32) -> bool {
+    const LEAST: usize = 11;
+    let is_land = |direction: usize| {
+        let (land, steps) = view[direction % 16];
+        land != SEA && distance(direction, steps) <= near
+    };
+    let count = (0..16).filter(|&direction| is_land(direction)).count();
+    let gaps = (0..16).filter(|&direction| is_land(direction) && !is_land(direction + 1)).count();
+    let of_land = |land: u16| (0..16).filter(|&direction| is_land(direction) && view[direction].0 == land).count();
+    count >= LEAST && gaps <= 1 && view.iter().any(|(land, _)| *land != SEA && of_land(*land) * 4 >= count * 3)
+}
+
+/// How wide the opening of a bay is, in units: the larger side of the box around its cells beside open sea.
+fn mouth(lattice: &Lattice, classes: &[u32], cells: &[usize]) -> f32 {
+    let is_open = |cell: usize| lattice.lands[cell] == SEA && classes[cell] == 0;
+    let is_mouth = |cell: usize| {
+        let mut beside = [[1, 0], [0, 1], [-1, 0], [0, -1]].into_iter().filter_map(|step| lattice.from(cell, step));
+        beside.any(is_open)
+    };
+    let (mut least, mut most) = (Vec2::MAX, Vec2::MIN);
+    for at in cells.iter().filter(|&&cell| is_mouth(cell)).map(|&cell| lattice.at(cell)) {
+        (least, most) = (least.min(at), most.max(at));
+    }
+    if least.x > most.x { 0.0 } else { (most - least).max_element() + SIDE }
+}
+
+/// Straits: sea with one land on one side and another on the other, near to both, and much longer than wide.
+fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
+    /// Both shores together are no farther off, in units; a strait is no shorter; and a land that makes one has so many cells.
+    const WIDEST: f32 = 80.0;
+    const SHORTEST: f32 = 56.0;
+    const LEAST_LAND: u32 = 12;
+    let mut cells_of: BTreeMap<u16, u32> = BTreeMap::new();
+    lattice.lands.iter().for_each(|land| *cells_of.entry(*land).or_default() += 1);
+    let size = |land: u32| cells_of.get(&(land as u16)).copied().unwrap_or(0);
+    let class = |cell: usize| {
+        let across = |direction: usize| {
+            let [(one, steps), (other, others)] = [views[cell][direction], views[cell][direction + 8]];
+            let width = distance(direction, steps) + distance(direction, others);
+            let lands = [one.min(other), one.max(other)].map(u32::from);
+            let is_strait = lands[0] != 0 && lands[0] != lands[1] && width <= WIDEST;
+            is_strait.then_some((width, lands)).filter(|_| lands.map(size).into_iter().min() >= Some(LEAST_LAND))
+        };
+        let narrowest = (0..8).filter_map(across).min_by(|a, b| a.0.total_cmp(&b.0));
+        narrowest.filter(|_| lattice.lands[cell] == SEA).map_or(0, |(_, [one, other])| one << 16 | other)
+    };
+    let classes: Vec<u32> = (0..views.len()).map(class).collect();
+    let mut straits = Vec::new();
+    for cells in lattice.components(&classes) {
+        let line = lattice.spine(&cells);
+        let length: f32 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        let width = cells.len() as f32 * SIDE * SIDE / length.max(SIDE);
+        let Some(&at) = line.get(line.len() / 2).filter(|_| length >= SHORTEST && length >= 1.4 * width) else {
+            continue;
+        };
+        let smaller = size(classes[cells[0]] & 0xffff).min(size(classes[cells[0]] >> 16));
+        straits.push((length * (smaller as f32).sqrt(), Found { kind: PlaceKind::Strait, at, line, size: length }));
+    }
+    best(straits, MOST_STRAITS, APART)
+}
+
+/// Capes: land with little of its own land around it, however far one looks.
+fn capes(lattice: &Lattice) -> Vec<Found> {
+    /// Radii in cells, and the most land of a disc, in its share: half of it is land on a straight coast.
+    const RADII: [i32; 4] = [4, 7, 10, 14];
+    const MOST_LAND: f32 = 0.34;
+    /// The distance of two capes, and of one from the map's frame, in units; and the fewest cells of its land.
+    const SPARE: f32 = 110.0;
+    const LEAST_LAND: usize = 60;
+    let discs = discs(RADII);
+    let juts = |cell: usize| {
+        let own = |step: &[i32; 2]| {
+            let beside = lattice.from(cell, *step);
+            // Off the map it may be land.
+            beside.is_none_or(|beside| lattice.lands[beside] == lattice.lands[cell])
+        };
+        let (mut land, mut all, mut juts) = (0.0, 0.0, (0.0, 0.0));
+        for (ring, radius) in discs.iter().zip(RADII) {
+            land += ring.iter().filter(|step| own(step)).count() as f32;
+            all += ring.len() as f32;
+            if land > MOST_LAND * all {
+                break;
+            }
+            // Of two that jut out as far, the sharper one.
+            juts = (radius as f32 * SIDE, 1.0 - land / all);
+        }
+        juts
+    };
+    let mut lands = vec![0_usize; usize::from(u16::MAX) + 1];
+    lattice.lands.iter().for_each(|&land| lands[usize::from(land)] += 1);
+    let is_sea = |cell: usize| lattice.lands[cell] == SEA;
+    let is_shore = |cell: usize| {
+        let mut beside = [[1, 0], [0, 1], [-1, 0], [0, -1]].into_iter().filter_map(|step| lattice.from(cell, step));
+        !is_sea(cell) && lands[usize::from(lattice.lands[cell])] >= LEAST_LAND && beside.any(is_sea)
+    };
+    let shore = (0..lattice.lands.len()).filter(|&cell| lattice.lands[cell] != u16::MAX && is_shore(cell));
+    let cape = |cell: usize| {
+        let (size, sharpness) = juts(cell);
+        let found = Found { kind: PlaceKind::Cape, at: lattice.at(cell), line: Vec::new(), size };
+        (size > 0.0).then_some((size * sharpness, found))
+    };
+    best(shore.filter_map(cape).collect(), MOST_CAPES, SPARE)
+}
+
+/// The cells of a disc around one, and of the rings around that, by every other cell.
+fn discs<const N: usize>(radii: [i32; N]) -> [Vec<[i32; 2]>; N] {
+    let mut inner = 0;
+    radii.map(|radius| {
+        let side = (-radius..=radius).step_by(2);
+        let all = side.clone().flat_map(|south| side.clone().map(move |east| [east, south]));
+        let ring =
+            all.filter(|[east, south]| (inner * inner + 1..=radius * radius).contains(&(east * east + south * south)));
+        let ring = ring.collect();
+        inner = radius;
+        ring
+    })
+}
+
+/// The best by a number, of those that are no nearer to a better one than so many units.
+fn best(mut places: Vec<(f32, Found)>, most: usize, apart: f32) -> Vec<Found> {
+    places.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut kept: Vec<Found> = Vec::new();
+    for (_, place) in places {
+        if kept.len() < most && kept.iter().all(|other| other.at.distance(place.at) >= apart) {
+            kept.push(place);
+        }
+    }
+    kept
+}
