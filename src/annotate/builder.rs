@@ -1,7 +1,7 @@
 //! Makes the annotation of a map part by part: labels, woods and hills, and the masks that lay them over a picture.
 
-use crate::annotate::labels::labels;
-use crate::annotate::place::{Label, Scenery};
+use crate::annotate::labels::labels_in;
+use crate::annotate::place::{Label, Places, Scenery};
 use crate::annotate::scenery;
 use crate::map::Map;
 use crate::paint::{AnnotationMasks, SceneryPainter, View, letters, scenery_look};
@@ -22,7 +22,12 @@ impl AnnotationBuilder {
     /// Makes all of an annotation at once, for a picture with `ratio` pixels to a CSS pixel, rounded to quarters from 0.5
     /// to 4.
     pub fn whole(map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
-        let mut this = Self::default();
+        Self::whole_in(&mut Places::default(), map, view, ratio)
+    }
+
+    /// The same, with labels in the places that have been chosen for other pictures of the map.
+    pub fn whole_in(places: &mut Places, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
+        let mut this = Self { labels: Some(labels_of(places, map, view, ratio)), ..Self::default() };
         loop {
             if let Some(masks) = this.advance(map, view, ratio) {
                 return masks;
@@ -34,8 +39,7 @@ impl AnnotationBuilder {
     /// annotation after the last part.
     pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<AnnotationMasks> {
         let Some(labels) = &self.labels else {
-            let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
-            self.labels = Some(labels(map, view.uncovered(), view.scale / ratio));
+            self.labels = Some(labels_of(&mut Places::default(), map, view, ratio));
             return None;
         };
         if !self.is_placed {
@@ -55,4 +59,9 @@ impl AnnotationBuilder {
         let [bodies, strokes] = self.painter.take().map(SceneryPainter::into_masks).unwrap_or_default();
         Some(AnnotationMasks { bodies, strokes, ..letters::masks(view, labels) })
     }
+}
+
+fn labels_of(places: &mut Places, map: &Map, view: &View, ratio: f32) -> Vec<Label> {
+    let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
+    labels_in(places, map, view.uncovered(), view.scale / ratio)
 }

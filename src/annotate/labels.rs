@@ -8,7 +8,7 @@ use crate::annotate::glyph::initials;
 use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
 use crate::annotate::place::{
     Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, Label, Landmark, LandmarkKind, Legend, MARGIN, Marks,
-    NorthPoint, Plate, Raster, Reach, River, RiverClass, SHEET_MARGIN, Seal, SheetGrid, Strip, place,
+    NorthPoint, Places, Plate, Raster, Reach, River, RiverClass, SHEET_MARGIN, Seal, SheetGrid, Strip,
 };
 use crate::annotate::plates;
 use crate::base::geometry::distance;
@@ -32,7 +32,12 @@ const GRID_EM: f32 = 11.0;
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
 /// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
 pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
-    input(map, frame, scale).map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
+    labels_in(&mut Places::default(), map, frame, scale)
+}
+
+/// The same, in the places that have been chosen for other pictures of the map.
+pub(crate) fn labels_in(places: &mut Places, map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
+    input(map, frame, scale).map_or_else(Vec::new, |input| places.place(&input, &Raster::new(&input)))
 }
 
 /// What those labels are placed by.
@@ -69,6 +74,12 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
         shrink,
         is_one_each: recipe.get::<Labels>() == Labels::Few,
         most_area: [land_area, AREA - land_area].map(|area| share * area),
+        most_landmarks: match recipe.get() {
+            Labels::None => 0,
+            Labels::Few => 2,
+            Labels::Some => 4,
+            Labels::Many => 8,
+        },
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         cartouche: recipe.has_title().then(|| cartouche(map, &mut names, frame)),

@@ -18,9 +18,12 @@ const WIDE: f32 = 120.0;
 const FROM_COAST: f32 = 0.25;
 const FROM_FRAME: f32 = 0.4;
 const FROM_LABELS: f32 = 0.35;
+/// The most that the em is, in units, or as a share of how large a place is.
+const MOST_EM: f32 = 20.0;
+const MOST_SHARE: f32 = 0.2;
 /// How far around a bay's midst its name is tried, in ems and in widths of the bay, and how far apart, in ems.
-const AROUND: f32 = 3.0;
-const WIDTHS: f32 = 0.6;
+const AROUND: f32 = 1.0;
+const WIDTHS: f32 = 0.45;
 const STEP: f32 = 0.7;
 /// How far a cape's name is from its tip, in ems.
 const GAPS: [f32; 3] = [0.5, 0.8, 1.2];
@@ -36,21 +39,27 @@ pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Op
     let coast = input.coast?;
     let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
     let em = |usual: f32| usual.max(input.least_em) * input.label_size;
+    // On small pictures only wide bays have names.
+    let most = MOST_EM.max(MOST_SHARE * landmark.size);
     let is_wide = landmark.kind == LandmarkKind::Bay && landmark.size >= WIDE;
     let mut sizes = if is_wide { SIZES } else { &SIZES[WIDE_SIZES..] }.to_vec();
     sizes.dedup_by_key(|usual| em(*usual));
     let names = || landmark.name.iter().filter(|name| !name.is_empty());
-    sizes.into_iter().flat_map(|usual| names().map(move |name| (usual, name))).find_map(|(usual, name)| {
-        let text = Text::new(name, kind);
-        let search = Search { input, coast, taken, landmark, em: em(usual), text };
-        let (letters, shrinks) = match landmark.kind {
-            LandmarkKind::Strait => search.along()?,
-            LandmarkKind::Cape => (search.before_the_cape()?, Shrinks::Towards(landmark.at)),
-            _ => (search.in_the_bay()?, Shrinks::ToMiddle),
-        };
-        let label = Label::new(kind, None, name, search.em, letters);
-        Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks })
-    })
+    sizes
+        .into_iter()
+        .filter(|usual| em(*usual) <= most)
+        .flat_map(|usual| names().map(move |name| (usual, name)))
+        .find_map(|(usual, name)| {
+            let text = Text::new(name, kind);
+            let search = Search { input, coast, taken, landmark, em: em(usual), text };
+            let (letters, shrinks) = match landmark.kind {
+                LandmarkKind::Strait => search.along()?,
+                LandmarkKind::Cape => (search.before_the_cape()?, Shrinks::Towards(landmark.at)),
+                _ => (search.in_the_bay()?, Shrinks::ToMiddle),
+            };
+            let label = Label::new(kind, None, name, search.em, letters);
+            Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks })
+        })
 }
 
 struct Search<'a> {
@@ -65,7 +74,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// Letters in the water of a bay, near its midst and off its coast.
     fn in_the_bay(&self) -> Option<Vec<Placed>> {
-        let reach = (AROUND * self.em).max(WIDTHS * self.landmark.size);
+        let reach = AROUND * self.em + WIDTHS * self.landmark.size;
         let steps = (reach / (STEP * self.em)) as i32;
         let around = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| (row, column)));
         let places = around.map(|(row, column)| {

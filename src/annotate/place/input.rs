@@ -293,6 +293,8 @@ pub struct Input<'a> {
     /// Labels of rivers end when they cover so much of the land, in square units, and those of lakes and islands when they cover so much
     /// of the water. Where labels may cover no land there are none.
     pub most_area: [f32; 2],
+    /// How many bays, capes and straits have labels at most, of each.
+    pub most_landmarks: usize,
     /// What all rivers together bring to the sea, in the unit of their discharge.
     pub total_discharge: u32,
     /// The rivers.

@@ -190,7 +190,8 @@ impl Label {
 }
 
 impl Label {
-    /// The spaces between its words, each from one letter's middle to the next one's, in units.
+    /// The spaces between its words, each from one letter's middle to the next one's, in units; none where letters stand so far apart
+    /// that what shows between them cannot be taken for a hyphen.
     pub fn spaces(&self) -> impl Iterator<Item = [Vec2; 2]> + '_ {
         /// More than there is between the letters of a word, in ems.
         const LEAST: f32 = 0.28;
@@ -199,7 +200,8 @@ impl Label {
             [pair[0].place(end, self.em), pair[1].place(Vec2::new(0.0, MIDDLE), self.em)]
         };
         let is_wide = |ends: &[Vec2; 2]| distance(ends[0], ends[1]) > LEAST * self.em;
-        self.letters.windows(2).map(space).filter(is_wide)
+        let is_together = self.kind != Kind::Region;
+        self.letters.windows(2).filter(move |_| is_together).map(space).filter(is_wide)
     }
 }
 

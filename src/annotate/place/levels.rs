@@ -22,6 +22,9 @@ pub struct Level {
 }
 
 impl Level {
+    /// Pictures of whole maps on which all letters have their usual sizes.
+    pub const USUAL: Self = Self { least_em: 0.0, shrink: 1.0 };
+
     /// All levels, the smallest picture first.
     fn all() -> impl Iterator<Item = Self> {
         let wholes = LEAST_EMS.map(|least_em| Self { least_em, shrink: 1.0 });

@@ -62,7 +62,7 @@ pub use input::{
 };
 pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use neat_line::MARGIN as SHEET_MARGIN;
-pub use placing::place;
+pub use placing::{Places, place};
 pub use raster::Raster;
 pub use scenery::Scenery;
 pub use shapes::{Feature, PenStroke, SHAPES, Shape};

@@ -37,20 +37,53 @@ const MOST_RIVERS: usize = 400;
 /// The labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of regions,
 /// lakes and islands, of seas; the title; and what the style has besides names.
 pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
-    let mut at_level = input.clone();
-    let mut chosen = Vec::new();
-    for level in Level::up_to(input) {
-        level.set(&mut at_level);
-        chosen = Map::new(&at_level, background, level, chosen).choose();
+    Places::default().place(input, background)
+}
+
+/// The labels of one map in the places that have been chosen so far, for pictures and views of any size.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// The frame that they are chosen in.
+    frame: [Vec2; 2],
+    /// Those of each level, from the smallest pictures on.
+    levels: Vec<Vec<Chosen>>,
+}
+
+impl Places {
+    /// Does the same as [`place`], and keeps what it has chosen for other pictures of the same map.
+    pub fn place<G: Background>(&mut self, input: &Input<'_>, background: &G) -> Vec<Label> {
+        if self.frame != input.frame {
+            *self = Self { frame: input.frame, levels: Vec::new() };
+        }
+        let mut at_level = input.clone();
+        // Titles and legends are larger on larger pictures, whose labels have their places by then.
+        let mut reserved = Vec::new();
+        Level::USUAL.set(&mut at_level);
+        blocks(&at_level, background, &mut reserved);
+        let mut count = 0;
+        for level in Level::up_to(input) {
+            count += 1;
+            if count > self.levels.len() {
+                level.set(&mut at_level);
+                let before = self.levels.last().map_or(&[][..], |chosen| chosen);
+                let chosen = Map::new(&at_level, background, level, before, &reserved).choose();
+                self.levels.push(chosen);
+            }
+        }
+        let chosen = self.levels[..count].last().map_or(&[][..], |chosen| chosen);
+        finish(input, background, chosen.iter().map(|chosen| chosen.resized(input, background)).collect())
     }
-    let chosen: Vec<Chosen> = chosen.iter().map(|chosen| chosen.resized(input, background)).collect();
-    finish(input, background, chosen)
 }
 
 /// The labels that a picture shows whole, with what stands in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
-    let mut boxes: Vec<(u32, Box)> = chosen.iter().flat_map(Chosen::boxes).collect();
+    let mut boxes = Vec::new();
     let (corners, _) = blocks(input, background, &mut boxes);
+    // A legend may be in another corner than on smaller pictures.
+    let is_free =
+        |chosen: &Chosen| chosen.boxes().all(|(_, own)| boxes.iter().all(|(_, other)| !own.meets(other, 0.0)));
+    let chosen: Vec<Chosen> = chosen.into_iter().filter(is_free).collect();
+    boxes.extend(chosen.iter().flat_map(Chosen::boxes));
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
     labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
     // Stable: rivers first, in the order of their importance.
@@ -137,11 +170,12 @@ struct Map<'a, G> {
 }
 
 impl<'a, G: Background> Map<'a, G> {
-    /// A map with the labels of smaller pictures.
-    fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: Vec<Chosen>) -> Self {
+    /// A map with the labels of smaller pictures, and with places that are kept for others.
+    fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: &[Chosen], reserved: &[(u32, Box)]) -> Self {
         let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(input, background)).collect();
-        let mut boxes = chosen.iter().flat_map(Chosen::boxes).collect();
+        let mut boxes = reserved.to_vec();
         let (_, beside) = blocks(input, background, &mut boxes);
+        boxes.extend(chosen.iter().flat_map(Chosen::boxes));
         let mut this = Self { input, background, level, chosen, boxes, beside };
         for (number, before) in before.iter().enumerate() {
             if before.em(input) < before.label.em {
@@ -354,7 +388,7 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Labels regions, lakes and islands, the largest first, until they cover as much water as they may; seas; then what lies along the coast.
     fn label_areas(&mut self) {
-        let Input { areas, landmarks, most_area: [most_land, most], .. } = self.input;
+        let Input { areas, landmarks, most_landmarks, most_area: [most_land, most], .. } = self.input;
         if *most_land <= 0.0 {
             return;
         }
@@ -368,9 +402,11 @@ impl<'a, G: Background> Map<'a, G> {
                 self.label_area(area);
             }
         }
-        for landmark in landmarks.iter().filter(|landmark| !is_region(landmark)) {
-            if self.area(is_of_water) < *most {
-                self.label_landmark(landmark);
+        for kind in [LandmarkKind::Strait, LandmarkKind::Bay, LandmarkKind::Cape] {
+            for landmark in landmarks.iter().filter(|landmark| landmark.kind == kind).take(*most_landmarks) {
+                if self.area(is_of_water) < *most {
+                    self.label_landmark(landmark);
+                }
             }
         }
     }

@@ -13,24 +13,24 @@ use riverseed::export::{Json, geojson, json, pack, svg};
 impl FinishedMap {
     /// Draws the map as the text of an SVG file. Throws an Error if there is not enough memory, like the others.
     pub fn svg(&self) -> Result<String, JsValue> {
-        svg::svg(&self.0).map_err(|error| export_error(&error))
+        svg::svg(&self.map).map_err(|error| export_error(&error))
     }
 
     /// Writes the rivers as GeoJSON.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        geojson::collection(&self.0).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+        geojson::collection(&self.map).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 
     /// Returns recipe, nodes and rivers: the data that the command line writes as JSON.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self) -> Result<JsValue, JsValue> {
-        json::network(&self.0, None).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+        json::network(&self.map, None).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 
     /// Makes the rasters of the map.
     pub fn cells(&self) -> Result<Cells, JsValue> {
-        Rasters::new(&self.0).map(Cells).map_err(|error| export_error(&error))
+        Rasters::new(&self.map).map(Cells).map_err(|error| export_error(&error))
     }
 }
 

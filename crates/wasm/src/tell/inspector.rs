@@ -55,8 +55,8 @@ pub struct Inspector {
 impl FinishedMap {
     /// Prepares the rivers for queries. Returns nothing if there is not enough memory.
     pub fn inspector(&self) -> Option<Inspector> {
-        let rivers = Rivers::new(&self.0)?;
-        let (size, recipe) = (self.0.domain().size, self.0.recipe());
+        let rivers = Rivers::new(&self.map)?;
+        let (size, recipe) = (self.map.domain().size, self.map.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
         Some(Inspector { rivers, size, courses: recipe.get(), ends_in, last: (NONE, String::new()) })
     }

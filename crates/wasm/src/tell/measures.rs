@@ -30,7 +30,7 @@ impl FinishedMap {
     /// Returns the measures of the rivers, and as the last one the pattern that they are named after.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
-        let measures = Measures::of(&self.0);
+        let measures = Measures::of(&self.map);
         TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect()
     }
 }

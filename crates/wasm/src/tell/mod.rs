@@ -5,6 +5,8 @@ mod files;
 mod inspector;
 mod measures;
 
+use std::cell::RefCell;
+
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
@@ -12,6 +14,7 @@ use crate::objects::coded;
 use riverseed::Map;
 use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
+use riverseed::annotate::place::Places;
 use riverseed::digest::{self, DigestError};
 use riverseed::export::ExportError;
 use riverseed::paint::{Framing, View};
@@ -19,22 +22,27 @@ use riverseed::recipe::{Mark, OwnNames};
 
 /// A finished map whose rivers were made in another module.
 #[wasm_bindgen]
-pub struct FinishedMap(Map);
+pub struct FinishedMap {
+    map: Map,
+    /// The labels' places, as far as pictures have asked for them.
+    places: RefCell<Places>,
+}
 
 #[wasm_bindgen]
 impl FinishedMap {
     /// Reads the map from the `mapData` of a river. Throws an Error if the data is not a map.
     #[wasm_bindgen(constructor)]
     pub fn new(data: &[u32]) -> Result<Self, JsValue> {
-        Map::from_wire(data).map(Self).ok_or_else(|| coded("bad-params", "This data is of no map."))
+        let finished = |map| Self { map, places: RefCell::default() };
+        Map::from_wire(data).map(finished).ok_or_else(|| coded("bad-params", "This data is of no map."))
     }
 
     /// Returns names: those of the `rivers` greatest rivers, the user's own, and those of everything that is not a
     /// river. Each takes three texts: the mark by which `names` in a link knows it, the name, and `own` or an empty
     /// text. Own names for nothing on this map come last.
     pub fn greatest(&self, rivers: usize) -> Vec<String> {
-        let (names, own) = (Names::of(&self.0), self.0.recipe().own_names());
-        let (marked, all) = (names.marked(self.0.network()), self.0.network().rivers.len());
+        let (names, own) = (Names::of(&self.map), self.map.recipe().own_names());
+        let (marked, all) = (names.marked(self.map.network()), self.map.network().rivers.len());
         let is_great = |i: usize| i < rivers || i >= all;
         let shown = marked.iter().enumerate().filter(|(i, (mark, _))| is_great(*i) || own.get(*mark).is_some());
         let unused = own.marks().filter(|mark| marked.iter().all(|(known, _)| known != mark));
@@ -59,18 +67,19 @@ impl FinishedMap {
         let attractors: Vec<Vec2> = attractors.chunks_exact(2).map(Vec2::from_slice).collect();
         let code =
             |error: &DigestError| if matches!(error, DigestError::Export(_)) { "too-large" } else { "bad-params" };
-        digest::digest_of(&self.0, picture, &attractors).map_err(|error| coded(code(&error), &error.to_string()))
+        digest::digest_of(&self.map, picture, &attractors).map_err(|error| coded(code(&error), &error.to_string()))
     }
 
     /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeAnnotation`. `ratio` is picture
     /// pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the picture's `frame`,
     /// or empty.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
-        let domain = self.0.domain();
+        let domain = self.map.domain();
         let view = View::new(&domain, width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
         let view = view.framed(&domain, Framing::of(framing));
-        Ok(AnnotationBuilder::whole(&self.0, &view, ratio).to_bytes())
+        let mut places = self.places.borrow_mut();
+        Ok(AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio).to_bytes())
     }
 }
 
