@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::common::property::{cases, large};
 use crate::common::{finished, random_link};
 use proptest::prelude::*;
-use riverseed::annotate::names::Names;
+use riverseed::annotate::names::{Names, PlaceKind, PlaceName};
 use riverseed::recipe::{Key, OwnNames, Recipe, link};
 use riverseed::{Session, export};
 use serde_json::Value;
@@ -31,7 +31,11 @@ proptest! {
     #[test]
     fn no_two_things_on_a_map_have_one_name(link in random_link(600)) {
         let session = finished(&link, "style=ink");
-        let Names { rivers, reaches, places, title, .. } = Names::of(&session.map().unwrap());
+        let Names { rivers, reaches, mut places, title, .. } = Names::of(&session.map().unwrap());
+        // The main land has the name of the map.
+        if let Some(main) = places.iter().position(|place| (place.kind, place.number) == (PlaceKind::Island, 0)) {
+            prop_assert_eq!(&places.remove(main).name, &title);
+        }
         prop_assert_eq!(rivers.len(), session.network().unwrap().rivers.len());
         let rivers = rivers.into_iter().map(|river| river.name);
         let all: Vec<String> = rivers
@@ -62,14 +66,15 @@ proptest! {
 
 /// Any text, much of it like names.
 fn own_names() -> impl Strategy<Value = String> {
-    let mark = prop_oneof![3 => "[0-9]{1,4}", 2 => "[msli][0-9]{1,2}", 1 => Just("t".to_string()), 1 => "[a-z]{0,3}"];
+    let mark =
+        prop_oneof![3 => "[0-9]{1,4}", 2 => "[mslibcnh][0-9]{1,6}", 1 => Just("t".to_string()), 1 => "[a-z]{0,3}"];
     let name =
         prop_oneof![4 => "[A-Za-z .']{0,20}", 2 => "[<>&\"'/=%+#?;{}\\\\-]{0,12}", 1 => "\\PC{0,44}", 1 => ".{0,12}"];
     let entry =
         (mark, prop_oneof![9 => Just("."), 1 => Just("")], name).prop_map(|(mark, stop, name)| mark + stop + &name);
     prop_oneof![
-        9 => prop::collection::vec(entry, 0..15).prop_map(|entries| entries.join("_")),
-        1 => ".{0,500}",
+        9 => prop::collection::vec(entry, 0..45).prop_map(|entries| entries.join("_")),
+        1 => ".{0,1500}",
     ]
 }
 
@@ -97,7 +102,7 @@ proptest! {
 #[test]
 fn the_longest_names_and_seed_fit_a_link() {
     let wide = "𝕬".repeat(40);
-    let names: Vec<String> = (0..9).map(|i| format!("{i}.{wide}")).collect();
+    let names: Vec<String> = (10..37).map(|i| format!("{i}.{wide}")).collect();
     let mut recipe = Recipe::default();
     recipe.set(Key::Names, &names.join("_")).unwrap();
     recipe.set(Key::Seed, &"𝕬".repeat(64)).unwrap();
@@ -124,7 +129,10 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
     assert_eq!(name(parent.identity), "Silver");
     assert_eq!(name(fork.identity), fork.name.replace(&parent.short, "Silver"));
     let (first, second) = (plain.rivers[0].identity, plain.rivers[1].identity);
-    let over = format!("names={first}.Silver+Water_{second}._t.Home_i1.Away_s0.Glass_999999.Nowhere_l77.Dry");
+    let number = |kind| plain.places.iter().find(|place| place.kind == kind && place.number > 0).unwrap().number;
+    let (island, sea) = (number(PlaceKind::Island), number(PlaceKind::Sea));
+    let over =
+        format!("names={first}.Silver+Water_{second}._t.Home_i{island}.Away_s{sea}.Glass_999999.Nowhere_l77.Dry");
     let session = finished(SMALL, &over);
     let named = Names::of(&session.map().unwrap());
     assert_eq!((named.rivers[0].name.as_str(), named.rivers[1].name.as_str()), ("Silver Water", ""));
@@ -145,7 +153,6 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
     let meanders = |names: Names| names.reaches.into_iter().find(|reach| is_named_after_a_river(&reach.name));
     let seed = (0..40).find(|&seed| meanders(of_seed(seed, "")).is_some()).unwrap();
     let names = |own: &str| of_seed(seed, own);
-    assert!(names("i0.The Shire").title.contains("Shire") && !names("i0.The Shire").title.contains("The Shire"));
     let reach = meanders(names("")).unwrap();
     assert!(!reach.name.contains("Fork"), "{}", reach.name);
     let unnamed = meanders(names(&format!("{}.", reach.identity))).unwrap();
@@ -237,7 +244,8 @@ fn files_have_the_names() {
     }
     let of_kind = |kind: &str| features.iter().filter(|feature| feature["properties"]["kind"] == kind).count();
     assert_eq!(of_kind("reach"), names.reaches.len());
-    let places = ["sea", "lake", "island"].map(of_kind).iter().sum::<usize>();
+    assert_eq!((&geojson["title"], &json["names"][0]["text"]), (&names.title.clone().into(), &names.title.into()));
+    let places = ["sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"].map(of_kind).iter().sum::<usize>();
     assert_eq!(
         (places, json["names"].as_array().unwrap().len()),
         (names.places.len(), 1 + names.reaches.len() + places)
@@ -256,6 +264,137 @@ fn files_have_the_names() {
             (&"Point".into(), &place.name.clone().into())
         );
         let is_land = session.land().unwrap().coast_distance().height(place.at) > 0.0;
-        assert_eq!(is_land, place.kind == riverseed::annotate::names::PlaceKind::Island, "{id} lies in its midst");
+        let is_of_land = matches!(place.kind, PlaceKind::Island | PlaceKind::Cape | PlaceKind::Range);
+        // Capes are found on a lattice of eight units.
+        assert!(is_land == is_of_land || place.kind == PlaceKind::Cape, "{id} lies in its midst");
     }
+}
+
+#[test]
+fn a_seed_that_can_be_a_name_is_the_country_s_and_own_names_of_map_and_land_follow_each_other() {
+    let of = |seed: &str, own: &str| {
+        let mut recipe = link::read(SMALL).unwrap();
+        recipe.set(Key::Seed, seed).unwrap();
+        recipe.set(Key::Names, own).unwrap();
+        let names = Names::of(&finished(&link::write(&recipe), "").map().unwrap());
+        let land = names.places.iter().find(|place| (place.kind, place.number) == (PlaceKind::Island, 0)).unwrap();
+        [names.title, land.name.clone(), names.subtitle]
+    };
+    assert_eq!(of("tay", ""), ["Tay", "Tay", "and its rivers"]);
+    assert_eq!(of("new zealand", "")[0], "New Zealand");
+    assert_eq!(of("tay", "t.Home"), ["Home", "Home", "from the word tay"]);
+    assert_eq!(of("tay", "i0.The Shire"), ["The Shire", "The Shire", "from the word tay"]);
+    assert_eq!(of("tay", "i0.The Shire_t.Home"), ["Home", "The Shire", "from the word tay"]);
+    assert_eq!(of("tay", "t._i0."), ["", "", "from the word tay"]);
+    assert_eq!(of("tay", "i0."), ["Tay", "", "and its rivers"]);
+    let [title, land, line] = of("2026", "");
+    assert!(title == land && title.chars().all(char::is_alphabetic), "{title}");
+    assert_eq!(line, "from the number 2026");
+    let [title, land, line] = of("\u{6771}\u{4eac}", "");
+    assert!(title == land && title.len() >= 3 && line.is_empty());
+}
+
+#[test]
+fn the_title_is_the_first_of_all_names() {
+    let session = finished(SMALL, "seed=tay");
+    let names = Names::of(&session.map().unwrap());
+    let marked = names.marked(session.network().unwrap());
+    assert_eq!((marked[0].0.to_string().as_str(), marked[0].1), ("t", "Tay"));
+    assert!(marked.iter().any(|(mark, name)| mark.to_string() == "i0" && *name == "Tay"));
+    let distinct: BTreeSet<String> = marked.iter().map(|(mark, _)| mark.to_string()).collect();
+    assert_eq!(distinct.len(), marked.len());
+}
+
+/// Places with the parts of coasts and mountains that a map has.
+fn places(link: &str, over: &str) -> Vec<PlaceName> {
+    Names::of(&finished(link, over).map().unwrap()).places
+}
+
+#[test]
+fn coasts_have_bays_capes_and_straits_and_mountains_have_ranges() {
+    let count = |places: &[PlaceName], kind| places.iter().filter(|place| place.kind == kind).count();
+    let most = [
+        (PlaceKind::Gulf, 2),
+        (PlaceKind::Bay, 6),
+        (PlaceKind::Cape, 6),
+        (PlaceKind::Strait, 4),
+        (PlaceKind::Range, 3),
+    ];
+    let mut found = [0; 5];
+    for land in ["island", "archipelago", "continent", "valley"] {
+        for seed in ["tay", "kauri"] {
+            let link = format!("land={land}&seed={seed}&attractors=3000&style=atlas");
+            let session = finished(&link, "");
+            let (places, coast) = (Names::of(&session.map().unwrap()).places, session.land().unwrap().clone());
+            let height = |at| coast.coast_distance().height(at);
+            for (found, (kind, most)) in found.iter_mut().zip(most) {
+                let count = count(&places, kind);
+                assert!(count <= most, "{count} of {kind:?}: {link}");
+                *found += count;
+            }
+            for place in &places {
+                let has_line = matches!(place.kind, PlaceKind::Strait | PlaceKind::Range)
+                    || (place.kind, place.number) == (PlaceKind::Island, 0);
+                assert_eq!(place.line.len() >= 2, has_line, "{}: {link}", place.name);
+                assert!(
+                    place.size > 0.0 && place.at.is_finite() && place.line.windows(2).all(|pair| pair[0] != pair[1])
+                );
+                assert!(place.line.first().zip(place.line.last()).is_none_or(|(first, last)| first.x <= last.x));
+                let is_water = matches!(place.kind, PlaceKind::Bay | PlaceKind::Gulf | PlaceKind::Strait);
+                assert!(!is_water || height(place.at) < 4.0, "{}: {link}", place.name);
+            }
+            // A gulf or bay has land on three sides.
+            for place in places.iter().filter(|place| matches!(place.kind, PlaceKind::Gulf | PlaceKind::Bay)) {
+                let ways = (0..64).map(|i| glam::Vec2::from_angle(i as f32 * std::f32::consts::TAU / 64.0));
+                let sees = |way: glam::Vec2| (1..60).any(|i| height(place.at + way * (i as f32 * 4.0)) > 0.0);
+                assert!(ways.filter(|way| sees(*way)).count() >= 40, "{}: {link}", place.name);
+            }
+        }
+    }
+    assert!(found.iter().all(|&count| count >= 4), "{found:?}");
+}
+
+/// The names of one's own are where they were, or not on the map; none goes to another place.
+#[test]
+fn own_names_stay_on_their_places_when_sliders_move() {
+    let (mut kept, mut all) = (0, 0);
+    for (land, seed) in [("island", "tay"), ("archipelago", "kauri"), ("continent", "rimu")] {
+        let link = format!("land={land}&seed={seed}&attractors=3000&sea=0.6&roughness=0.5&style=atlas");
+        let before: Vec<PlaceName> = places(&link, "").into_iter().filter(|place| place.number > 0).take(30).collect();
+        let letter = |kind| match kind {
+            PlaceKind::Sea => 's',
+            PlaceKind::Lake => 'l',
+            PlaceKind::Island => 'i',
+            PlaceKind::Cape => 'c',
+            PlaceKind::Strait => 'n',
+            PlaceKind::Range => 'h',
+            _ => 'b',
+        };
+        let own: Vec<String> =
+            (0..).zip(&before).map(|(i, place)| format!("{}{}.Own{i}", letter(place.kind), place.number)).collect();
+        let own = format!("names={}", own.join("_"));
+        for (over, is_same_land) in
+            [("width=20", true), ("trim=30", true), ("sea=0.61", false), ("roughness=0.52", false)]
+        {
+            let after = places(&link, &format!("{own}&{over}"));
+            for (i, place) in before.iter().enumerate() {
+                let now = after.iter().find(|now| now.name == format!("Own{i}"));
+                let is_range = place.kind == PlaceKind::Range;
+                assert!(now.is_some() || !is_same_land || is_range, "{} {over} {link}", place.name);
+                let away = now.map_or(0.0, |now| now.at.distance(place.at));
+                assert!(away <= 60.0 + 0.5 * place.size, "{} moved {away}: {over} {link}", place.name);
+                (kept, all) = (kept + usize::from(now.is_some()), all + 1);
+            }
+        }
+    }
+    assert!(kept * 100 >= all * 88, "{kept} of {all} stayed");
+    println!("{kept} of {all} stayed");
+}
+
+#[test]
+fn marks_of_former_ranks_and_of_no_place_do_nothing() {
+    let own = "names=s0.A_i3.B_l0.C_b4294967295.D_c0.E_n1.F_h999999999.G";
+    let session = finished(SMALL, own);
+    let names = Names::of(&session.map().unwrap());
+    assert!(names.unused(session.recipe()).len() >= 6);
 }

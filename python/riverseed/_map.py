@@ -17,12 +17,13 @@ from riverseed._options import keyword, pixels
 
 @dataclass(frozen=True, eq=False)
 class Name:
-    """The name of the map, a reach, a sea, a lake or an island."""
+    """The name of the map, a reach or a place."""
 
     kind: str
-    """``"title"``, ``"reach"``, ``"sea"``, ``"lake"`` or ``"island"``."""
+    """``"title"``, ``"reach"``, ``"sea"``, ``"gulf"``, ``"lake"``, ``"island"``, ``"bay"``, ``"cape"``, ``"strait"`` or
+    ``"range"``."""
     identity: int | None
-    """Of a reach the identity of its river, of a place its number, the largest first; None for the title."""
+    """Of a reach the identity of its river, of a place the number in its mark (0 for the main land); None for the title."""
     text: str | None
     """The name; None if the recipe takes it away."""
     points: NDArray[np.float32]

@@ -64,6 +64,7 @@ def test_names_lie_where_geojson_has_them(small: riverseed.Map) -> None:
     features = json.loads(small.geojson())["features"]
     places = {(at["kind"], at["number"]): at for at in (feature["properties"] for feature in features)}
     kinds = {"reach": "LineString", "sea": "Point", "lake": "Point", "island": "Point"}
+    kinds |= dict.fromkeys(("gulf", "bay", "cape", "strait", "range"), "Point")
     wanted = [feature["geometry"] for feature in features if feature["properties"]["kind"] in kinds]
     assert places
     named = small.names[1:]

@@ -53,6 +53,9 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     let (land, ridges) = (count + lakes.len() + ground.basins.len(), map.land().map_or(0, |land| land.ridges().len()));
     let unnamed = land + ground.land.len() + ridges;
     let all = unnamed + features.named();
+    let mut collection = Members::default();
+    collection.text("type", "FeatureCollection").owned("riverseed", link::write_for_file(map.recipe()));
+    names::title(&mut collection, &features.names);
     let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
     {
         _ if i >= unnamed => features.name(i - unnamed),
@@ -62,11 +65,7 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
         (Some(i), ..) => features.lake(lakes[i].0, &lakes[i].1),
         _ => features.river(i as u32),
     };
-    let mut collection = Members::default();
-    collection
-        .text("type", "FeatureCollection")
-        .owned("riverseed", link::write_for_file(map.recipe()))
-        .value("features", Json::list(all, feature));
+    collection.value("features", Json::list(all, feature));
     Ok(collection.into())
 }
 

@@ -25,6 +25,13 @@ pub(super) fn river_feature<'a>(members: &mut Members<'a>, named: Option<&RiverN
     }
 }
 
+/// Adds the map's title for GeoJSON.
+pub(super) fn title<'a>(members: &mut Members<'a>, names: &Names) {
+    if !names.title.is_empty() {
+        members.owned("title", names.title.clone());
+    }
+}
+
 /// All names except those of rivers, as a list for JSON.
 pub(super) fn list<'a>(names: Names) -> Json<'a> {
     let Names { reaches, places, title, .. } = names;
@@ -47,7 +54,7 @@ pub(super) enum Feature<'a, 'b> {
     Point(String, Vec2, Members<'a>),
 }
 
-/// The feature of a name that does not belong to a river: reaches as lines; seas, lakes and islands as points.
+/// The feature of a name that does not belong to a river: reaches as lines, places as points.
 pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Option<Feature<'a, 'b>> {
     match i.checked_sub(names.reaches.len()) {
         None => names.reaches.get(i).map(reach),

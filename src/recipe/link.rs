@@ -18,7 +18,7 @@ use super::value::{Decimal, Value};
 use super::{Recipe, preset};
 
 /// The longest link that is read, in bytes.
-pub const LONGEST: usize = 8192;
+pub const LONGEST: usize = 20_480;
 
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";

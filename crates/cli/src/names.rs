@@ -13,7 +13,7 @@ use super::grow::{grow, progress};
 use super::order::Order;
 use super::{Failure, Say, say, stdout};
 
-/// Prints the names, greatest rivers first.
+/// Prints the names: the map's, then the rivers', the greatest first, then those of places.
 pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     stdout::check()?;
     let order = Order::of(matches)?;

@@ -55,10 +55,34 @@ where they begin.
 
 ## Own names
 
-`names` gives names of your own to at most 12 things: `names=69.Silver+Water_m69.The+Old+Man_51._t.Home`. An entry is a mark, a full stop and
-a name of at most 40 characters; an underscore ends it. The mark is a river's identity, `m` and the identity for the stretch where it meanders, `s`,
-`l` or `i` and a number for a sea, a lake or an island, or `t` for the map; `i0` is the main land, after which the map is called. No name after
-the full stop takes a thing's name away. `riverseed names` prints the marks of a map. A mark that the map has not is kept and does nothing.
+`names` gives names of your own to at most 40 things: `names=69.Silver+Water_m69.The+Old+Man_51._c48025.Cape+Anna_t.Home`. An entry is a
+mark, a full stop and a name of at most 40 characters; an underscore ends it. No name after the full stop takes a thing's name away. `riverseed names`
+prints the marks of a map.
+
+| mark | what it names |
+| --- | --- |
+| `t` | the map: its title |
+| `i0` | the main land |
+| `69` | a river, by its identity |
+| `m69` | the stretch where that river meanders |
+| `s98158` | a sea |
+| `b52101` | a bay or a gulf |
+| `l56107` | a lake |
+| `i30120` | an island |
+| `c48025` | a cape |
+| `n57109` | a strait |
+| `h37074` | a range of mountains or hills, in styles that show heights |
+
+The number of a place is that of the cell of 8 units in which its midst lies: a thousand times the row, from the north, and the column, from the west. The nearest
+place of the kind takes the name, if its midst is within 48 units and half its size of the mark (the size of a sea, lake or island is the side of a square of
+its area, that of a bay the width of its mouth, that of a strait or range its length). So a name stays where it is when the coast moves a little. A mark that the map has
+not is kept and does nothing.
+
+A seed that can be a name (one to three words of letters, with apostrophes and hyphens, at most 24 characters, all of which EB Garamond has) is the name of the
+country: the title, and the name of the main land. Other seeds get a made-up word. If only one of `t` and `i0` is given, the other follows it.
+
+Each name makes a link longer by its own length and some seven characters more; letters other than those of English count six or nine each. Ten names take some 200
+characters. Links of 2,000 characters work everywhere; longer ones, to which 1,200 characters of names in another script can come, may be cut by mail and chat programs.
 Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On the map a character that EB Garamond has no letter for is left out.
 
 ## Limits

@@ -2,7 +2,7 @@
 
 use super::PlaceKind;
 use super::lattice::Lattice;
-use super::regions::{self, Found, Tract};
+use super::regions::{self, Found};
 use super::{ranges, shores};
 use crate::land::{Land, Region};
 use crate::map::Map;
@@ -28,9 +28,8 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<(Place, Region)> {
     const LEAST_LAKE: f32 = 400.0;
     const LEAST_ISLAND: f32 = 150.0;
     let [seas, lakes, islands] = regions::tracts(land);
-    let all = |tracts: &'_ [Tract]| tracts.iter().map(|tract| tract.region.clone()).collect::<Vec<_>>();
-    let (all_seas, all_islands) = (all(&seas), all(&islands));
-    let lattice = Lattice::of(land.size(), &all_seas, &all_islands);
+    let lattice =
+        Lattice::of(land.size(), [&seas, &islands].map(|tracts| tracts.iter().map(|tract| &tract.region).collect()));
     let mut places = Vec::new();
     let kinds = [(PlaceKind::Sea, LEAST_SEA), (PlaceKind::Lake, LEAST_LAKE), (PlaceKind::Island, LEAST_ISLAND)];
     for ((kind, least), tracts) in kinds.into_iter().zip([seas, lakes, islands]) {

@@ -55,15 +55,17 @@ fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec
 }
 
 fn is_enclosed(view: &View, near: f32) -> bool {
-    const LEAST: usize = 11;
-    let is_land = |direction: usize| {
-        let (land, steps) = view[direction % 16];
-        land != SEA && distance(direction, steps) <= near
+    const LEAST: u32 = 11;
+    let is_land =
+        |&(direction, (land, steps)): &(usize, &(u16, u8))| *land != SEA && distance(direction, *steps) <= near;
+    let bits = |of: &dyn Fn(u16) -> bool| {
+        let seen = view.iter().enumerate().filter(is_land).filter(|(_, (land, _))| of(*land));
+        seen.fold(0_u16, |bits, (direction, _)| bits | 1 << direction)
     };
-    let count = (0..16).filter(|&direction| is_land(direction)).count();
-    let gaps = (0..16).filter(|&direction| is_land(direction) && !is_land(direction + 1)).count();
-    let of_land = |land: u16| (0..16).filter(|&direction| is_land(direction) && view[direction].0 == land).count();
-    count >= LEAST && gaps <= 1 && view.iter().any(|(land, _)| *land != SEA && of_land(*land) * 4 >= count * 3)
+    let all = bits(&|_| true);
+    let gaps = (all & !all.rotate_left(1)).count_ones();
+    let is_most = |land: u16| bits(&|other| other == land).count_ones() * 4 >= all.count_ones() * 3;
+    all.count_ones() >= LEAST && gaps <= 1 && view.iter().any(|(land, _)| *land != SEA && is_most(*land))
 }
 
 /// How wide the opening of a bay is, in units: the larger side of the box around its cells beside open sea.

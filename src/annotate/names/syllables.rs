@@ -21,7 +21,7 @@ impl Series {
 }
 
 /// The most pairs of medial and vowel before a word's close.
-pub(super) const LONGEST: usize = 6;
+pub(super) const LONGEST: usize = 9;
 
 /// How many words there are, of each series and length.
 #[derive(Clone, Debug)]
@@ -109,4 +109,29 @@ fn digit<'a>(list: &'a [String], number: &mut u64) -> &'a str {
     let digit = *number % count;
     *number /= count;
     list.get(digit as usize).map_or("", String::as_str)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_number_below_the_count_has_a_word_of_its_own_and_neighbours_fit() {
+        for number in [1, 5, 8, 10] {
+            let language = Language::new("", number);
+            let syllables = Syllables::of(&language);
+            for (series, pairs) in [(0, 0), (1, 0), (2, 0), (3, 0), (1, 1), (3, 1)] {
+                let count = syllables.count(Series(series), pairs);
+                let words = (0..count).map(|i| syllables.word(&language, Series(series), pairs, i));
+                let words: BTreeSet<String> = words.collect();
+                assert_eq!(words.len() as u64, count, "language {number}, series {series}");
+                let is_hard = |word: &&String| {
+                    ["vurv", "grerg", "drurd", "momm", "bamb", "rara"].iter().any(|hard| word.contains(hard))
+                };
+                assert_eq!(words.iter().find(is_hard), None);
+            }
+        }
+    }
 }

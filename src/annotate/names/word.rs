@@ -93,7 +93,9 @@ impl Words {
         };
         let pairs = (0..LONGEST).filter(|&pairs| rank < size(pairs).1);
         let mut words = pairs.map(|pairs| self.spell(series, pairs, size(pairs).0 + rank));
-        capitalized(&words.find(|word| self.is_fit(word)).unwrap_or_default())
+        let longest = || self.spell(series, LONGEST - 1, size(LONGEST - 1).0 + rank);
+        // A word of ten vowels is as good as any.
+        capitalized(&words.find(|word| self.is_fit(word)).unwrap_or_else(longest))
     }
 
     /// The series of a number, and its place among those of that series: of sixteen numbers some are of each.

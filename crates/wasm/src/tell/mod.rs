@@ -37,21 +37,26 @@ impl FinishedMap {
         Map::from_wire(data).map(finished).ok_or_else(|| coded("bad-params", "This data is of no map."))
     }
 
-    /// Returns names: those of the `rivers` greatest rivers, the user's own, and those of everything that is not a
-    /// river. Each takes three texts: the mark by which `names` in a link knows it, the name, and `own` or an empty
+    /// Returns names: the map's, those of the `rivers` greatest rivers, the user's own, and those of everything that is
+    /// not a river. Each takes three texts: the mark by which `names` in a link knows it, the name, and `own` or an empty
     /// text. Own names for nothing on this map come last.
     pub fn greatest(&self, rivers: usize) -> Vec<String> {
         let (names, own) = (Names::of(&self.map), self.map.recipe().own_names());
-        let (marked, all) = (names.marked(self.map.network()), self.map.network().rivers.len());
-        let is_great = |i: usize| i < rivers || i >= all;
-        let shown = marked.iter().enumerate().filter(|(i, (mark, _))| is_great(*i) || own.get(*mark).is_some());
+        let marked = names.marked(self.map.network());
+        let mut left = rivers;
+        let mut is_shown = |(mark, _): &&(Mark, &str)| {
+            let is_great = !matches!(mark, Mark::River(_)) || left > 0;
+            left -= usize::from(is_great && matches!(mark, Mark::River(_)));
+            is_great || own.get(*mark).is_some()
+        };
+        let shown: Vec<_> = marked.iter().filter(|named| is_shown(named)).copied().collect();
         let unused = own.marks().filter(|mark| marked.iter().all(|(known, _)| known != mark));
         let unused = unused.map(|mark| (mark, own.get(mark).unwrap_or_default()));
         let entry = |(mark, name): (Mark, &str)| {
             let is_own = if own.get(mark).is_some() { "own" } else { "" };
             [mark.to_string(), name.into(), is_own.into()]
         };
-        shown.map(|(_, named)| *named).chain(unused).flat_map(entry).collect()
+        shown.into_iter().chain(unused).flat_map(entry).collect()
     }
 
     /// Returns the text of `names` in a link with another name for a mark, or with its usual name again. Throws an

@@ -17,7 +17,17 @@ export interface NameListEvents {
   rename(mark: string, name: string | undefined): void;
 }
 
-const KINDS: Record<string, string> = { t: "Map", s: "Sea", l: "Lake", i: "Island", m: "Meanders" };
+const KINDS: Record<string, string> = {
+  t: "Map",
+  m: "Meanders",
+  s: "Sea",
+  l: "Lake",
+  i: "Island",
+  b: "Bay",
+  c: "Cape",
+  n: "Strait",
+  h: "Range",
+};
 const HELP = "help-names";
 
 interface Row {
@@ -71,7 +81,7 @@ export class NameList implements Control {
     names.forEach((named, i) => {
       const row = this.#rows.get(named.mark) ?? this.#row(named.mark);
       this.#rows.set(named.mark, row);
-      row.show(named, KINDS[named.mark.charAt(0)] ?? `River ${++rivers}`);
+      row.show(named, kindOf(named.mark) ?? `River ${++rivers}`);
       // Moved only if necessary, since moving takes the focus.
       if (this.#list.children[i] !== row.element) this.#list.insertBefore(row.element, this.#list.children[i] ?? null);
     });
@@ -127,6 +137,11 @@ export class NameList implements Control {
       },
     };
   }
+}
+
+/** The word for what a mark stands for; none for a river's. */
+function kindOf(mark: string): string | undefined {
+  return mark === "i0" ? "Land" : KINDS[mark.charAt(0)];
 }
 
 /** Reads the engine's list of names, three texts each. */
