@@ -46,7 +46,8 @@ pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hil
     let has_room = |one: &Standing| is_free(input, ground, &taken, one);
     let plant = |(number, &at): (u32, &Vec2)| {
         let inland = input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
-        if inland <= 0.0 {
+        // Most points are at sea or beside a brook, which is told sooner than what noise there is.
+        if inland <= 0.0 || ground.distance_to_bank(at, FOOT_FROM_BANKS) < FOOT_FROM_BANKS {
             return None;
         }
         let tree = trees.at(number, at, inland).filter(has_room);
@@ -56,9 +57,7 @@ pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hil
 }
 
 fn is_free(input: &SceneryInput<'_>, ground: &FreeGround, taken: &Spots, one: &Standing) -> bool {
-    ground.distance_to_bank(one.foot, FOOT_FROM_BANKS) >= FOOT_FROM_BANKS
-        && one.discs().all(|disc| taken.is_free(disc))
-        && ground.is_clear(input, one)
+    one.discs().all(|disc| taken.is_free(disc)) && ground.is_clear(input, one)
 }
 
 /// The trees that a map would have without water, letters and hills.
