@@ -33,14 +33,14 @@ const BEFORE: f32 = 1.7;
 const FROM_COAST: f32 = 14.0;
 const FADE: f32 = 30.0;
 /// How many of the points of a range a hill is tried at, with as many hills as there can be.
-const TAKEN: f32 = 0.6;
+const TAKEN: f32 = 0.95;
 /// How far they keep from ridges, in units.
 const FROM_RIDGES: f32 = 8.0;
 /// Ranges and gaps between them: about how long they are, in units, and which share of divides are gaps.
 const RANGE: f32 = 150.0;
 /// Land as high as this has hills beside divides, and as high as that mountains, as shares of the highest.
-pub const HIGH: f32 = 0.3;
-pub const ALPINE: f32 = 0.52;
+pub const HIGH: f32 = 0.26;
+pub const ALPINE: f32 = 0.45;
 /// How far inland main divides have mountains in the middle of their ranges, where heights are not known, in units.
 const FAR: f32 = 70.0;
 
@@ -100,11 +100,11 @@ impl Rules<'_> {
         let often = match high {
             // Mountains are where the land is high, whatever the noise says.
             Some(high) if high >= ALPINE => 1.0,
-            Some(high) => range * ((high - 0.1) * 3.0).clamp(0.0, 1.0),
-            None if is_main => range.max(0.7),
-            None => range * 0.9,
+            Some(high) => TAKEN * range * ((high - 0.1) * 3.0).clamp(0.0, 1.0),
+            None if is_main => TAKEN * range.max(0.7),
+            None => TAKEN * range * 0.9,
         };
-        if self.chance.unit([number, 0, 1]) >= TAKEN * self.input.hills * often * (inland / FADE).min(1.0) {
+        if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
         }
         let (at, room) = self.roomiest(at);

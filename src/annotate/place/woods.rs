@@ -29,8 +29,8 @@ const MORE_AT_THE_SHORE: f32 = 0.25;
 const TREE_LINE: f32 = 0.4;
 const MORE_AT_THE_TOP: f32 = 3.2;
 /// How much of a second noise it takes for conifers at the lowest, and how much less at the highest land.
-const CONIFERS: f32 = 0.5;
-const FEWER_BELOW: f32 = 2.2;
+const CONIFERS: f32 = 0.75;
+const FEWER_BELOW: f32 = 3.0;
 /// How far inland is as good as half of the greatest height, where heights are not known, in units.
 const HALFWAY_UP: f32 = 150.0;
 /// How high trees are, in units: the lowest, and how much higher others are.
