@@ -13,9 +13,9 @@ use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;
 
 /// Half of a hill's width at least, and at most; and half of a mountain's, in units.
-const LEAST: f32 = 3.8;
+const LEAST: f32 = 3.5;
 const MOST: f32 = 9.0;
-const LEAST_MOUNTAIN: f32 = 4.2;
+const LEAST_MOUNTAIN: f32 = 3.7;
 const MOST_MOUNTAIN: f32 = 17.0;
 /// How wide a hill is beside its disc around the middle, in which there may be no water.
 const REACH: f32 = 1.06;

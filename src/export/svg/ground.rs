@@ -121,7 +121,10 @@ fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures, share: f32) {
         path.line(&[from - aside, stroke[1].0 - aside * 0.75, to, stroke[1].0 + aside * 0.75, from + aside]);
         path.close();
     }
-    out.text("<path id=\"hachures\" fill-opacity=\"").units(look.strength * share).text("\" fill=\"").colour(look.colour);
+    out.text("<path id=\"hachures\" fill-opacity=\"")
+        .units(look.strength * share)
+        .text("\" fill=\"")
+        .colour(look.colour);
     out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
