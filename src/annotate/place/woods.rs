@@ -34,7 +34,7 @@ const FEWER_BELOW: f32 = 3.0;
 /// How far inland is as good as half of the greatest height, where heights are not known, in units.
 const HALFWAY_UP: f32 = 150.0;
 /// How high trees are, in units: the lowest, and how much higher others are.
-const ROUND: [f32; 2] = [6.8, 2.0];
+const ROUND: [f32; 2] = [7.2, 2.0];
 const POINTED: [f32; 2] = [5.6, 2.6];
 
 /// The trees and marshes of a map, in the order of its points.
