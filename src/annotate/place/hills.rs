@@ -13,9 +13,9 @@ use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;
 
 /// Half of a hill's width at least, and at most; and half of a mountain's, in units.
-const LEAST: f32 = 3.8;
+const LEAST: f32 = 3.5;
 const MOST: f32 = 9.0;
-const LEAST_MOUNTAIN: f32 = 4.2;
+const LEAST_MOUNTAIN: f32 = 3.7;
 const MOST_MOUNTAIN: f32 = 17.0;
 /// How wide a hill is beside its disc around the middle, in which there may be no water.
 const REACH: f32 = 1.06;
@@ -32,13 +32,15 @@ const BEFORE: f32 = 1.7;
 /// How far from the coast hills begin, and over how much more they become frequent, in units.
 const FROM_COAST: f32 = 14.0;
 const FADE: f32 = 30.0;
+/// How many of the points of a range a hill is tried at, with as many hills as there can be.
+const TAKEN: f32 = 0.95;
 /// How far they keep from ridges, in units.
 const FROM_RIDGES: f32 = 8.0;
 /// Ranges and gaps between them: about how long they are, in units, and which share of divides are gaps.
 const RANGE: f32 = 150.0;
 /// Land as high as this has hills beside divides, and as high as that mountains, as shares of the highest.
-pub const HIGH: f32 = 0.3;
-pub const ALPINE: f32 = 0.52;
+pub const HIGH: f32 = 0.26;
+pub const ALPINE: f32 = 0.45;
 /// How far inland main divides have mountains in the middle of their ranges, where heights are not known, in units.
 const FAR: f32 = 70.0;
 
@@ -98,9 +100,9 @@ impl Rules<'_> {
         let often = match high {
             // Mountains are where the land is high, whatever the noise says.
             Some(high) if high >= ALPINE => 1.0,
-            Some(high) => range * ((high - 0.1) * 3.0).clamp(0.0, 1.0),
-            None if is_main => range.max(0.7),
-            None => range * 0.9,
+            Some(high) => TAKEN * range * ((high - 0.1) * 3.0).clamp(0.0, 1.0),
+            None if is_main => TAKEN * range.max(0.7),
+            None => TAKEN * range * 0.9,
         };
         if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
@@ -129,14 +131,15 @@ impl Rules<'_> {
 
     /// The place with most room that a few steps from another lead to, and how far banks are from it.
     fn roomiest(&self, at: Vec2) -> (Vec2, f32) {
-        const STEPS: [f32; 3] = [3.0, 2.0, 1.0];
-        let room = |at: Vec2| self.ground.distance_to_bank(at, 2.0 * MOST_MOUNTAIN);
-        let mut best = (at, room(at));
+        const STEPS: [f32; 2] = [2.8, 1.4];
+        const ENOUGH: f32 = MOST_MOUNTAIN * REACH + FROM_BANKS;
+        let mut best = (at, self.ground.distance_to_bank(at, ENOUGH));
         for step in STEPS {
-            for way in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| best.0 + way * step) {
-                let there = room(way);
-                if there > best.1 {
-                    best = (way, there);
+            for there in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| best.0 + way * step) {
+                // It cannot be more by more than the step.
+                let room = self.ground.distance_to_bank(there, (best.1 + step).min(ENOUGH));
+                if room > best.1 {
+                    best = (there, room);
                 }
             }
         }

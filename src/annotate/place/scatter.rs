@@ -9,7 +9,7 @@ use glam::Vec2;
 use crate::base::random::{Purpose, Seed};
 
 /// How far apart points are at least, in units.
-pub const APART: f32 = 4.7;
+pub const APART: f32 = 5.0;
 
 /// How many candidates a cell has.
 const CANDIDATES: u32 = 3;

@@ -40,6 +40,15 @@ impl Standing {
         self.feature().is_plant()
     }
 
+    /// A disc around all of those.
+    pub(super) fn around(&self) -> (Vec2, f32) {
+        let discs = &self.shape().discs;
+        let middle = discs.iter().fold(Vec2::ZERO, |sum, disc| sum + disc.0) / discs.len().max(1) as f32;
+        let reach = discs.iter().map(|(at, radius)| at.distance(middle) + radius).fold(0.0, f32::max);
+        // A little more than any rounding.
+        (self.foot + middle * self.size, reach * self.size + 1e-3)
+    }
+
     /// The discs that it lies within: their middles and radii, in units.
     pub(super) fn discs(&self) -> impl Iterator<Item = (Vec2, f32)> {
         self.shape().discs.iter().map(|(middle, radius)| (self.foot + *middle * self.size, radius * self.size))

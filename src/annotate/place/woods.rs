@@ -29,12 +29,12 @@ const MORE_AT_THE_SHORE: f32 = 0.25;
 const TREE_LINE: f32 = 0.4;
 const MORE_AT_THE_TOP: f32 = 3.2;
 /// How much of a second noise it takes for conifers at the lowest, and how much less at the highest land.
-const CONIFERS: f32 = 0.5;
-const FEWER_BELOW: f32 = 2.2;
+const CONIFERS: f32 = 0.75;
+const FEWER_BELOW: f32 = 3.0;
 /// How far inland is as good as half of the greatest height, where heights are not known, in units.
 const HALFWAY_UP: f32 = 150.0;
 /// How high trees are, in units: the lowest, and how much higher others are.
-const ROUND: [f32; 2] = [6.8, 2.0];
+const ROUND: [f32; 2] = [7.2, 2.0];
 const POINTED: [f32; 2] = [5.6, 2.6];
 
 /// The trees and marshes of a map, in the order of its points.
@@ -46,7 +46,8 @@ pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hil
     let has_room = |one: &Standing| is_free(input, ground, &taken, one);
     let plant = |(number, &at): (u32, &Vec2)| {
         let inland = input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
-        if inland <= 0.0 {
+        // Most points are at sea or beside a brook, which is told sooner than what noise there is.
+        if inland <= 0.0 || ground.distance_to_bank(at, FOOT_FROM_BANKS) < FOOT_FROM_BANKS {
             return None;
         }
         let tree = trees.at(number, at, inland).filter(has_room);
@@ -56,9 +57,7 @@ pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hil
 }
 
 fn is_free(input: &SceneryInput<'_>, ground: &FreeGround, taken: &Spots, one: &Standing) -> bool {
-    ground.distance_to_bank(one.foot, FOOT_FROM_BANKS) >= FOOT_FROM_BANKS
-        && one.discs().all(|disc| taken.is_free(disc))
-        && ground.is_clear(input, one)
+    one.discs().all(|disc| taken.is_free(disc)) && ground.is_clear(input, one)
 }
 
 /// The trees that a map would have without water, letters and hills.

@@ -9,7 +9,7 @@ use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
-use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
+use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strength, strokes};
 use crate::paint::ridges;
 use crate::relief::{METRES, Relief};
 
@@ -108,12 +108,12 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
         contours(out, relief, interval(highest), lines);
     }
     if let Some(look) = &look.hachures {
-        hachures(out, &strokes(relief, highest), look);
+        hachures(out, &strokes(relief, highest), look, strength(exaggeration));
     }
 }
 
 /// Draws strokes down the slope.
-fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
+fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures, share: f32) {
     let mut path = Path::default();
     for &stroke in strokes {
         let [(from, half), .., (to, _)] = stroke;
@@ -121,7 +121,10 @@ fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
         path.line(&[from - aside, stroke[1].0 - aside * 0.75, to, stroke[1].0 + aside * 0.75, from + aside]);
         path.close();
     }
-    out.text("<path id=\"hachures\" fill-opacity=\"").units(look.strength).text("\" fill=\"").colour(look.colour);
+    out.text("<path id=\"hachures\" fill-opacity=\"")
+        .units(look.strength * share)
+        .text("\" fill=\"")
+        .colour(look.colour);
     out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 

@@ -88,11 +88,25 @@ impl StrokeMask {
     }
 }
 
+/// The share of their full strength that hachures have where slopes are exaggerated by this factor: all from the usual one on.
+pub(crate) fn strength(exaggeration: f32) -> f32 {
+    const USUAL: f32 = 0.45;
+    const LEAST: f32 = 0.25;
+    LEAST + (1.0 - LEAST) * (exaggeration / USUAL).clamp(0.0, 1.0)
+}
+
 /// Lays strokes over the land of some rows of a ground, broken where rivers run.
-pub(super) fn lay(look: &Hachures, strokes: &StrokeMask, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+pub(super) fn lay(
+    look: &Hachures,
+    share: f32,
+    strokes: &StrokeMask,
+    sheet: &Sheet<'_>,
+    rows: Rows,
+    pixels: &mut [[u8; 4]],
+) {
     let range = sheet.view.range(rows);
     let (land, rivers) = (&sheet.land[range.clone()], &sheet.rivers[range.clone()]);
-    let open = |i: usize| f32::from(land[i]) * f32::from(255 - rivers[i]) * (look.strength / (255.0 * 255.0));
+    let open = |i: usize| f32::from(land[i]) * f32::from(255 - rivers[i]) * (look.strength * share / (255.0 * 255.0));
     lay_mask(&strokes.mask.mask().data()[range], look.colour, &open, pixels);
 }
 

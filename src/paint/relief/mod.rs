@@ -24,7 +24,7 @@ use crate::network::Network;
 use crate::relief::Relief;
 pub(crate) use basins::Basins;
 pub(crate) use contours::{INDEX, interval};
-pub(crate) use hachures::{Stroke, strokes};
+pub(crate) use hachures::{Stroke, strength, strokes};
 pub(crate) use light::light_of;
 
 /// The ground that relief is laid on.
@@ -111,7 +111,8 @@ impl Prepared {
             lines.lay(sheet, rows.clone(), pixels);
         }
         if let (Some(look), Some(mask)) = (&look.hachures, &inks.hachures) {
-            hachures::lay(look, mask, sheet, rows.clone(), pixels);
+            let strength = self.shading.as_ref().map_or(1.0, Shading::strength_of_hachures);
+            hachures::lay(look, strength, mask, sheet, rows.clone(), pixels);
         }
         if let (Some(look), Some(basins)) = (&look.basins, &mut self.basins) {
             basins.lay(look, sheet, rows.clone(), pixels);

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::Sheet;
 use super::field::{Field, Place, places};
+use super::hachures::strength;
 use super::light::light_of;
 use crate::paint::palette::{Colour, Tints};
 use crate::paint::view::{Rows, View};
@@ -39,6 +40,11 @@ impl Shading {
             places: places(view, relief.grid()),
             numbers: Vec::with_capacity(view.pixels()),
         }
+    }
+
+    /// The share of their full strength that hachures have in this light.
+    pub fn strength_of_hachures(&self) -> f32 {
+        strength(self.lit_with)
     }
 
     /// Returns `true` if slopes are exaggerated by this factor.
