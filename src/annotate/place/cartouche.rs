@@ -18,8 +18,7 @@ const ON_LAND: usize = 5;
 const LEAST_AT_SEA: f32 = 19.0;
 /// How much larger the title is than the smallest letters that can be read, if there is room.
 const OVER_LEAST: f32 = 1.3;
-/// How much smaller a title in two lines is than one in one line that is as good, and letters that are still as large as on other pictures.
-const TWO_LINES: f32 = 0.8;
+/// How much smaller letters may be than on other pictures and still be as large.
 const AS_LARGE: f32 = 0.8;
 /// How large the line under the title is, over the title, and at most, where the title itself is small.
 const UNDER_TITLE: f32 = 0.4;
@@ -117,14 +116,16 @@ fn sizes(sizes: &[f32], input: &Input<'_>) -> Vec<f32> {
 struct Form {
     lines: usize,
     has_seed: bool,
+    /// How much larger letters of the first form may be and still be no better.
+    worth: f32,
 }
 
 /// The forms of a title, the best first.
 const FORMS: [Form; 4] = [
-    Form { lines: 1, has_seed: true },
-    Form { lines: 2, has_seed: true },
-    Form { lines: 1, has_seed: false },
-    Form { lines: 2, has_seed: false },
+    Form { lines: 1, has_seed: true, worth: 1.0 },
+    Form { lines: 2, has_seed: true, worth: 0.8 },
+    Form { lines: 1, has_seed: false, worth: 0.7 },
+    Form { lines: 2, has_seed: false, worth: 0.6 },
 ];
 
 /// Where the title of a map stands, and how large it is there in pictures that are large enough.
@@ -139,13 +140,13 @@ impl Place {
     fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
         let frame = anchor::frame(input);
         let sizes = SIZES.map(|size| size * input.label_size);
-        let blocks = |sizes: &[f32], form: &Form| -> Vec<Block> {
+        let blocks = |sizes: &[f32], cartouche: &Cartouche, form: &Form| -> Vec<Block> {
             sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, 0.0, form)).collect()
         };
         let framed = Cartouche { is_framed: true, ..cartouche.clone() };
-        let on_land: Vec<Block> =
-            sizes[ON_LAND..].iter().filter_map(|&em| Block::new(input, &framed, em, 0.0, &FORMS[0])).collect();
-        let forms = [(blocks(&sizes, &FORMS[0]), 1.0), (blocks(&sizes, &FORMS[1]), TWO_LINES)];
+        let on_land = FORMS.iter().find_map(|form| blocks(&sizes[ON_LAND..], &framed, form).into_iter().next());
+        let forms: Vec<(Vec<Block>, f32)> =
+            FORMS.iter().map(|form| (blocks(&sizes, cartouche, form), form.worth)).collect();
         let mut best: Option<(f32, corner::Corner, Self)> = None;
         for &anchor in &Anchor::ALL {
             let first = |(blocks, worth): &(Vec<Block>, f32)| {
@@ -163,9 +164,9 @@ impl Place {
                 best = Some((worth, judged, Self { anchor, size, is_at_sea: true }));
             }
         }
-        let least = on_land.first().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.label_size);
+        let least = on_land.as_ref().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.label_size);
         let at_sea = best.filter(|(_, _, place)| place.size >= least).map(|(_, _, place)| place);
-        at_sea.or_else(|| Self::on_land(input, background, on_land.first()?))
+        at_sea.or_else(|| Self::on_land(input, background, on_land.as_ref()?))
     }
 
     /// The place with the most sea, and the least ink.
