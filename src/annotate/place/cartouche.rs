@@ -11,9 +11,12 @@ use super::letters::{Box, Kind, Label, Placed, Text};
 use super::{compass_rose, frames, neat_line, plate, scale_bar};
 use crate::annotate::glyph::lacking;
 
-/// Lengths of the title's em that are tried, in units, and the first of those on land.
+/// Lengths of the title's em that are tried, in units; the first of those on land, and which may be larger if it is no wider than this share of
+/// the map's width.
 const SIZES: [f32; 15] = [58.0, 51.0, 45.0, 39.5, 35.0, 31.0, 27.5, 24.5, 21.5, 19.0, 17.0, 15.0, 13.5, 12.0, 11.0];
 const ON_LAND: usize = 5;
+const ON_LAND_IF_SHORT: usize = 2;
+const SHORT_ON_LAND: f32 = 0.18;
 /// A place at sea with less room than this, in units, is none where the title may stand on land in this size.
 const LEAST_AT_SEA: f32 = 19.0;
 /// How much larger the title is than the smallest letters that can be read, if there is room.
@@ -86,7 +89,9 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
     let Place { anchor, size, is_at_sea } = Place::of(input, background, cartouche)?;
     // On land it has a ground of its own, and that has edges.
     let cartouche = &Cartouche { is_framed: cartouche.is_framed || !is_at_sea, ..cartouche.clone() };
-    let sizes = sizes(if is_at_sea { &SIZES } else { &SIZES[ON_LAND..] }, input);
+    let first =
+        if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.label_size <= size).unwrap_or(ON_LAND) };
+    let sizes = sizes(&SIZES[first..], input);
     let fit = |form: &Form| {
         let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, input.least_em, form));
         blocks
@@ -144,7 +149,11 @@ impl Place {
             sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, 0.0, form)).collect()
         };
         let framed = Cartouche { is_framed: true, ..cartouche.clone() };
-        let on_land = FORMS.iter().find_map(|form| blocks(&sizes[ON_LAND..], &framed, form).into_iter().next());
+        let widest = SHORT_ON_LAND * (frame[1] - frame[0]).x;
+        let suits_land = |block: &Block| block.em <= sizes[ON_LAND] || block.size.x <= widest;
+        let first_on_land =
+            |form: &Form| blocks(&sizes[ON_LAND_IF_SHORT..], &framed, form).into_iter().find(suits_land);
+        let on_land = FORMS.iter().find_map(first_on_land);
         let forms: Vec<(Vec<Block>, f32)> =
             FORMS.iter().map(|form| (blocks(&sizes, cartouche, form), form.worth)).collect();
         let mut best: Option<(f32, corner::Corner, Self)> = None;

@@ -13,11 +13,12 @@ use super::{lengths, profile};
 
 /// The length of the em of its letters, in units.
 const EM: f32 = 11.0;
-/// How wide plates are that are tried, as shares of the map's width, the first that fits; the last but one on land.
-const WIDTHS: [f32; 7] = [0.42, 0.38, 0.34, 0.3, 0.27, 0.24, 0.21];
+/// How wide plates are that are tried, as shares of the side of a square as large as the map, the first that fits, and which of them it is on
+/// land.
+const WIDTHS: [f32; 7] = [0.53, 0.48, 0.43, 0.38, 0.34, 0.3, 0.265];
 const ON_LAND: usize = 3;
-/// How high a plate may be, as a share of the map's height.
-const MOST: f32 = 0.7;
+/// How wide and how high a plate may be, as shares of the map's width and height.
+const MOST: [f32; 2] = [0.9, 0.7];
 /// How far apart places are that are tried, and how far they are from the coast, in units.
 const STEP: f32 = 20.0;
 const FROM_COAST: f32 = 5.0;
@@ -55,7 +56,7 @@ fn place<G: Background>(input: &Input<'_>, background: &G, aspect: f32) -> Optio
     let [least, most] = anchor::frame(input);
     let room = most - least;
     let sizes = WIDTHS.map(|share| {
-        let width = (share * room.x).min(MOST * room.y * aspect);
+        let width = (share * (room.x * room.y).sqrt()).min(MOST[0] * room.x).min(MOST[1] * room.y * aspect);
         Vec2::new(width, width / aspect)
     });
     let at_sea = || sizes.iter().find_map(|&size| Some([at_sea(input, [least, most], size)?, size]));
