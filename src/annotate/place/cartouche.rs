@@ -61,6 +61,10 @@ pub struct Set {
 /// the most sea and the least ink; the same on pictures of all sizes, of which small ones leave out the line under it, or break it in two.
 /// `None` if there is no title, or no room for it.
 pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Set> {
+    // A frame that lies beside the map.
+    if input.label_size <= 0.0 {
+        return None;
+    }
     let plate = cartouche.plate.as_ref().and_then(|plate| plate::set(input, background, cartouche, plate));
     let (mut set, title) = match plate {
         Some(plate) => (Set { labels: plate.labels, around: vec![plate.around], beside: None }, None),

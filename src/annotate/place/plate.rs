@@ -22,6 +22,8 @@ const MOST: [f32; 2] = [0.9, 0.7];
 /// How far apart places are that are tried, and how far they are from the coast, in units.
 const STEP: f32 = 20.0;
 const FROM_COAST: f32 = 5.0;
+/// How many places are tried side by side at most, in frames that show much more than the map.
+const MOST_STEPS: f32 = 60.0;
 
 /// A plate in its place.
 pub struct Set {
@@ -71,7 +73,7 @@ fn at_sea(input: &Input<'_>, frame: [Vec2; 2], size: Vec2) -> Option<Vec2> {
     if room.min_element() < 0.0 {
         return None;
     }
-    let counts = (room / STEP).ceil().max(Vec2::ONE);
+    let counts = (room / STEP).ceil().max(Vec2::ONE).min(Vec2::splat(MOST_STEPS));
     let places = (0..=counts.y as u32).flat_map(|row| (0..=counts.x as u32).map(move |column| (column, row)));
     let places = places.map(|(column, row)| corners[0] + Vec2::new(column as f32, row as f32) / counts * room);
     let from_corner = |at: Vec2| corners.iter().map(|corner| (*corner - at).length_squared()).fold(f32::MAX, f32::min);
