@@ -112,6 +112,9 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
 
 /// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
 fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    if matches!(label.kind, Kind::Region | Kind::Inlet | Kind::Cape) {
+        return check_landmark(label, input);
+    }
     let area = input.areas.iter().find(|area| area.name.contains(&label.text)).unwrap();
     let (is_island, is_in) = (area.kind == AreaKind::Island, label.kind != Kind::Offshore);
     prop_assert_eq!(is_island, label.kind != Kind::Water);
@@ -132,6 +135,23 @@ fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     if label.kind == Kind::Offshore {
         check_belonging(label, area, input)?;
     }
+    Ok(())
+}
+
+/// Regions on their land, bays and straits in their water, capes on the water near their tip; all upright and in the frame.
+fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let landmark = input.landmarks.iter().find(|landmark| landmark.name.contains(&label.text)).unwrap();
+    let (is_region, coast) = (label.kind == Kind::Region, input.coast.unwrap());
+    let mut nearest = f32::MAX;
+    for corner in boxes(label).into_iter().flat_map(|around| around.corners()) {
+        prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
+        let room = if is_region { coast.height(corner) } else { -coast.height(corner) };
+        prop_assert!(room > 0.15 * label.em, "{:?} {} is {room} from the coast", landmark.kind, label.text);
+        let line = landmark.line.iter().chain([&landmark.at]);
+        nearest = line.map(|at| at.distance(corner)).fold(nearest, f32::min);
+    }
+    let most = landmark.size.max(5.0 * label.em);
+    prop_assert!(nearest <= most, "{:?} {} is {nearest} from what it names", landmark.kind, label.text);
     Ok(())
 }
 
@@ -370,7 +390,7 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let text = riverseed::export::svg::svg(&titled.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
-    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, <kea>, 0, 100, 200 km"));
+    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, from the word <kea>, 0, 100, 200 km"));
     assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 5);
     assert!(!text.contains("id=\"labels\""));
     // As text on paths, a line each, all letters included.
@@ -441,8 +461,8 @@ fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
         let of_title = labels.filter(|label| matches!(label.kind, Kind::Title | Kind::Seed));
         of_title.map(|label| label.text).collect()
     };
-    assert_eq!(texts("kea"), ["Home", "kea"]);
-    assert_eq!(texts("a long seed of some letters"), ["Home", "a long seed of some letters"]);
+    assert_eq!(texts("kea"), ["Home", "from the word kea"]);
+    assert_eq!(texts("a long seed of some letters"), ["Home", "from the word a long seed of some letters"]);
     for seed in [&"W".repeat(64), "\u{5e9}\u{5dc}\u{5d5}\u{5dd}", "\u{6771}\u{4eac}"] {
         assert_eq!(texts(seed), ["Home"]);
     }

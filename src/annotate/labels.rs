@@ -26,6 +26,8 @@ use crate::relief::{METRES, Relief};
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
+/// The least part of a map that letters are made for: they have no size in a view of none of it.
+const LEAST_SHOWN: f32 = 1e-4;
 /// The length of the em of a grid's letters, in units.
 const GRID_EM: f32 = 11.0;
 
@@ -64,7 +66,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let land_area = land.map_or(AREA, |land| area(land));
     let shown = share_shown(&map.domain(), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
-    let side = shown.sqrt();
+    let side = shown.max(LEAST_SHOWN).sqrt();
     let shrink = side.sqrt() * side.sqrt().sqrt();
     Some(Input {
         frame: [within[0].max(cut[0] + whole), within[1].min(cut[1] - whole)],

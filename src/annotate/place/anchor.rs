@@ -46,12 +46,14 @@ pub fn frame(input: &Input<'_>) -> [Vec2; 2] {
 
 /// Whether all of a block is sea, its surroundings too. Distances from the coast tell this of a whole square at once, so few are asked for.
 pub fn is_open(input: &Input<'_>, at: Vec2, size: Vec2, margin: f32) -> bool {
-    /// Half the diagonal of a square that is no longer divided, in units.
+    /// Half the diagonal of a part that is no longer divided, in units, or as a share of the margin: none of it is on land if its middle is
+    /// as far from the coast as that.
     const FINE: f32 = 1.5;
+    const SHARE: f32 = 0.5;
     let Some(coast) = input.coast else { return false };
     let (middle, half) = (at + 0.5 * size, 0.5 * size.length_squared().sqrt());
     let depth = -coast.height(middle);
-    if depth < margin || depth >= margin + half || half <= FINE {
+    if depth < margin || depth >= margin + half || half <= FINE.max(SHARE * margin) {
         return depth >= margin;
     }
     let part = if size.x > size.y { Vec2::new(0.5, 1.0) } else { Vec2::new(1.0, 0.5) } * size;

@@ -11,15 +11,17 @@ use super::letters::{Box, Kind, Label, Placed, Text};
 use super::{compass_rose, frames, neat_line, plate, scale_bar};
 use crate::annotate::glyph::lacking;
 
-/// Lengths of the title's em that are tried, in units, and the first of those on land.
+/// Lengths of the title's em that are tried, in units; the first of those on land, and which may be larger if it is no wider than this share of
+/// the map's width.
 const SIZES: [f32; 15] = [58.0, 51.0, 45.0, 39.5, 35.0, 31.0, 27.5, 24.5, 21.5, 19.0, 17.0, 15.0, 13.5, 12.0, 11.0];
 const ON_LAND: usize = 5;
+const ON_LAND_IF_SHORT: usize = 2;
+const SHORT_ON_LAND: f32 = 0.18;
 /// A place at sea with less room than this, in units, is none where the title may stand on land in this size.
 const LEAST_AT_SEA: f32 = 19.0;
 /// How much larger the title is than the smallest letters that can be read, if there is room.
 const OVER_LEAST: f32 = 1.3;
-/// How much smaller a title in two lines is than one in one line that is as good, and letters that are still as large as on other pictures.
-const TWO_LINES: f32 = 0.8;
+/// How much smaller letters may be than on other pictures and still be as large.
 const AS_LARGE: f32 = 0.8;
 /// How large the line under the title is, over the title, and at most, where the title itself is small.
 const UNDER_TITLE: f32 = 0.4;
@@ -59,6 +61,10 @@ pub struct Set {
 /// the most sea and the least ink; the same on pictures of all sizes, of which small ones leave out the line under it, or break it in two.
 /// `None` if there is no title, or no room for it.
 pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Set> {
+    // A frame that lies beside the map.
+    if input.label_size <= 0.0 {
+        return None;
+    }
     let plate = cartouche.plate.as_ref().and_then(|plate| plate::set(input, background, cartouche, plate));
     let (mut set, title) = match plate {
         Some(plate) => (Set { labels: plate.labels, around: vec![plate.around], beside: None }, None),
@@ -87,7 +93,9 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
     let Place { anchor, size, is_at_sea } = Place::of(input, background, cartouche)?;
     // On land it has a ground of its own, and that has edges.
     let cartouche = &Cartouche { is_framed: cartouche.is_framed || !is_at_sea, ..cartouche.clone() };
-    let sizes = sizes(if is_at_sea { &SIZES } else { &SIZES[ON_LAND..] }, input);
+    let first =
+        if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.whole_size() <= size).unwrap_or(ON_LAND) };
+    let sizes = sizes(&SIZES[first..], input);
     let fit = |form: &Form| {
         let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, input.least(), form));
         blocks
@@ -117,14 +125,16 @@ fn sizes(sizes: &[f32], input: &Input<'_>) -> Vec<f32> {
 struct Form {
     lines: usize,
     has_seed: bool,
+    /// How much larger letters of the first form may be and still be no better.
+    worth: f32,
 }
 
 /// The forms of a title, the best first.
 const FORMS: [Form; 4] = [
-    Form { lines: 1, has_seed: true },
-    Form { lines: 2, has_seed: true },
-    Form { lines: 1, has_seed: false },
-    Form { lines: 2, has_seed: false },
+    Form { lines: 1, has_seed: true, worth: 1.0 },
+    Form { lines: 2, has_seed: true, worth: 0.8 },
+    Form { lines: 1, has_seed: false, worth: 0.7 },
+    Form { lines: 2, has_seed: false, worth: 0.6 },
 ];
 
 /// Where the title of a map stands, and how large it is there in pictures that are large enough.
@@ -139,13 +149,17 @@ impl Place {
     fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
         let frame = input.frame;
         let sizes = SIZES.map(|size| size * input.whole_size());
-        let blocks = |sizes: &[f32], form: &Form| -> Vec<Block> {
+        let blocks = |sizes: &[f32], cartouche: &Cartouche, form: &Form| -> Vec<Block> {
             sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, 0.0, form)).collect()
         };
         let framed = Cartouche { is_framed: true, ..cartouche.clone() };
-        let on_land: Vec<Block> =
-            sizes[ON_LAND..].iter().filter_map(|&em| Block::new(input, &framed, em, 0.0, &FORMS[0])).collect();
-        let forms = [(blocks(&sizes, &FORMS[0]), 1.0), (blocks(&sizes, &FORMS[1]), TWO_LINES)];
+        let widest = SHORT_ON_LAND * (frame[1] - frame[0]).x;
+        let suits_land = |block: &Block| block.em <= sizes[ON_LAND] || block.size.x <= widest;
+        let first_on_land =
+            |form: &Form| blocks(&sizes[ON_LAND_IF_SHORT..], &framed, form).into_iter().find(suits_land);
+        let on_land = FORMS.iter().find_map(first_on_land);
+        let forms: Vec<(Vec<Block>, f32)> =
+            FORMS.iter().map(|form| (blocks(&sizes, cartouche, form), form.worth)).collect();
         let mut best: Option<(f32, corner::Corner, Self)> = None;
         for &anchor in &Anchor::ALL {
             let first = |(blocks, worth): &(Vec<Block>, f32)| {
@@ -163,9 +177,9 @@ impl Place {
                 best = Some((worth, judged, Self { anchor, size, is_at_sea: true }));
             }
         }
-        let least = on_land.first().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size());
+        let least = on_land.as_ref().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size());
         let at_sea = best.filter(|(_, _, place)| place.size >= least).map(|(_, _, place)| place);
-        at_sea.or_else(|| Self::on_land(input, background, on_land.first()?))
+        at_sea.or_else(|| Self::on_land(input, background, on_land.as_ref()?))
     }
 
     /// The place with the most sea, and the least ink.

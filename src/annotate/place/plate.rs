@@ -13,14 +13,17 @@ use super::{lengths, profile};
 
 /// The length of the em of its letters, in units.
 const EM: f32 = 11.0;
-/// How wide plates are that are tried, as shares of the map's width, the first that fits; the last but one on land.
-const WIDTHS: [f32; 7] = [0.42, 0.38, 0.34, 0.3, 0.27, 0.24, 0.21];
+/// How wide plates are that are tried, as shares of the side of a square as large as the map, the first that fits, and which of them it is on
+/// land.
+const WIDTHS: [f32; 7] = [0.53, 0.48, 0.43, 0.38, 0.34, 0.3, 0.265];
 const ON_LAND: usize = 3;
-/// How high a plate may be, as a share of the map's height.
-const MOST: f32 = 0.7;
+/// How wide and how high a plate may be, as shares of the map's width and height.
+const MOST: [f32; 2] = [0.9, 0.7];
 /// How far apart places are that are tried, and how far they are from the coast, in units.
 const STEP: f32 = 20.0;
 const FROM_COAST: f32 = 5.0;
+/// How many places are tried side by side at most, in frames that show much more than the map.
+const MOST_STEPS: f32 = 60.0;
 
 /// A plate in its place.
 pub struct Set {
@@ -57,7 +60,7 @@ fn place<G: Background>(input: &Input<'_>, background: &G, aspect: f32) -> Optio
     let [least, most] = input.frame;
     let room = most - least;
     let sizes = WIDTHS.map(|share| {
-        let width = (share * room.x).min(MOST * room.y * aspect);
+        let width = (share * (room.x * room.y).sqrt()).min(MOST[0] * room.x).min(MOST[1] * room.y * aspect);
         Vec2::new(width, width / aspect)
     });
     let at_sea = || sizes.iter().find_map(|&size| Some([at_sea(input, [least, most], size)?, size]));
@@ -72,7 +75,7 @@ fn at_sea(input: &Input<'_>, frame: [Vec2; 2], size: Vec2) -> Option<Vec2> {
     if room.min_element() < 0.0 {
         return None;
     }
-    let counts = (room / STEP).ceil().max(Vec2::ONE);
+    let counts = (room / STEP).ceil().max(Vec2::ONE).min(Vec2::splat(MOST_STEPS));
     let places = (0..=counts.y as u32).flat_map(|row| (0..=counts.x as u32).map(move |column| (column, row)));
     let places = places.map(|(column, row)| corners[0] + Vec2::new(column as f32, row as f32) / counts * room);
     let from_corner = |at: Vec2| corners.iter().map(|corner| (*corner - at).length_squared()).fold(f32::MAX, f32::min);

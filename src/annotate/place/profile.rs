@@ -45,7 +45,7 @@ pub fn draw(panel: &mut Panel, profile: &LongProfile) -> bool {
     };
     // No part of it reaches into the heading.
     let left_of_heading = panel.heading.middle.x - panel.heading.along.x;
-    let under = height(((end.x - left_of_heading) / size.x).max(0.0).min(1.0)).max(1.0);
+    let under = height(((end.x - left_of_heading) / size.x).clamp(0.0, 1.0)).max(1.0);
     let per_metre = (size.y / highest).min((corner.y - heading - 0.8 * em) / under);
     if per_metre <= 0.0 {
         return false;
@@ -97,7 +97,7 @@ fn draw_axes(panel: &mut Panel, corner: Vec2, right: f32, [highest, kilometres]:
     panel.line(corner, Vec2::new(right, corner.y), 1.5 * AXIS * em);
     panel.line(corner, Vec2::new(corner.x, top), AXIS * em);
     // The last is the height of the source, and others keep off that.
-    let metres_apart = step(highest, ((corner.y - top) / (1.6 * em)).max(1.0).min(5.0));
+    let metres_apart = step(highest, ((corner.y - top) / (1.6 * em)).clamp(1.0, 5.0));
     let ticks = (0..=(highest / metres_apart) as u32).map(|i| metres_apart * i as f32);
     let ticks = ticks.filter(|height| (highest - height) * per_metre > 1.2 * em);
     let source = (highest + 0.5) as u32;
