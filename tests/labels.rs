@@ -462,7 +462,7 @@ fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
         of_title.map(|label| label.text).collect()
     };
     assert_eq!(texts("kea"), ["Home", "from the word kea"]);
-    assert_eq!(texts("a long seed of some letters"), ["Home", "from the word a long seed of some letters"]);
+    assert_eq!(texts("a long seed of some letters"), ["Home", "from the words a long seed of some letters"]);
     for seed in [&"W".repeat(64), "\u{5e9}\u{5dc}\u{5d5}\u{5dd}", "\u{6771}\u{4eac}"] {
         assert_eq!(texts(seed), ["Home"]);
     }
