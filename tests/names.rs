@@ -388,7 +388,6 @@ fn own_names_stay_on_their_places_when_sliders_move() {
         }
     }
     assert!(kept * 100 >= all * 88, "{kept} of {all} stayed");
-    println!("{kept} of {all} stayed");
 }
 
 #[test]
