@@ -351,7 +351,7 @@ fn coasts_have_bays_capes_and_straits_and_mountains_have_ranges() {
             }
         }
     }
-    assert!(found.iter().all(|&count| count >= 4), "{found:?}");
+    assert!(found[0] >= 1 && found[1..].iter().all(|&count| count >= 12), "{found:?}");
 }
 
 /// The names of one's own are where they were, or not on the map; none goes to another place.
@@ -388,7 +388,6 @@ fn own_names_stay_on_their_places_when_sliders_move() {
         }
     }
     assert!(kept * 100 >= all * 88, "{kept} of {all} stayed");
-    println!("{kept} of {all} stayed");
 }
 
 #[test]

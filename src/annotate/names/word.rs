@@ -206,7 +206,6 @@ mod tests {
             percent(&all, |word| word.chars().count() <= 4),
             percent(&all, |word| word.to_lowercase().starts_with(is_vowel)),
         ];
-        println!("{of:?} {shares:?}");
         assert!(shares[0] >= 25 && shares[1] >= 7 && shares[2] >= 7, "{shares:?}");
     }
 
