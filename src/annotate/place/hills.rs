@@ -118,10 +118,9 @@ impl Rules<'_> {
         if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
         }
-        let room = self.ground.distance_to_bank(at, ENOUGH);
+        let room = self.divides.distance_to_river(at).min(2.0 * MOST_MOUNTAIN);
         let rank = room + if is_main { MAIN_FIRST } else { 0.0 } + high.map_or(0.0, |high| high * 2.0 * MAIN_FIRST);
-        let may_be = room + STEPS.iter().sum::<f32>() >= LEAST * REACH + FROM_BANKS;
-        may_be.then_some(Candidate { number, at, divide, range, rank })
+        Some(Candidate { number, at, divide, range, rank })
     }
 
     /// The largest hill that a candidate has room for beside water.
