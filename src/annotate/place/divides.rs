@@ -27,7 +27,7 @@ pub enum Divide {
 pub struct Divides {
     columns: usize,
     rows: usize,
-    /// The number of the nearest piece of a river, of each cell, and how far it is, squared.
+    /// The number of the nearest piece of a river, of each cell, and how far it is, in units.
     nearest: Vec<(u32, f32)>,
     /// The river of each piece, if great, else the first great one below it; and the one that reaches the sea.
     systems: Vec<[u32; 2]>,
@@ -118,10 +118,19 @@ impl Divides {
         }
     }
 
-    fn systems_at(&self, at: Vec2) -> Option<[u32; 2]> {
+    /// How far the middle of a place's cell is from the middle of the nearest river, in units.
+    pub fn distance_to_river(&self, at: Vec2) -> f32 {
+        self.cell(at).1
+    }
+
+    fn cell(&self, at: Vec2) -> (u32, f32) {
         let cell = at / CELL;
         let (column, row) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
-        let piece = self.pieces.get(self.nearest[row * self.columns + column].0 as usize)?;
+        self.nearest[row * self.columns + column]
+    }
+
+    fn systems_at(&self, at: Vec2) -> Option<[u32; 2]> {
+        let piece = self.pieces.get(self.cell(at).0 as usize)?;
         self.systems.get(piece.river as usize).copied()
     }
 }

@@ -19,6 +19,9 @@ const LEAST_MOUNTAIN: f32 = 3.7;
 const MOST_MOUNTAIN: f32 = 17.0;
 /// How wide a hill is beside its disc around the middle, in which there may be no water.
 const REACH: f32 = 1.06;
+/// How far banks are at least from where the largest mountain stands, and the steps to where they are farther, in units.
+const ENOUGH: f32 = MOST_MOUNTAIN * REACH + FROM_BANKS;
+const STEPS: [f32; 2] = [2.8, 1.4];
 /// How many sizes a hill is tried in, each this much as large as the one before.
 const TRIES: u8 = 4;
 const SMALLER: f32 = 0.84;
@@ -48,11 +51,19 @@ const FAR: f32 = 70.0;
 struct Candidate {
     number: u32,
     at: Vec2,
+    divide: Divide,
+    range: f32,
+    rank: f32,
+}
+
+/// A hill before its size is known.
+struct Plan {
+    at: Vec2,
+    /// Half of its width, if nothing but water is in its way.
     half: f32,
     feature: Feature,
     /// How high it rises among its kind, from 0 to 1.
     rise: f32,
-    rank: f32,
 }
 
 /// The hills of a map, those first that stand in the best places.
@@ -107,32 +118,38 @@ impl Rules<'_> {
         if self.chance.unit([number, 0, 1]) >= self.input.hills * often * (inland / FADE).min(1.0) {
             return None;
         }
-        let (at, room) = self.roomiest(at);
+        let room = self.divides.distance_to_river(at).min(2.0 * MOST_MOUNTAIN);
+        let rank = room + if is_main { MAIN_FIRST } else { 0.0 } + high.map_or(0.0, |high| high * 2.0 * MAIN_FIRST);
+        Some(Candidate { number, at, divide, range, rank })
+    }
+
+    /// The largest hill that a candidate has room for beside water.
+    fn plan(&self, candidate: &Candidate) -> Plan {
+        let (at, room) = self.roomiest(candidate.at);
         let high = self.input.heights.map(|heights| heights.share(at));
         let is_alpine = match high {
             Some(high) => high >= ALPINE,
-            None => is_main && inland >= FAR && range >= 0.8,
+            None => {
+                let inland = self.input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
+                candidate.divide == Divide::Main && inland >= FAR && candidate.range >= 0.8
+            }
         };
         let rise = match high {
             Some(high) if is_alpine => (high - ALPINE) / (1.0 - ALPINE),
             Some(high) => high / ALPINE,
-            None => range,
+            None => candidate.range,
         };
         let (feature, [least, most]) = match is_alpine {
             true => (Feature::Mountain, [LEAST_MOUNTAIN, MOST_MOUNTAIN]),
             false => (Feature::Hill, [LEAST, MOST]),
         };
-        let uneven = 0.8 + 0.2 * self.chance.unit([number, 1, 1]);
+        let uneven = 0.8 + 0.2 * self.chance.unit([candidate.number, 1, 1]);
         let largest = (least + (most - least) * (0.35 + 0.65 * rise)) * uneven;
-        let half = largest.min((room - FROM_BANKS) / REACH);
-        let rank = room + if is_main { MAIN_FIRST } else { 0.0 } + high.map_or(0.0, |high| high * 2.0 * MAIN_FIRST);
-        (half >= LEAST).then_some(Candidate { number, at, half, feature, rise, rank })
+        Plan { at, half: largest.min((room - FROM_BANKS) / REACH), feature, rise }
     }
 
     /// The place with most room that a few steps from another lead to, and how far banks are from it.
     fn roomiest(&self, at: Vec2) -> (Vec2, f32) {
-        const STEPS: [f32; 2] = [2.8, 1.4];
-        const ENOUGH: f32 = MOST_MOUNTAIN * REACH + FROM_BANKS;
         let mut best = (at, self.ground.distance_to_bank(at, ENOUGH));
         for step in STEPS {
             for there in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| best.0 + way * step) {
@@ -148,16 +165,21 @@ impl Rules<'_> {
 
     /// The hill of a candidate, as large as there is room for, and the spot that it takes; `None` if there is room for none.
     fn hill(&self, candidate: &Candidate, spots: &Spots) -> Option<(Standing, (Vec2, f32))> {
-        let mut half = candidate.half;
+        // Most candidates stand where there is a hill by now.
+        if !spots.is_free((candidate.at * Vec2::new(1.0, BEFORE), 0.0)) {
+            return None;
+        }
+        let plan = self.plan(candidate);
+        let mut half = plan.half;
         for _ in 0..TRIES {
             if half < LEAST {
                 return None;
             }
             // What is too small for a mountain is a hill.
-            let feature = if half < LEAST_MOUNTAIN { Feature::Hill } else { candidate.feature };
+            let feature = if half < LEAST_MOUNTAIN { Feature::Hill } else { plan.feature };
             let spacing = if feature == Feature::Mountain { SPACING_IN_RANGES } else { SPACING };
-            let spot = (candidate.at * Vec2::new(1.0, BEFORE), half * spacing);
-            let hill = self.standing(candidate, feature, half);
+            let spot = (plan.at * Vec2::new(1.0, BEFORE), half * spacing);
+            let hill = self.standing(candidate.number, &plan, feature, half);
             if spots.is_free(spot) && self.is_clear(&hill) {
                 return Some((hill, spot));
             }
@@ -166,11 +188,11 @@ impl Rules<'_> {
         None
     }
 
-    fn standing(&self, candidate: &Candidate, feature: Feature, half: f32) -> Standing {
+    fn standing(&self, number: u32, plan: &Plan, feature: Feature, half: f32) -> Standing {
         // The middle of its height is where the room is.
-        let foot = candidate.at + Vec2::new(0.0, if feature == Feature::Hill { 0.3 } else { 0.5 } * half);
-        let shape = 0.72 * candidate.rise.min(1.0) + 0.28 * self.chance.unit([candidate.number, 2, 1]);
-        Standing::new(feature, foot, half, candidate.number, shape)
+        let foot = plan.at + Vec2::new(0.0, if feature == Feature::Hill { 0.3 } else { 0.5 } * half);
+        let shape = 0.72 * plan.rise.min(1.0) + 0.28 * self.chance.unit([number, 2, 1]);
+        Standing::new(feature, foot, half, number, shape)
     }
 
     fn is_clear(&self, hill: &Standing) -> bool {
