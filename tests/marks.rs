@@ -271,8 +271,9 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1440.0);
         let texts: Vec<&str> = of(&labels, Kind::Legend).map(|label| label.text.as_str()).collect();
-        let title = riverseed::annotate::names::Names::of(&session.map().unwrap()).title;
-        let heading = if cartouche == "none" { vec![title.as_str(), "moa"] } else { vec![] };
+        let names = riverseed::annotate::names::Names::of(&session.map().unwrap());
+        assert_eq!(names.title, "Moa");
+        let heading = if cartouche == "none" { vec![names.title.as_str(), names.subtitle.as_str()] } else { vec![] };
         assert!(texts.starts_with(&heading) && texts[heading.len()] == "100 km", "{texts:?}");
         let rivers = &session.network().unwrap().rivers;
         let highest = rivers.iter().map(|river| river.order).max().unwrap();

@@ -35,7 +35,7 @@ fn of_all_files(check: impl Fn(&Session, &Value)) {
 fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
     of_all_files(|session, file| {
         let network = session.network().unwrap();
-        assert_eq!(names(file), ["type", "riverseed", "features"]);
+        assert_eq!(names(file), ["type", "riverseed", "title", "features"]);
         assert_eq!(file["type"], "FeatureCollection");
         let link = file["riverseed"].as_str().unwrap();
         assert_eq!(link::read(link).as_ref(), Ok(session.recipe()));
@@ -50,7 +50,8 @@ fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
         let expected: Vec<(String, u64)> = rivers.chain(lakes).collect();
         let all: Vec<(String, u64)> = list(&file["features"]).iter().map(kinds).collect();
         assert_eq!(all[..expected.len()], expected, "every river, every lake");
-        let grounds = ["basin", "land", "ridge", "reach", "sea", "lake", "island"];
+        let grounds =
+            ["basin", "land", "ridge", "reach", "sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"];
         let is_ground = |(kind, _): &(String, u64)| grounds.contains(&kind.as_str());
         assert!(all[expected.len()..].iter().all(is_ground) && all.iter().any(|(kind, _)| kind == "land"));
         let ids: BTreeSet<String> = list(&file["features"]).iter().map(|feature| feature["id"].to_string()).collect();

@@ -26,6 +26,8 @@ const AS_LARGE: f32 = 0.8;
 /// How large the line under the title is, over the title, and at most, where the title itself is small.
 const UNDER_TITLE: f32 = 0.4;
 const MOST_UNDER_TITLE: f32 = 0.85;
+/// How small it is at least, in units: it can be read on screens, so it has one size on these and in print.
+const LEAST_UNDER_TITLE: f32 = 9.8;
 /// How much wider than the title it may be, or than a title of so many ems.
 const WIDER: f32 = 1.25;
 const SHORT: f32 = 6.0;
@@ -97,7 +99,8 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
         if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.whole_size() <= size).unwrap_or(ON_LAND) };
     let sizes = sizes(&SIZES[first..], input);
     let fit = |form: &Form| {
-        let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, input.least(), form));
+        let least = input.least().max(LEAST_UNDER_TITLE * input.label_size);
+        let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form));
         blocks
             .map(|block| (anchor.place(anchor::frame(input), block.size), block))
             .find(|(at, block)| !is_at_sea || block.is_open(input, *at))
@@ -150,7 +153,8 @@ impl Place {
         let frame = input.frame;
         let sizes = SIZES.map(|size| size * input.whole_size());
         let blocks = |sizes: &[f32], cartouche: &Cartouche, form: &Form| -> Vec<Block> {
-            sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, 0.0, form)).collect()
+            let least = LEAST_UNDER_TITLE * input.whole_size();
+            sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form)).collect()
         };
         let framed = Cartouche { is_framed: true, ..cartouche.clone() };
         let widest = SHORT_ON_LAND * (frame[1] - frame[0]).x;

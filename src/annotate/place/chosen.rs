@@ -11,7 +11,7 @@ use super::search::belongs;
 use crate::annotate::glyph::Letter;
 
 /// How far letters keep from the coast, and names of seas and lakes, in ems.
-const FROM_COAST: f32 = 0.2;
+const FROM_COAST: f32 = 0.16;
 const FROM_COAST_AT_SEA: f32 = 0.75;
 
 /// A label whose place is chosen.
@@ -57,7 +57,7 @@ impl Chosen {
                 let belongs = |letters: &[Placed]| {
                     self.label.river.is_none_or(|river| belongs(background, letters, em, river, *width))
                 };
-                self.along(line, em).find(|letters| is_clear(letters) && belongs(letters))
+                self.along(line, em).find(|letters| is_clear(letters) && is_off_coast(letters) && belongs(letters))
             }
             Shrinks::ToMiddle => {
                 [self.middle()].map(|to| self.shrunk(to, em)).into_iter().find(|letters| is_off_coast(letters))
