@@ -26,6 +26,7 @@ mod input;
 mod islands;
 mod legend;
 mod letters;
+mod pen;
 mod placing;
 mod raster;
 mod scatter;
@@ -47,8 +48,9 @@ pub use input::{
     SheetGrid, Stream, Strip,
 };
 pub use letters::{Box, Kind, Label, Placed, Stroke};
+pub use pen::{Feature, PenStroke, Shape};
 pub use placing::place;
 pub use raster::Raster;
 pub use scenery::Scenery;
-pub use shapes::{Feature, PenStroke, SHAPES, Shape};
+pub use shapes::SHAPES;
 pub use standing::Standing;

@@ -2,7 +2,8 @@
 
 use glam::Vec2;
 
-use super::shapes::{Feature, SHAPES, Shape};
+use super::pen::{Feature, Shape};
+use super::shapes::SHAPES;
 
 /// A glyph in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
