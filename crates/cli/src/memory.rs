@@ -26,7 +26,7 @@ pub fn ask(bytes: usize) -> Result<(), Failure> {
 /// Fails if there is not enough memory.
 pub fn ask_for_picture(map: &Map, picture: &Picture) -> Result<(), Failure> {
     /// The masks of letters, woods and hills.
-    const BYTES_A_PIXEL: usize = 8;
+    const BYTES_A_PIXEL: usize = 9;
     let pixels = picture.pixmap().width() as usize * picture.pixmap().height() as usize;
     ask(bytes_of(map) + pixels * BYTES_A_PIXEL)
 }

@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::shape::{Feature, Hand, PenStroke, Shape};
+use super::pen::{Feature, Hand, PenStroke, Shape};
 
 /// Half the width of a pen, in halves of a hill's width.
 const PEN: f32 = 0.034;

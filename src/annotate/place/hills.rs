@@ -7,7 +7,7 @@ use glam::Vec2;
 use super::divides::{Divide, Divides};
 use super::free::{FROM_BANKS, FreeGround, Spots};
 use super::input::{Heights, SceneryInput};
-use super::shape::Feature;
+use super::pen::Feature;
 use super::standing::Standing;
 use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;

@@ -1,9 +1,10 @@
-//! All glyphs of trees, marshes and hills.
+//! The glyphs of trees, marshes and hills: a silhouette, which hides what stands behind it, and the strokes of a pen. They are drawn by rule and by
+//! chance, the same for all maps. Light falls from the left.
 
 use std::sync::LazyLock;
 
 use super::hill_shapes::{hill, mountain};
-use super::shape::{Feature, Hand, Shape};
+use super::pen::{Feature, Hand, Shape};
 use super::tree_shapes::{broadleaf, canopy, conifer, marsh, willow};
 
 /// All glyphs.
@@ -29,10 +30,9 @@ fn drawn(feature: Feature) -> impl Iterator<Item = Shape> {
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec2;
-
     use super::*;
     use crate::annotate::glyph::pieces_of;
+    use glam::Vec2;
 
     #[test]
     fn every_glyph_lies_within_its_discs_and_every_feature_has_its_own() {

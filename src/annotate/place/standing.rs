@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::shape::{Feature, Shape};
+use super::pen::{Feature, Shape};
 use super::shapes::SHAPES;
 
 /// A glyph in its place.

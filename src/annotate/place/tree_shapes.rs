@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::shape::{Feature, Hand, PenStroke, Shape};
+use super::pen::{Feature, Hand, PenStroke, Shape};
 
 /// Half the width of a pen, in heights of a tree.
 const PEN: f32 = 0.036;

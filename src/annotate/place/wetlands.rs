@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use super::free::FreeGround;
 use super::input::SceneryInput;
-use super::shape::Feature;
+use super::pen::Feature;
 use super::standing::Standing;
 use crate::base::random::{ItemHash, Purpose};
 

@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use super::free::{FOOT_FROM_BANKS, FreeGround, Spots};
 use super::input::SceneryInput;
-use super::shape::Feature;
+use super::pen::Feature;
 use super::standing::Standing;
 use super::wetlands::Wetlands;
 use crate::base::random::{ItemHash, Purpose};

@@ -1,7 +1,5 @@
-//! A glyph of a tree, a marsh or a hill: a silhouette, which hides what stands behind it, and the strokes of a pen.
-//!
-//! A glyph is drawn around its foot, the middle of its base, in sizes of its own: a tree's is its height, a hill's and a marsh's half of
-//! its width. Light falls from the left. Glyphs are drawn by rule and by chance, the same for all maps.
+//! What a glyph is made of: a silhouette and the strokes of a pen, around its foot, the middle of its base, in sizes of its own: a tree's is its
+//! height, a hill's and a marsh's half of its width.
 
 use glam::Vec2;
 
@@ -93,7 +91,7 @@ pub(super) struct Hand {
 }
 
 impl Hand {
-    /// That of a glyph.
+    /// For the glyph of a number.
     pub fn of(number: u8) -> Self {
         Self { chance: Seed::from_text("glyphs").item_hash(Purpose::Scenery), number, strokes: 0 }
     }
