@@ -88,7 +88,7 @@ fn check_water(session: &Session, features: Vec<geojson::Feature>) -> Vec<geojso
         }
     }
     // `names.rs` looks at what only has a name.
-    let named = ["reach", "sea", "lake", "island"];
+    let named = ["reach", "sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"];
     let is_ground = |feature: &&geojson::Feature| !named.iter().any(|kind| feature.property("kind").unwrap() == kind);
     ground.iter().filter(is_ground).cloned().collect()
 }

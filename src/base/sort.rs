@@ -13,6 +13,13 @@ fn order_of(keys: &[u32]) -> Vec<usize> {
     sorted_from(items, 32).into_iter().map(|item| item as u32 as usize).collect()
 }
 
+/// Returns items in ascending order of their keys. Equal ones keep their order.
+pub(crate) fn sorted_by<T>(items: Vec<T>, key: impl FnMut(&T) -> u32) -> Vec<T> {
+    let order = argsort(items.iter().map(key));
+    let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|i| items[i].take()).collect()
+}
+
 /// Returns pairs in ascending order of the first of each, and of the second among those of the same first.
 pub(crate) fn sorted_pairs(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
     let mut items = Vec::with_capacity(pairs.len());

@@ -121,7 +121,7 @@ mod tests {
                 .great((0..of_each as u32 / 4).map(|identity| (identity, 20 + u64::from(identity) % 80)).collect());
             let places: Vec<String> = (0..of_each / 8).map(|number| words.place(number)).collect();
             let others = (0..of_each / 2).map(move |number| words.other(number * number));
-            great.into_values().chain(places).chain(others)
+            great.into_iter().map(|(_, word)| word).chain(places).chain(others)
         })
     }
 

@@ -57,8 +57,9 @@ impl<'a> Heads<'a> {
     pub fn great(&self, least: u64, total: u32) -> Vec<(u32, u64)> {
         let thousandths = |node: usize| u64::from(self.discharge[node]) * 1000 / u64::from(total.max(1));
         let is_great = |node: &usize| self.lowest[*node] == *node as u32 && thousandths(*node) >= least;
-        let mut great: Vec<usize> = (0..self.tree.len()).filter(is_great).collect();
-        great.sort_unstable_by_key(|&node| (u32::MAX - self.discharge[node], self.identity(node)));
+        // Of those that drain as much, the one with the lower identity comes first.
+        let great: Vec<usize> = self.by_identity.iter().copied().filter(is_great).collect();
+        let great = sort::sorted_by(great, |&node| u32::MAX - self.discharge[node]);
         great.into_iter().map(|node| (self.identity(node), thousandths(node))).collect()
     }
 

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::PlaceKind;
 use super::lattice::SIDE;
 use super::regions::Found;
+use crate::base::sort;
 use crate::recipe::{Mark, OwnNames};
 
 /// The cells of a row, on maps of any aspect: the widest has 250.
@@ -52,7 +53,7 @@ pub(super) fn numbers(places: &[&Found], own: &OwnNames, is_main: impl Fn(usize)
         }
     }
     // The nearest first; of those as near, the greater place.
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let pairs = sort::sorted_by(pairs, |(away, ..)| sort::key(*away));
     let is_taken = |numbers: &[Option<u32>], kind, number| {
         let taken =
             |(place, of): (&&Found, &Option<u32>)| of.is_some_and(|of| mark(place.kind, of) == mark(kind, number));

@@ -1,7 +1,5 @@
 //! Who gives names.
 
-use std::collections::BTreeMap;
-
 use glam::Vec2;
 
 use super::heads::Heads;
@@ -92,7 +90,7 @@ impl Namer {
         own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
     }
 
-    fn rivers(&self, network: &Network, tree: &Tree, total: u32) -> (Vec<RiverName>, Great) {
+    fn rivers(&self, network: &Network, tree: &Tree, total: u32) -> (Vec<RiverName>, Vec<(u32, String)>) {
         let heads = Heads::of(tree);
         let great = self.words.great(heads.great(Size::RIVER, total));
         let name = |river: &crate::River| self.river(&heads, &great, river.identity, total);
@@ -142,7 +140,8 @@ impl Namer {
 
     /// The word of a river.
     fn river_word(&self, great: &Great, identity: u32) -> String {
-        great.get(&identity).cloned().unwrap_or_else(|| self.words.other(identity.into()))
+        let great = great.iter().find(|(of, _)| *of == identity);
+        great.map_or_else(|| self.words.other(identity.into()), |(_, word)| word.clone())
     }
 
     /// The map's title: one's own, or the main land's own name, or the country's.
@@ -180,7 +179,7 @@ impl Namer {
 }
 
 /// The words of great rivers, by their identities.
-type Great = BTreeMap<u32, String>;
+type Great = [(u32, String)];
 
 /// The number of the word of a place.
 fn number_of_word(kind: PlaceKind, rank: u32) -> u64 {

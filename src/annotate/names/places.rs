@@ -4,6 +4,7 @@ use super::PlaceKind;
 use super::lattice::Lattice;
 use super::regions::{self, Found};
 use super::{ranges, shores};
+use crate::base::sort;
 use crate::land::{Land, Region};
 use crate::map::Map;
 
@@ -47,6 +48,7 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<(Place, Region)> {
         let rank = places.iter().filter(|(place, _): &&(Place, Region)| place.found.kind == found.kind).count();
         places.push((Place { rank: rank as u32, height_or_size, found }, Region::default()));
     }
-    places.sort_by_key(|(place, _)| (place.found.kind as u32, place.rank));
-    places
+    /// More than there are places of a kind.
+    const RANKS: u32 = 1 << 24;
+    sort::sorted_by(places, |(place, _)| place.found.kind as u32 * RANKS + place.rank.min(RANKS - 1))
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::PlaceKind;
 use super::lattice::{Lattice, SIDE, smoothed};
 use super::regions::Found;
+use crate::base::sort;
 use crate::relief::Relief;
 
 /// The most ranges of a map.
@@ -29,7 +30,7 @@ pub(super) fn found(lattice: &Lattice, relief: &Relief) -> Vec<(Found, f32)> {
             ranges.push((Found { kind: PlaceKind::Range, at, line, size }, peak));
         }
     }
-    ranges.sort_by(|a, b| b.0.size.total_cmp(&a.0.size));
+    let mut ranges = sort::sorted_by(ranges, |(range, _): &(Found, f32)| sort::key(-range.size));
     ranges.truncate(MOST);
     ranges
 }

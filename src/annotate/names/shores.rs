@@ -1,12 +1,11 @@
 //! Bays, gulfs, straits and capes: parts of a coast that have names.
 
-use std::collections::BTreeMap;
-
 use glam::Vec2;
 
 use super::PlaceKind;
 use super::lattice::{Lattice, SEA, SIDE, distance};
 use super::regions::Found;
+use crate::base::sort;
 
 /// The most bays, gulfs, straits and capes of a map.
 const MOST_BAYS: usize = 6;
@@ -43,7 +42,7 @@ fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec
     let classes: Vec<u32> = (0..views.len()).map(class).collect();
     let mut components = lattice.components(&classes);
     components.retain(|cells| cells.len() as f32 * SIDE * SIDE >= least);
-    components.sort_by_key(|cells| usize::MAX - cells.len());
+    let components = sort::sorted_by(components, |cells| u32::MAX - cells.len() as u32);
     let place = |cells: &Vec<usize>| {
         let midst = cells.iter().map(|&cell| lattice.at(cell)).max_by(|a, b| far(*a).total_cmp(&far(*b)));
         Found { kind, at: midst.unwrap_or_default(), line: Vec::new(), size: mouth(lattice, &classes, cells) }
@@ -88,9 +87,9 @@ fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
     const WIDEST: f32 = 80.0;
     const SHORTEST: f32 = 56.0;
     const LEAST_LAND: u32 = 12;
-    let mut cells_of: BTreeMap<u16, u32> = BTreeMap::new();
-    lattice.lands.iter().for_each(|land| *cells_of.entry(*land).or_default() += 1);
-    let size = |land: u32| cells_of.get(&(land as u16)).copied().unwrap_or(0);
+    let mut cells_of = vec![0_u32; usize::from(u16::MAX) + 1];
+    lattice.lands.iter().for_each(|&land| cells_of[usize::from(land)] += 1);
+    let size = |land: u32| cells_of[usize::from(land as u16)];
     let class = |cell: usize| {
         let across = |direction: usize| {
             let [(one, steps), (other, others)] = [views[cell][direction], views[cell][direction + 8]];
@@ -175,10 +174,9 @@ fn discs<const N: usize>(radii: [i32; N]) -> [Vec<[i32; 2]>; N] {
 }
 
 /// The best by a number, of those that are no nearer to a better one than so many units.
-fn best(mut places: Vec<(f32, Found)>, most: usize, apart: f32) -> Vec<Found> {
-    places.sort_by(|a, b| b.0.total_cmp(&a.0));
+fn best(places: Vec<(f32, Found)>, most: usize, apart: f32) -> Vec<Found> {
     let mut kept: Vec<Found> = Vec::new();
-    for (_, place) in places {
+    for (_, place) in sort::sorted_by(places, |(worth, _)| sort::key(-worth)) {
         if kept.len() < most && kept.iter().all(|other| other.at.distance(place.at) >= apart) {
             kept.push(place);
         }

@@ -1,12 +1,11 @@
 //! Words by number. They are not drawn but counted: of all words of a pattern a number has one, and different numbers have different words.
 //! No list of words in use is kept; only great rivers, of which there are few, make way for each other.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::filter::is_refused;
 use super::language::{CAPITALS, Language};
 use super::sounds::{fits, is_vowel};
 use super::syllables::{LONGEST, Series, Syllables};
+use crate::annotate::glyph::capitals;
 
 /// A language with its words counted.
 #[derive(Clone, Debug)]
@@ -38,7 +37,7 @@ impl Share {
 
 impl Words {
     pub fn new(language: Language, land: &str) -> Self {
-        Self { syllables: Syllables::of(&language), taken: land.to_lowercase(), language }
+        Self { syllables: Syllables::of(&language), taken: capitals(land), language }
     }
 
     /// The word of what is neither a great river nor a place.
@@ -53,11 +52,12 @@ impl Words {
 
     /// The words of great rivers, by their identities and thousandths of all water, the greatest first: of one syllable or two, the shorter the
     /// greater they are. One whose word a greater river has takes its next.
-    pub fn great(&self, rivers: Vec<(u32, u64)>) -> BTreeMap<u32, String> {
-        let mut used = BTreeSet::new();
+    pub fn great(&self, rivers: Vec<(u32, u64)>) -> Vec<(u32, String)> {
+        let mut used: Vec<String> = Vec::new();
         let word = |(identity, thousandths)| {
             let mut own = (0..TRIES).map(|attempt| self.short(identity, attempt, thousandths));
-            let free = own.find(|word| self.is_fit(word) && used.insert(word.clone()));
+            let free = own.find(|word| self.is_fit(word) && !used.contains(word));
+            used.extend(free.clone());
             (identity, free.map_or_else(|| self.other(identity.into()), |word| capitalized(&word)))
         };
         rivers.into_iter().map(word).collect()
@@ -117,7 +117,7 @@ impl Words {
     }
 
     fn is_fit(&self, word: &str) -> bool {
-        !word.is_empty() && !is_refused(word) && word != self.taken
+        !word.is_empty() && !is_refused(word) && capitals(word) != self.taken
     }
 }
 
@@ -162,6 +162,8 @@ pub(super) fn capitalized(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::sounds::is_vowel;
+    use std::collections::BTreeSet;
+
     use super::*;
 
     fn words_of(number: u32) -> Words {
@@ -172,7 +174,12 @@ mod tests {
     fn all(words: &Words, others: u64) -> Vec<String> {
         let great = words.great((0..120).map(|identity| (identity * 7, 200 / (u64::from(identity) / 6 + 1))).collect());
         let places = (0..120).map(|number| words.place(number));
-        great.into_values().chain(places).chain((0..others).map(|number| words.other(number))).collect()
+        great
+            .into_iter()
+            .map(|(_, word)| word)
+            .chain(places)
+            .chain((0..others).map(|number| words.other(number)))
+            .collect()
     }
 
     #[test]
@@ -190,7 +197,7 @@ mod tests {
         let words = words_of(number);
         let great = words.great((0..40).map(|identity| (identity * 7, 200 / (u64::from(identity) / 4 + 1))).collect());
         let others = (0..130).map(|number| words.other(number * 71));
-        great.into_values().chain(others).chain((0..30).map(|number| words.place(number))).collect()
+        great.into_iter().map(|(_, word)| word).chain(others).chain((0..30).map(|number| words.place(number))).collect()
     }
 
     #[test]
@@ -217,7 +224,9 @@ mod tests {
             begins.filter(|(letter, before)| is_vowel(*letter) && !is_vowel(*before)).count()
         };
         let words: Vec<Words> = (1..=60).map(words_of).collect();
-        let of = |thousandths| words.iter().flat_map(move |words| words.great(vec![(5, thousandths)]).into_values());
+        let of = |thousandths| {
+            words.iter().flat_map(move |words| words.great(vec![(5, thousandths)]).into_iter().map(|(_, word)| word))
+        };
         let short = |thousandths| of(thousandths).filter(|word| syllables(word) == 1).count();
         assert!(of(300).chain(of(20)).all(|word| (1..=2).contains(&syllables(&word))));
         assert!(short(300) >= 20 && short(300) > short(40) && short(40) > short(20), "{} {}", short(300), short(20));
@@ -232,9 +241,9 @@ mod tests {
         for number in 1..=200 {
             let words = words_of(number);
             let all = words.great((0..90).map(|identity| (identity, 100)).collect());
-            let alone =
-                (0..90).filter(|&identity| words.great(vec![(identity, 100)])[&identity] == all[&identity]).count();
-            assert_eq!(all[&0], words.great(vec![(0, 100)])[&0], "the greatest gives way to none");
+            let is_own = |named: &&(u32, String)| words.great(vec![(named.0, 100)]) == [(*named).clone()];
+            let alone = all.iter().filter(is_own).count();
+            assert!(all.first().is_some_and(|named| is_own(&named)), "the greatest gives way to none");
             assert!(alone >= 45, "{alone}");
         }
     }

@@ -87,7 +87,7 @@ fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>)
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
     labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
     // Stable: rivers first, in the order of their importance.
-    labels.sort_by_key(|label| label.river.is_none());
+    labels = sort::sorted_by(labels, |label| label.river.is_none().into());
     let Marks { elevations, grid, .. } = &input.marks;
     if let Some(elevations) = elevations {
         for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
@@ -394,8 +394,8 @@ impl<'a, G: Background> Map<'a, G> {
         }
         let is_region = |landmark: &&Landmark| matches!(landmark.kind, LandmarkKind::MainLand | LandmarkKind::Range);
         landmarks.iter().filter(is_region).for_each(|region| self.label_landmark(region));
-        let (seas, mut others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
-        others.sort_by(|a, b| b.size().total_cmp(&a.size()));
+        let (seas, others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
+        let others = sort::sorted_by(others, |area| sort::key(-area.size()));
         let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape);
         for area in others.into_iter().chain(seas) {
             if self.area(is_of_water) < *most || area.kind == AreaKind::Sea {
