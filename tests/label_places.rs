@@ -37,15 +37,19 @@ fn names(labels: &[Label]) -> impl Iterator<Item = &Label> {
     labels.iter().filter(|label| !label.kind.is_block() && !label.kind.is_mark())
 }
 
+/// The middles of its first letter and its last.
+fn ends(label: &Label) -> [Vec2; 2] {
+    [label.letters.first(), label.letters.last()].map(|letter| letter.unwrap().around(label.em).middle)
+}
+
 fn middle(label: &Label) -> Vec2 {
-    let boxes = label.letters.iter().map(|letter| letter.around(label.em).middle);
-    let ends = [boxes.clone().next().unwrap(), boxes.last().unwrap()];
-    (ends[0] + ends[1]) * 0.5
+    let [first, last] = ends(label);
+    (first + last) * 0.5
 }
 
 fn length(label: &Label) -> f32 {
-    let boxes = label.letters.iter().map(|letter| letter.around(label.em).middle);
-    boxes.clone().next().unwrap().distance(boxes.last().unwrap())
+    let [first, last] = ends(label);
+    first.distance(last)
 }
 
 /// Returns `true` if a label is one of those of a larger picture, no larger and in the same place: it may have drawn nearer to its river, or
@@ -110,7 +114,7 @@ proptest! {
         let session = finished(&format!("{link}&labels=many"));
         for label in of_width(&session.map().unwrap(), width) {
             for letter in &label.letters {
-                let angle = letter.along.y.atan2(letter.along.x).to_degrees();
+                let angle = libm::atan2f(letter.along.y, letter.along.x).to_degrees();
                 prop_assert!((-100.1..80.1).contains(&angle), "a letter of {} stands at {angle} degrees", label.text);
             }
         }

@@ -73,6 +73,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
         view: [frame[0] + margin, frame[1] - margin],
         least_em: least_em / shrink,
         label_size: recipe.number(NumberKey::LabelSize) * shrink,
+        whole_size: recipe.number(NumberKey::LabelSize),
         shrink,
         is_one_each: recipe.get::<Labels>() == Labels::Few,
         most_area: [land_area, AREA - land_area].map(|area| share * area),

@@ -96,7 +96,7 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
     // On land it has a ground of its own, and that has edges.
     let cartouche = &Cartouche { is_framed: cartouche.is_framed || !is_at_sea, ..cartouche.clone() };
     let first =
-        if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.whole_size() <= size).unwrap_or(ON_LAND) };
+        if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.whole_size <= size).unwrap_or(ON_LAND) };
     let sizes = sizes(&SIZES[first..], input);
     let fit = |form: &Form| {
         let least = input.least().max(LEAST_UNDER_TITLE * input.label_size);
@@ -151,9 +151,9 @@ impl Place {
     /// The place with the most room; that depends on the map alone.
     fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
         let frame = input.frame;
-        let sizes = SIZES.map(|size| size * input.whole_size());
+        let sizes = SIZES.map(|size| size * input.whole_size);
         let blocks = |sizes: &[f32], cartouche: &Cartouche, form: &Form| -> Vec<Block> {
-            let least = LEAST_UNDER_TITLE * input.whole_size();
+            let least = LEAST_UNDER_TITLE * input.whole_size;
             sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form)).collect()
         };
         let framed = Cartouche { is_framed: true, ..cartouche.clone() };
@@ -181,7 +181,7 @@ impl Place {
                 best = Some((worth, judged, Self { anchor, size, is_at_sea: true }));
             }
         }
-        let least = on_land.as_ref().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size());
+        let least = on_land.as_ref().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size);
         let at_sea = best.filter(|(_, _, place)| place.size >= least).map(|(_, _, place)| place);
         at_sea.or_else(|| Self::on_land(input, background, on_land.as_ref()?))
     }

@@ -27,7 +27,7 @@ const SIXTEENTH: Vec2 = Vec2::new(0.923_879_5, 0.382_683_4);
 /// does not depend on the size of the picture.
 pub fn set(input: &Input<'_>, others: &[Anchor], taken: &[Box]) -> Option<(Label, Box)> {
     let size = |radius: f32, em: f32| Vec2::new(2.0 * radius, 2.0 * radius + em);
-    let whole = size(RADIUS * input.whole_size(), EM * input.whole_size());
+    let whole = size(RADIUS * input.whole_size, EM * input.whole_size);
     let is_fit = |at: Vec2, size: Vec2| {
         let around = Box::level(at, at + size);
         anchor::is_open(input, at, size, FROM_COAST) && !taken.iter().any(|other| around.meets(other, FROM_COAST))

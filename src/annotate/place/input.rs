@@ -286,6 +286,8 @@ pub struct Input<'a> {
     pub least_em: f32,
     /// What sizes of letters are multiplied by.
     pub label_size: f32,
+    /// The same on the whole map. (Not computed from that: rounding would make other choices of places.)
+    pub whole_size: f32,
     /// The share of that which is due to the view being a part of the map; 1 for the whole map.
     pub shrink: f32,
     /// Returns `true` if no river has more than one label.
@@ -321,11 +323,6 @@ impl Input<'_> {
     /// The smallest letters that can be read, as the length of their em, in units.
     pub fn least(&self) -> f32 {
         self.least_em * self.shrink
-    }
-
-    /// What sizes of letters are multiplied by on the whole map.
-    pub fn whole_size(&self) -> f32 {
-        self.label_size / self.shrink
     }
 
     /// The part of the domain that is seen: its north-western and its south-eastern corner.

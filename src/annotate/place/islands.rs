@@ -85,7 +85,7 @@ impl<G: Background> Search<'_, G> {
         }
         let inside = self.inside().map(|letters| (Kind::Island, letters));
         // One that has room for its name on larger pictures has none beside it on smaller ones.
-        let is_wide = self.coast.height(self.area.midst) >= ROOM * self.usual * self.input.whole_size();
+        let is_wide = self.coast.height(self.area.midst) >= ROOM * self.usual * self.input.whole_size;
         inside.or_else(|| {
             if is_wide && self.em > self.usual * self.input.label_size {
                 None

@@ -5,8 +5,8 @@
 use super::input::Input;
 
 /// The smallest letters of pictures of whole maps, as the length of their em in units, from small pictures to such on which all letters have
-/// their usual sizes: of a map 1,250 units wide these are some 255, 360, 460, 560, 700, 830, 980 and 1,150 pixels.
-const LEAST_EMS: [f32; 9] = [54.0, 38.0, 30.0, 24.5, 19.7, 16.5, 14.0, 12.0, 0.0];
+/// their usual sizes: of a map 1,250 units wide these are some 180, 255, 360, 460, 560, 700, 830, 980 and 1,150 pixels.
+const LEAST_EMS: [f32; 10] = [76.0, 54.0, 38.0, 30.0, 24.5, 19.7, 16.5, 14.0, 12.0, 0.0];
 /// By how much letters are smaller in views of parts of a map.
 const SHRINKS: [f32; 7] = [0.72, 0.52, 0.37, 0.27, 0.19, 0.14, 0.1];
 /// The smallest usual letters, in units.
@@ -53,7 +53,7 @@ impl Level {
 
     /// Makes a map one for labels of this level.
     pub fn set(self, input: &mut Input<'_>) {
-        input.label_size *= self.shrink / input.shrink;
+        input.label_size = input.whole_size * self.shrink;
         (input.least_em, input.shrink) = (self.least_em, self.shrink);
     }
 }

@@ -78,11 +78,13 @@ impl Places {
 /// The labels that a picture shows whole, with what stands in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
     let mut boxes = Vec::new();
-    let (corners, _) = blocks(input, background, &mut boxes);
-    // A legend may be in another corner than on smaller pictures.
-    let is_free =
-        |chosen: &Chosen| chosen.boxes().all(|(_, own)| boxes.iter().all(|(_, other)| !own.meets(other, 0.0)));
-    let chosen: Vec<Chosen> = chosen.into_iter().filter(is_free).collect();
+    let (mut corners, _) = blocks(input, background, &mut boxes);
+    // On a part of the map something may have room that has none on the whole, where a name has its place: the name stays.
+    let is_in_the_way =
+        |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
+    let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
+    corners.retain(|label| !left_out.iter().any(|(_, around)| stands_in(label, around)));
+    let mut boxes = kept;
     boxes.extend(chosen.iter().flat_map(Chosen::boxes));
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
     labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
@@ -117,6 +119,12 @@ fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32
         boxes.push((NONE, around));
     }
     (labels, beside)
+}
+
+/// Returns `true` if a label begins in a level box.
+fn stands_in(label: &Label, around: &Box) -> bool {
+    let off = |letter: &super::letters::Placed| (letter.around(label.em).middle - around.middle).abs();
+    label.letters.first().map(off).is_some_and(|off| off.cmple(around.along + around.down).all())
 }
 
 /// Returns `true` if the picture shows all of a label.

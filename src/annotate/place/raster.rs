@@ -36,7 +36,9 @@ impl Raster {
     /// Of a map.
     pub fn new(input: &Input<'_>) -> Self {
         let pieces = Piece::all(input);
-        let [least, most] = input.sheet();
+        // All of the map, where places are chosen, and what the picture shows around it.
+        let ([least, most], sheet) = (input.frame, input.sheet());
+        let (least, most) = (least.min(sheet[0]), most.max(sheet[1]));
         let corner = (least / CELL).floor() * CELL;
         let size = most - corner;
         let [columns, rows] = [size.x, size.y].map(|length| (length / CELL) as usize + 2);

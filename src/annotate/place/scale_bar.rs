@@ -25,7 +25,10 @@ const LETTERS: f32 = 1.05;
 const NEEDLE: Vec2 = Vec2::new(1.7, 3.1);
 
 /// What the numbers stand for, in kilometres.
-const NUMBERS: [(&str, f32); 3] = [("0", 0.0), ("100", 100.0), ("200 km", 200.0)];
+const NUMBERS: [(&str, f32); 3] = [("0", 0.0), ("100", BETWEEN), ("200 km", 200.0)];
+const BETWEEN: f32 = 100.0;
+/// How far the middles of two numbers are apart at least, in ems.
+const APART: f32 = 2.2;
 
 /// Puts it into a place at sea that the title leaves free, with the box around it; `None` if there is no room. Which place that is does not
 /// depend on the size of the picture.
@@ -37,7 +40,7 @@ pub fn set<G: Background>(
     taken: &[Box],
 ) -> Option<(Vec<Label>, Box, Anchor)> {
     let has_needle = cartouche.north == Some(NorthPoint::Arrow);
-    let usual = EM * input.whole_size();
+    let usual = EM * input.whole_size;
     let frame = input.frame;
     let is_free = |place: &Anchor| title.is_none_or(|title| *place != title && !place.is_beside(title));
     let mut best: Option<(corner::Corner, Anchor)> = None;
@@ -102,7 +105,9 @@ fn bar(at: Vec2, em: f32, has_needle: bool) -> Vec<Label> {
         let digits = Text::new(says.trim_end_matches(" km"), Kind::Margin);
         written(says, Vec2::new(x(kilometres) - 0.5 * digits.length * em, top - 0.28 * em), em)
     };
-    let mut labels: Vec<Label> = NUMBERS.into_iter().map(number).collect();
+    // Large letters leave no room for the number between.
+    let has_room = |(_, kilometres): &(&str, f32)| *kilometres != BETWEEN || APART * em <= BETWEEN * KILOMETRE;
+    let mut labels: Vec<Label> = NUMBERS.into_iter().filter(has_room).map(number).collect();
     if has_needle {
         let tip = Vec2::new(at.x + 0.6 * em, at.y + 0.75 * em);
         strokes.extend(needle(tip, Vec2::new(tip.x, at.y + size.y), em));
