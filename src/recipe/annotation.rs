@@ -1,7 +1,7 @@
 //! The annotation that a recipe asks for: labels, a cartouche, woods and hills, as far as its style has them.
 
 use super::Recipe;
-use super::choice::{Cartouche, Labels, Style};
+use super::choice::{Cartouche, Labels, Shown, Style};
 #[cfg(feature = "names")]
 use super::key::Key;
 use super::key::NumberKey;
@@ -55,7 +55,11 @@ impl Recipe {
 
     /// The style, if it decides what the annotation consists of; `None` if that would be the same in any other.
     pub fn annotating_style(&self) -> Option<Style> {
-        (self.has_scenery() || self.has_marks() || self.has_title()).then(|| self.get())
+        let style: Style = self.get();
+        // Ranges are named where heights are shown, and a north point stands beside a title.
+        let is_unlike_others = style.has_relief() || style.shows(Shown::CompassRose) || style.shows(Shown::NorthArrow);
+        let is_annotated = self.is_annotated() && is_unlike_others;
+        (self.has_scenery() || self.has_marks() || is_annotated).then_some(style)
     }
 
     /// The person's own names.
