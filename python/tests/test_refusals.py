@@ -40,7 +40,7 @@ def test_links_are_refused_in_words_that_help() -> None:
         "curl=3": "curl: 3 is not between 0 and 2",
         "curl=1&curl=1": "'curl' is given more than once",
         "seed=%FF": "seed: the text holds a character that cannot be shown",
-        "seed=" + "x" * 9000: "link: the text has 9005 characters, at most 8192 are allowed",
+        "seed=" + "x" * 21_000: "link: the text has 21005 characters, at most 20480 are allowed",
         "\0": "there is no parameter",
         "outline=~~~&land=drawn": "outline: ",
         "seed=\ud800": "surrogates not allowed",
