@@ -172,3 +172,31 @@ proptest! {
 }
 
 tiers!(the_greatest_river_has_its_name_at_any_number_of_rounds);
+
+/// Small survey sheets have no grid, and larger ones a margin of letters around the map, which leaves out what would reach into it.
+#[test]
+fn a_survey_sheet_has_the_labels_of_smaller_ones_in_their_places_with_its_grid_and_without() {
+    let mut kept = 0;
+    for (seed, land) in (0..6).zip(["island", "archipelago", "continent"].into_iter().cycle()) {
+        let session = finished(&format!("land={land}&attractors=1500&seed={seed}&style=survey&labels=some"));
+        let map = session.map().unwrap();
+        let size = map.domain().size;
+        let picture = |width: f32| {
+            let input = labels::input(&map, [Vec2::ZERO, size], width / size.x).unwrap();
+            (place(&input, &Raster::new(&input)), input.view)
+        };
+        let pictures = [380.0, 440.0, 470.0, 700.0, 1400.0].map(picture);
+        for pair in pictures.windows(2) {
+            let ((small, _), (large, [least, most])) = (&pair[0], &pair[1]);
+            let is_within = |label: &&Label| {
+                let mut corners = label.letters.iter().flat_map(|letter| letter.around(label.em).corners());
+                corners.all(|at| at.cmpge(*least).all() && at.cmple(*most).all())
+            };
+            for label in names(small).filter(is_within) {
+                assert!(is_kept(label, large), "{land} {seed}: {:?} {}", label.kind, label.text);
+                kept += 1;
+            }
+        }
+    }
+    assert!(kept > 60, "{kept}");
+}

@@ -105,8 +105,12 @@ impl Exported {
     fn is_saddle(&self, place: Vec2) -> bool {
         let own = self.at(place, [0, 0]).unwrap();
         let ring = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
-        let is_higher = ring.map(|[x, y]| self.at(place, [4 * x, 4 * y]).is_some_and(|other| other > own));
-        (0..8).filter(|&i| is_higher[i] != is_higher[(i + 1) % 8]).count() == 4
+        // Heights in files are rounded to steps: two that are alike there may be either way.
+        let is_one = |is_higher: &dyn Fn(f64) -> bool| {
+            let is_higher = ring.map(|[x, y]| self.at(place, [4 * x, 4 * y]).is_some_and(is_higher));
+            (0..8).filter(|&i| is_higher[i] != is_higher[(i + 1) % 8]).count() == 4
+        };
+        is_one(&|other| other > own) || is_one(&|other| other >= own)
     }
 }
 

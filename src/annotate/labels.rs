@@ -7,7 +7,7 @@ use glam::Vec2;
 use crate::annotate::glyph::initials;
 use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
 use crate::annotate::place::{
-    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, Label, Landmark, LandmarkKind, Legend, MARGIN, Marks,
+    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, Label, Landmark, LandmarkKind, Legend, Marks,
     NorthPoint, Places, Plate, Raster, Reach, River, RiverClass, SHEET_MARGIN, Seal, SheetGrid, Strip,
 };
 use crate::annotate::plates;
@@ -28,8 +28,6 @@ use crate::relief::{METRES, Relief};
 const LEAST_EM: f32 = 11.0;
 /// The least part of a map that letters are made for: they have no size in a view of none of it.
 const LEAST_SHOWN: f32 = 1e-4;
-/// The length of the em of a grid's letters, in units.
-const GRID_EM: f32 = 11.0;
 
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
 /// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
@@ -57,11 +55,11 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let (mut names, regions) = Names::with_regions(map);
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
-    let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
+    let margin = marks.grid.map_or(0.0, |grid| SheetGrid::MARGIN * grid.em);
     let within = on_map(map).map(|corner| corner.clamp(Vec2::ZERO, map.domain().size));
     let cut = cut_to_shape(&map.domain(), frame);
     // Places are chosen for the whole map: with the margin of a whole map's picture, if it has one.
-    let whole = if marks.elevations.is_some() { MARGIN * GRID_EM } else { 0.0 };
+    let whole = if marks.has_grid { SheetGrid::MARGIN * SheetGrid::EM } else { 0.0 };
     let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, |land| area(land));
     let shown = share_shown(&map.domain(), frame);
@@ -133,7 +131,7 @@ pub(super) fn on_map(map: &Map) -> [Vec2; 2] {
     if margin > 0.0 { [Vec2::splat(margin), size - margin] } else { [Vec2::MIN, Vec2::MAX] }
 }
 
-/// What there is of a map for pictures of this shape, its two corners: all of it, but for a picture that is filled by the map and of
+/// The part of a map for pictures of this shape, its two corners: all of it, but for a picture that is filled by the map and of
 /// another shape, which cuts off as much on two opposite sides.
 fn cut_to_shape(domain: &Domain, [least, most]: [Vec2; 2]) -> [Vec2; 2] {
     /// In units: frames are computed from pixels.
@@ -158,6 +156,7 @@ fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Ma
     let relief = map.shown_relief().filter(|_| has_heights);
     Marks {
         elevations: relief.map(|relief| elevations(relief, recipe.get())),
+        has_grid: has_heights,
         grid: sheet_grid(recipe, sheet, least_em).filter(|_| has_heights),
         legend: style.shows(Shown::Legend).then(|| legend(recipe, map.network(), names)),
         seal: style.shows(Shown::Seal).then(|| seal(recipe.seed(), &names.title)),
@@ -177,10 +176,8 @@ fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
 fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetGrid> {
     /// The distance between two lines of the grid, in units.
     const EVERY: f32 = 120.0;
-    /// The most that its em is, as a share of the grid.
-    const MOST: f32 = 0.25;
-    let em = GRID_EM.max(least_em) * recipe.number(NumberKey::LabelSize);
-    (em <= MOST * EVERY).then_some(SheetGrid { sheet, every: EVERY, em })
+    let em = SheetGrid::EM.max(least_em) * recipe.number(NumberKey::LabelSize);
+    (em <= SheetGrid::MOST_EM).then_some(SheetGrid { sheet, every: EVERY, em })
 }
 
 fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {

@@ -26,7 +26,7 @@ const FAMILIES: [&str; 12] = [
 /// How many of a family's onsets, first vowels, later vowels, medials, tails, endings and rimes a language has.
 const SIZES: [usize; 8] = [12, 5, 4, 12, 4, 3, 3, 5];
 
-/// What may stand before the consonant of an ending.
+/// Consonants that may stand before that of an ending.
 const LINKS: [&str; 3] = ["", "l", "r"];
 
 /// How a sound may be spelled, as it is written above first. The longer stand before those that they are made of.
@@ -58,15 +58,15 @@ pub(super) struct Language {
     pub inner: Vec<String>,
     /// Consonants between vowels.
     pub medials: Vec<String>,
-    /// What a word closes with, from the last consonants before its last vowel: plain closes, and endings with a meaning.
+    /// Closes of words, from the last consonants before its last vowel: plain closes, and endings with a meaning.
     pub closes: [Vec<String>; 2],
-    /// What follows the onset of a word of one syllable.
+    /// Rests of words of one syllable, after the onset.
     pub rimes: Vec<String>,
     /// The order of its words.
     pub chance: ItemHash,
     /// Which of some forms it uses of a kind of name.
     pub manner: u32,
-    /// Of sixteen words, how many have each pattern: an onset or none, with a plain close or with one that has a meaning.
+    /// The number of words, of sixteen, that have each pattern: an onset or none, with a plain close or with one that has a meaning.
     pub weights: [u32; 4],
 }
 

@@ -47,7 +47,7 @@ fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec
         let midst = cells.iter().map(|&cell| lattice.at(cell)).max_by(|a, b| far(*a).total_cmp(&far(*b)));
         Found { kind, at: midst.unwrap_or_default(), line: Vec::new(), size: mouth(lattice, &classes, cells) }
     };
-    // What has no mouth is the sea itself, or water that land surrounds.
+    // Water without a mouth is the sea itself, or surrounded by land.
     let mut places: Vec<Found> = components.iter().map(place).filter(|place| place.size > 0.0).collect();
     places.truncate(most);
     places

@@ -10,7 +10,7 @@ fn run(text: &str) -> &str {
     text.find(is_vowel).map_or(text, |end| &text[..end])
 }
 
-/// What follows the consonants that a text begins with.
+/// The rest of a text after the consonants that it begins with.
 pub(super) fn rime(text: &str) -> &str {
     &text[run(text).len()..]
 }

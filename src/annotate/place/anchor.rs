@@ -2,13 +2,10 @@
 
 use glam::Vec2;
 
-use super::grid_letters;
 use super::input::Input;
 
 /// How far blocks are from the frame, in units, whatever their size: so that a smaller one covers nothing that a larger one does not.
 const FROM_FRAME: f32 = 12.0;
-/// The length of the em of a grid's letters on large pictures, in units.
-const GRID_EM: f32 = 11.0;
 
 /// A place along the frame, by the shares of the room that are left and above of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,21 +27,13 @@ impl Anchor {
         least + FROM_FRAME + self.0 * (most - least - 2.0 * FROM_FRAME - size)
     }
 
-    /// Whether blocks in both may come near each other.
+    /// Returns `true` if blocks in both may come near each other.
     pub fn is_beside(self, other: Self) -> bool {
         self.0.y == other.0.y && (self.0.x - other.0.x).abs() < 1.0
     }
 }
 
-/// The frame of blocks in pictures of a size: letters of a grid take more of small ones.
-pub fn frame(input: &Input<'_>) -> [Vec2; 2] {
-    let em = GRID_EM.max(input.least_em) * input.label_size;
-    let margin = input.marks.grid.map_or(0.0, |_| (grid_letters::MARGIN * (em - GRID_EM)).max(0.0));
-    let [least, most] = input.frame;
-    [least + margin, most - margin]
-}
-
-/// Whether all of a block is sea, its surroundings too. Distances from the coast tell this of a whole square at once, so few are asked for.
+/// Returns `true` if all of a block is sea, its surroundings too. Distances from the coast tell this of a whole square at once, so few are asked for.
 pub fn is_open(input: &Input<'_>, at: Vec2, size: Vec2, margin: f32) -> bool {
     /// Half the diagonal of a part that is no longer divided, in units, or as a share of the margin: none of it is on land if its middle is
     /// as far from the coast as that.

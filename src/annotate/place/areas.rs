@@ -37,10 +37,7 @@ const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
 pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let sizes = if area.kind == AreaKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
-    let em = |usual: f32| usual.max(OVER_LEAST * input.least_em) * input.label_size;
-    let mut sizes = sizes.to_vec();
-    // Those that are made larger are all alike.
-    sizes.dedup_by_key(|usual| em(*usual));
+    let (em, sizes) = (|usual: f32| input.em(usual, OVER_LEAST), input.sizes(sizes, OVER_LEAST));
     let chosen = |usual: f32| {
         let search = |name: &String| {
             let text = Text::new(name, Kind::Water);
@@ -147,7 +144,6 @@ impl Search<'_> {
     }
 
     fn is_in_frame(&self, at: Vec2) -> bool {
-        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
-        at.cmpge(least + margin).all() && at.cmple(most - margin).all()
+        self.input.is_in_frame(at, FROM_FRAME * self.em)
     }
 }

@@ -94,6 +94,12 @@ impl Line {
         self.along.last().copied().unwrap_or(0.0)
     }
 
+    /// The middle between its ends.
+    pub fn middle(&self) -> Vec2 {
+        let ends = [self.at.first(), self.at.last()].map(|at| at.copied().unwrap_or_default());
+        (ends[0] + ends[1]) * 0.5
+    }
+
     /// The part of it that begins so far along it and is so long, in units.
     pub fn part(&self, start: f32, length: f32) -> Self {
         let end = start + length;

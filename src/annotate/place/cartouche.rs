@@ -53,9 +53,9 @@ const TO_SEED: f32 = 1.25;
 #[derive(Default)]
 pub struct Set {
     pub labels: Vec<Label>,
-    /// What other labels keep off.
+    /// The boxes that other labels keep off.
     pub around: Vec<Box>,
-    /// What names of seas keep off besides, so that none stands on one line with the title.
+    /// The box that names of seas keep off besides, so that none stands on one line with the title.
     pub beside: Option<Box>,
 }
 
@@ -102,7 +102,7 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
         let least = input.least().max(LEAST_UNDER_TITLE * input.label_size);
         let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form));
         blocks
-            .map(|block| (anchor.place(anchor::frame(input), block.size), block))
+            .map(|block| (anchor.place(input.inner_frame(), block.size), block))
             .find(|(at, block)| !is_at_sea || block.is_open(input, *at))
     };
     let forms: Vec<(Vec2, Block)> = FORMS.iter().filter_map(fit).collect();
@@ -239,7 +239,7 @@ impl Block {
         size.cmple(room).all().then_some(Self { em, lines, size })
     }
 
-    /// Whether all of it is at sea in a place.
+    /// Returns `true` if all of it is at sea in a place.
     fn is_open(&self, input: &Input<'_>, at: Vec2) -> bool {
         anchor::is_open(input, at, self.size, FROM_COAST * self.em)
     }
@@ -272,7 +272,7 @@ impl Block {
 
     fn letters(&self, line: &Line, at: Vec2) -> Vec<Placed> {
         let from = Vec2::new(0.5 * (self.size.x - line.text.length * line.em), line.down);
-        line.text.letters.iter().map(|letter| Placed::level(letter, at + from, line.em)).collect()
+        line.text.level(at + from, line.em)
     }
 }
 

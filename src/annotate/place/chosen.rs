@@ -3,12 +3,11 @@
 use glam::Vec2;
 
 use super::background::Background;
-use super::baseline::{Line, is_upright, walk_from};
+use super::baseline::{Line, is_upright};
 use super::costs::Turns;
 use super::input::Input;
-use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text};
 use super::search::belongs;
-use crate::annotate::glyph::Letter;
 
 /// How far letters keep from the coast, and names of seas and lakes, in ems.
 const FROM_COAST: f32 = 0.16;
@@ -31,41 +30,50 @@ pub struct Chosen {
 /// How a label becomes smaller.
 #[derive(Clone, Debug)]
 pub enum Shrinks {
-    /// Along the line that it stands on, about its middle; with the width of its river there, in units.
-    Along(Line, f32),
+    /// Along the line that it stands on, about its middle.
+    Along {
+        line: Line,
+        /// The width of its river there, in units.
+        width: f32,
+        /// The middle of the line that it stood on first: however often it draws nearer to its river, it stays by that.
+        anchor: Vec2,
+    },
     /// About the middle between its ends.
     ToMiddle,
     /// Towards what it stands beside, on the water.
     Towards(Vec2),
 }
 
+impl Shrinks {
+    /// Along a line beside a river of a width, or along none.
+    pub fn along(line: Line, width: f32) -> Self {
+        let anchor = line.middle();
+        Self::Along { line, width, anchor }
+    }
+}
+
 impl Chosen {
     /// The length of its em for another size of pictures; never more than it is.
     pub fn em(&self, input: &Input<'_>) -> f32 {
-        let em = self.usual.max(self.over_least * input.least_em) * input.label_size;
-        em.min(self.label.em)
+        input.em(self.usual, self.over_least).min(self.label.em)
     }
 
     /// The same with letters as small as they are on such pictures; as it is where those would be in the way of its river.
     pub fn resized<G: Background>(&self, input: &Input<'_>, background: &G) -> Self {
         let em = self.em(input);
         let is_off_coast = |letters: &[Placed]| is_off_coast(self.label.kind, letters, em, input);
+        let shrunk = |to: Vec2| Some(self.shrunk(to, em)).filter(|letters| is_off_coast(letters));
         let letters = match &self.shrinks {
             _ if em >= self.label.em => None,
-            Shrinks::Along(line, width) => {
+            Shrinks::Along { line, width, .. } => {
                 let is_clear = |letters: &[Placed]| self.is_clear(letters, em, input);
                 let belongs = |letters: &[Placed]| {
                     self.label.river.is_none_or(|river| belongs(background, letters, em, river, *width))
                 };
                 self.along(line, em).find(|letters| is_clear(letters) && is_off_coast(letters) && belongs(letters))
             }
-            Shrinks::ToMiddle => {
-                [self.middle()].map(|to| self.shrunk(to, em)).into_iter().find(|letters| is_off_coast(letters))
-            }
-            Shrinks::Towards(place) => {
-                let to = [*place, self.middle()];
-                to.map(|to| self.shrunk(to, em)).into_iter().find(|letters| is_off_coast(letters))
-            }
+            Shrinks::ToMiddle => shrunk(self.middle()),
+            Shrinks::Towards(place) => shrunk(*place).or_else(|| shrunk(self.middle())),
         };
         let label = letters.map(|letters| Label { em, letters, ..self.label.clone() });
         Self { label: label.unwrap_or_else(|| self.label.clone()), ..self.clone() }
@@ -75,16 +83,7 @@ impl Chosen {
     fn along(&self, line: &Line, em: f32) -> impl Iterator<Item = Vec<Placed>> {
         const OFF: [f32; 7] = [0.0, -0.15, 0.15, -0.3, 0.3, -0.45, 0.45];
         let start = (line.length() - self.text.length * em) * 0.5;
-        let letters = move |off: f32| {
-            let mut walk = walk_from(line, start + off * em);
-            let place = |letter: &Letter| {
-                let ends = [letter.at, letter.at + letter.glyph.advance];
-                let [from, to] = ends.map(|at| walk.at(start + (off + at) * em));
-                between(letter, from, to, em)
-            };
-            self.text.letters.iter().map(place).collect::<Option<Vec<Placed>>>()
-        };
-        OFF.into_iter().filter_map(letters)
+        OFF.into_iter().filter_map(move |off| self.text.along(line, start + off * em, em))
     }
 
     /// Returns `true` if letters can be read, and none touches its river.
@@ -118,7 +117,7 @@ impl Chosen {
         self.label.letters.iter().map(move |letter| (river, letter.around(self.label.em)))
     }
 
-    /// What it covers, in square units.
+    /// The area that it covers, in square units.
     pub fn area(&self) -> f32 {
         self.text.length * self.label.em * self.label.em
     }

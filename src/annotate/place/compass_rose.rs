@@ -37,7 +37,7 @@ pub fn set(input: &Input<'_>, others: &[Anchor], taken: &[Box]) -> Option<(Label
     let place = Anchor::ALL.iter().filter(is_free).find(|place| is_fit(place.place(frame, whole), whole))?;
     let (radius, em) = (RADIUS * input.label_size, (EM * input.label_size).max(input.least()));
     let size = size(radius, em);
-    let at = place.place(anchor::frame(input), size);
+    let at = place.place(input.inner_frame(), size);
     let middle = at + Vec2::new(radius, radius + em);
     let strokes = star(middle, radius, HALF * input.label_size);
     let label = Label { strokes, ..north(middle - Vec2::new(0.0, radius), em) };

@@ -66,7 +66,7 @@ pub fn corners(input: &Input<'_>, size: Vec2, margin: f32) -> [Vec2; 4] {
 pub fn judged<G: Background>(input: &Input<'_>, background: &G, at: Vec2, size: Vec2, em: f32) -> Corner {
     const FAR: f32 = 4.0;
     const MOST_POINTS: f32 = 128.0;
-    // Of a frame that shows hardly any of the map letters are next to nothing.
+    // In a frame that shows hardly any of the map letters are next to nothing.
     let counts = (size / (0.8 * em)).ceil().min(Vec2::splat(MOST_POINTS));
     let (mut sea, mut ink, mut off) = (0.0, 0.0, 0.0);
     for (row, column) in (0..=counts.y as u32).flat_map(|row| (0..=counts.x as u32).map(move |column| (row, column))) {

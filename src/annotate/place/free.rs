@@ -25,7 +25,7 @@ pub type Disc = (Vec2, f32);
 pub struct FreeGround {
     size: Vec2,
     water: Banks,
-    /// Of rivers so wide that marshes and rows of trees lie along them.
+    /// Rivers so wide that marshes and rows of trees lie along them.
     great: Banks,
     ridges: Banks,
     letters: Vec<Box>,
@@ -65,7 +65,7 @@ impl FreeGround {
 
     /// Whether all of a glyph is clear of water, coast, ridges and letters.
     pub fn is_clear(&self, input: &SceneryInput<'_>, one: &Standing) -> bool {
-        // What one disc around all of them is clear of, they all are.
+        // If one disc around all of them is clear of something, they all are.
         let (middle, reach) = one.around();
         let [dry, blank] = [FROM_BANKS, FROM_LETTERS].map(|clear| reach + clear);
         let is_dry_around = self.distance_to_bank(middle, dry) >= dry && self.distance_to_ridge(middle, dry) >= dry;

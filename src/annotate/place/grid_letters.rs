@@ -5,10 +5,8 @@ use glam::{Vec2, Vec2Swizzles};
 use super::background::{Background, NONE};
 use super::corner::filled;
 use super::input::{Input, SheetGrid};
-use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+use super::letters::{Box, Kind, Label, Stroke, Text};
 
-/// How wide the margin is, in ems: all else keeps off it.
-pub const MARGIN: f32 = 1.6;
 /// How high capitals are, in ems.
 const CAPITAL: f32 = 0.65;
 /// Columns and rows of which less is seen have no letters, in ems.
@@ -25,7 +23,7 @@ const CLEAR: f32 = 0.25;
 /// The letters and numbers, each twice, on opposite sides.
 pub fn letters(input: &Input<'_>, grid: &SheetGrid) -> Vec<Label> {
     let [least, most] = input.view;
-    let off = 0.5 * MARGIN * grid.em;
+    let off = 0.5 * SheetGrid::MARGIN * grid.em;
     let columns = cells(least.x, most.x, grid).flat_map(|(number, x)| {
         let name = char::from(b'A' + (number % 26) as u8).to_string();
         [least.y - off, most.y + off].map(move |y| letter(&name, Vec2::new(x, y), grid.em))
@@ -54,7 +52,7 @@ fn cells(least: f32, most: f32, grid: &SheetGrid) -> impl Iterator<Item = (u32, 
 fn letter(name: &str, middle: Vec2, em: f32) -> Label {
     let text = Text::new(name, Kind::GridLetter);
     let start = middle + Vec2::new(-0.5 * text.length, 0.5 * CAPITAL) * em;
-    let letters = text.letters.iter().map(|letter| Placed::level(letter, start, em)).collect();
+    let letters = text.level(start, em);
     Label::new(Kind::GridLetter, None, name, em, letters)
 }
 
@@ -77,7 +75,7 @@ pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid,
     let strokes = around(least, most).into_iter().chain(ends).chain(crosses);
     Label {
         strokes: strokes.map(|ends| Stroke { ends, half: HALF * em }).collect(),
-        cleared: margin(least, most, MARGIN * em, CORNER * em),
+        cleared: margin(least, most, SheetGrid::MARGIN * em, CORNER * em),
         ..Label::new(Kind::Grid, None, "", em, Vec::new())
     }
 }

@@ -175,7 +175,7 @@ impl Rules<'_> {
             if half < LEAST {
                 return None;
             }
-            // What is too small for a mountain is a hill.
+            // A mountain that would be too small is a hill.
             let feature = if half < LEAST_MOUNTAIN { Feature::Hill } else { plan.feature };
             let spacing = if feature == Feature::Mountain { SPACING_IN_RANGES } else { SPACING };
             let spot = (plan.at * Vec2::new(1.0, BEFORE), half * spacing);

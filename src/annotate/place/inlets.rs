@@ -2,11 +2,11 @@
 
 use glam::Vec2;
 
-use super::baseline::{Line, is_upright, smoothed, walk_from};
+use super::baseline::{Line, is_upright, smoothed};
 use super::chosen::{Chosen, Shrinks};
+use super::costs::Turns;
 use super::input::{Input, Landmark, LandmarkKind};
-use super::letters::{Box, Kind, Label, Placed, Text, between};
-use crate::annotate::glyph::Letter;
+use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::land::CoastDistance;
 
 /// Lengths of the em that are tried, in units.
@@ -29,8 +29,6 @@ const STEP: f32 = 0.7;
 const GAPS: [f32; 3] = [0.5, 0.8, 1.2];
 /// How far above its line the middle of type is, in ems.
 const MIDDLE: f32 = 0.24;
-/// The cosine of 16 degrees, the most between two letters.
-const COS_TURN: f32 = 0.961_261_7;
 /// How smooth the line of a strait is, as a share of its length.
 const SMOOTHED: f32 = 0.1;
 
@@ -38,12 +36,11 @@ const SMOOTHED: f32 = 0.1;
 pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
-    let em = |usual: f32| usual.max(input.least_em) * input.label_size;
+    let em = |usual: f32| input.em(usual, 1.0);
     // On small pictures only wide bays have names.
     let most = MOST_EM.max(MOST_SHARE * landmark.size);
     let is_wide = landmark.kind == LandmarkKind::Bay && landmark.size >= WIDE;
-    let mut sizes = if is_wide { SIZES } else { &SIZES[WIDE_SIZES..] }.to_vec();
-    sizes.dedup_by_key(|usual| em(*usual));
+    let sizes = input.sizes(if is_wide { SIZES } else { &SIZES[WIDE_SIZES..] }, 1.0);
     let names = || landmark.name.iter().filter(|name| !name.is_empty());
     sizes
         .into_iter()
@@ -119,17 +116,13 @@ impl Search<'_> {
             Some((off, start, self.lay(&line, start)?))
         });
         let best = tries.filter(|(.., letters)| self.is_free(letters)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-        best.map(|(_, start, letters)| (letters, Shrinks::Along(line.part(start, length), 0.0)))
+        best.map(|(_, start, letters)| (letters, Shrinks::along(line.part(start, length), 0.0)))
     }
 
     fn lay(&self, line: &Line, start: f32) -> Option<Vec<Placed>> {
-        let mut walk = walk_from(line, start);
-        let place = |letter: &Letter| {
-            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * self.em));
-            between(letter, from, to, self.em).filter(|placed| is_upright(placed.along))
-        };
-        let letters: Option<Vec<Placed>> = self.text.letters.iter().map(place).collect();
-        letters.filter(|letters| letters.windows(2).all(|pair| pair[0].along.dot(pair[1].along) >= COS_TURN))
+        let mut turns = Turns::default();
+        let is_readable = |letter: &Placed| is_upright(letter.along) && turns.take(letter.along).is_some();
+        self.text.along(line, start, self.em).filter(|letters| letters.iter().all(is_readable))
     }
 
     /// The cheapest of some places that is free; the first of equals.
@@ -146,13 +139,12 @@ impl Search<'_> {
     /// Letters of a level line; a share of its length lies before the place.
     fn level(&self, at: Vec2, share: f32) -> Vec<Placed> {
         let from = at + Vec2::new(-share * self.text.length, MIDDLE) * self.em;
-        self.text.letters.iter().map(|letter| Placed::level(letter, from, self.em)).collect()
+        self.text.level(from, self.em)
     }
 
-    /// Whether letters are all on the water, in the frame, and off other labels.
+    /// Returns `true` if letters are all on the water, in the frame, and off other labels.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
-        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         let is_afloat = |at: Vec2| -self.coast.height(at) >= FROM_COAST * self.em;
         letters.iter().all(|letter| {
             let around = letter.around(self.em);

@@ -57,7 +57,7 @@ pub struct Strip {
 /// A sea, a lake or an island.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Area {
-    /// What it is.
+    /// Its kind.
     pub kind: AreaKind,
     /// Its name in full, and in short.
     pub name: [String; 2],
@@ -92,7 +92,7 @@ impl Area {
     }
 }
 
-/// What a place is that is no area of its own.
+/// A kind of place that is no area of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LandmarkKind {
     /// The main land.
@@ -110,7 +110,7 @@ pub enum LandmarkKind {
 /// A place that is no area of its own, with its name. Lengths are units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landmark {
-    /// What it is.
+    /// Its kind.
     pub kind: LandmarkKind,
     /// Its name in full, and in short.
     pub name: [String; 2],
@@ -127,17 +127,17 @@ pub struct Landmark {
 pub struct Cartouche {
     /// What the map is called.
     pub title: String,
-    /// What it has grown from: the line under the title.
+    /// The line under the title, such as the word that the map has grown from.
     pub seed: String,
-    /// Whether the title has a frame.
+    /// Returns `true` if the title has a frame.
     pub is_framed: bool,
-    /// What a frame looks like.
+    /// The look of a frame.
     pub frame: Frame,
-    /// Whether there is a scale bar.
+    /// Returns `true` if there is a scale bar.
     pub has_scale: bool,
     /// The sign that tells where north is.
     pub north: Option<NorthPoint>,
-    /// What the title is the heading of; the title stands alone if there is no room for it.
+    /// The plate under the title, which stands alone if there is no room for it.
     pub plate: Option<Plate>,
     /// The sheet that a neat line is drawn around, its north-western and its south-eastern corner; `None` if the picture has one already,
     /// or is to have none.
@@ -163,7 +163,7 @@ pub enum NorthPoint {
     Rose,
 }
 
-/// What a plate shows.
+/// The content of a plate.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Plate {
     /// The longest rivers, straightened, side by side, the longest first.
@@ -233,6 +233,15 @@ pub struct SheetGrid {
     pub em: f32,
 }
 
+impl SheetGrid {
+    /// The width of its margin, which all else keeps off, in ems.
+    pub const MARGIN: f32 = 1.6;
+    /// The length of its em on large pictures, in units.
+    pub const EM: f32 = 11.0;
+    /// The most with which there is a grid, in units.
+    pub const MOST_EM: f32 = 30.0;
+}
+
 /// Rivers of one order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RiverClass {
@@ -267,7 +276,9 @@ pub struct Seal {
 pub struct Marks<'a> {
     /// The relief; `None` if no heights are told.
     pub elevations: Option<Elevations<'a>>,
-    /// The grid; `None` if it has no letters.
+    /// Returns `true` if large pictures of the whole map have a grid with letters.
+    pub has_grid: bool,
+    /// The grid; `None` if this picture has none, or has no room for its letters.
     pub grid: Option<SheetGrid>,
     /// The legend.
     pub legend: Option<Legend>,
@@ -320,6 +331,33 @@ pub struct Input<'a> {
 }
 
 impl Input<'_> {
+    /// The length of an em of a usual length, in units: at least so many times that of the smallest letters that can be read.
+    pub fn em(&self, usual: f32, over_least: f32) -> f32 {
+        usual.max(over_least * self.least_em) * self.label_size
+    }
+
+    /// Returns the usual sizes without those that make letters as large as the one before.
+    pub fn sizes(&self, usual: &[f32], over_least: f32) -> Vec<f32> {
+        let mut sizes = usual.to_vec();
+        sizes.dedup_by_key(|usual| self.em(*usual, over_least));
+        sizes
+    }
+
+    /// The frame in pictures of this size: the letters of a grid take more of small ones.
+    pub fn inner_frame(&self) -> [Vec2; 2] {
+        let em = self.em(SheetGrid::EM, 1.0);
+        let has_grid = self.marks.has_grid && em <= SheetGrid::MOST_EM;
+        let margin = if has_grid { (SheetGrid::MARGIN * (em - SheetGrid::EM)).max(0.0) } else { 0.0 };
+        let [least, most] = self.frame;
+        [least + margin, most - margin]
+    }
+
+    /// Returns `true` if a place is in that frame, so far from its sides, in units.
+    pub fn is_in_frame(&self, at: Vec2, margin: f32) -> bool {
+        let [least, most] = self.inner_frame();
+        at.cmpge(least + margin).all() && at.cmple(most - margin).all()
+    }
+
     /// The smallest letters that can be read, as the length of their em, in units.
     pub fn least(&self) -> f32 {
         self.least_em * self.shrink

@@ -43,9 +43,8 @@ pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, tak
     let coast = input.coast?;
     let (size, corners) = (area.size(), area.corners());
     let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
-    let em = |usual: f32| usual.max(input.least_em) * input.label_size;
-    let mut sizes = vec![usual, SMALLER * usual];
-    sizes.dedup_by_key(|usual| em(*usual));
+    let em = |usual: f32| input.em(usual, 1.0);
+    let sizes = input.sizes(&[usual, SMALLER * usual], 1.0);
     let chosen = |usual: f32| {
         area.name.iter().find_map(|name| {
             let (text, em) = (Text::new(name, Kind::Island), em(usual));
@@ -205,7 +204,7 @@ impl<G: Background> Search<'_, G> {
 
     /// The letters of a level line that begins at a place.
     fn level(&self, from: Vec2) -> Vec<Placed> {
-        self.text.letters.iter().map(|letter| Placed::level(letter, from, self.em)).collect()
+        self.text.level(from, self.em)
     }
 
     /// Takes a place that costs less than the best so far, if it is in the frame and off other labels.
@@ -217,8 +216,7 @@ impl<G: Background> Search<'_, G> {
     }
 
     fn is_free(&self, around: &Box) -> bool {
-        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
-        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         around.corners().into_iter().all(is_in_frame)
             && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
     }

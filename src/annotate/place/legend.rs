@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::background::Background;
 use super::corner;
 use super::input::{Input, KILOMETRE, Legend, RiverClass};
-use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+use super::letters::{Box, Kind, Label, Stroke, Text};
 
 /// The length of its em, in units.
 const EM: f32 = 11.0;
@@ -145,8 +145,8 @@ impl Block {
     /// All of it in its place.
     fn set(&self, at: Vec2, is_on_land: bool) -> Set {
         let label = |line: &Line| {
-            let letters = line.text.letters.iter().map(|letter| Placed::level(letter, at + line.at, line.em));
-            Label::new(Kind::Legend, None, &line.says, line.em, letters.collect())
+            let letters = line.text.level(at + line.at, line.em);
+            Label::new(Kind::Legend, None, &line.says, line.em, letters)
         };
         let mut labels: Vec<Label> = self.lines.iter().map(label).collect();
         if let Some(first) = labels.first_mut() {

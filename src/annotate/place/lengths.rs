@@ -60,7 +60,7 @@ pub fn draw(panel: &mut Panel, rivers: &[StraightRiver]) -> bool {
     true
 }
 
-/// What is written beside a river.
+/// The text beside a river.
 fn named(river: &StraightRiver) -> (String, Text) {
     let says = format!("{}, {} km", river.name, (river.kilometres + 0.5) as u32);
     let text = Text::new(&says, Kind::Plate);

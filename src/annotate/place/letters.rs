@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::baseline::{Line, walk_from};
 use crate::annotate::glyph::{Face, Glyph, Letter, capitals, line_of};
 use crate::base::geometry::{distance, gap, length};
 use crate::network::Place;
@@ -223,6 +224,23 @@ impl Text {
         let (mut letters, length) = line_of(capital.as_deref().unwrap_or(text), kind.face(), tracking);
         letters.retain(|letter| !letter.glyph.contours.is_empty());
         Self { letters, length }
+    }
+}
+
+impl Text {
+    /// Its letters on a line, from so far along it on; `None` if the line is too short to have a direction.
+    pub fn along(&self, line: &Line, start: f32, em: f32) -> Option<Vec<Placed>> {
+        let mut walk = walk_from(line, start);
+        let place = |letter: &Letter| {
+            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * em));
+            between(letter, from, to, em)
+        };
+        self.letters.iter().map(place).collect()
+    }
+
+    /// Its letters on a level line that begins at a place.
+    pub fn level(&self, from: Vec2, em: f32) -> Vec<Placed> {
+        self.letters.iter().map(|letter| Placed::level(letter, from, em)).collect()
     }
 }
 

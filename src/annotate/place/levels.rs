@@ -17,7 +17,7 @@ const SMALLEST: f32 = 11.0;
 pub struct Level {
     /// The em of the smallest letters that can be read, before it is multiplied by what follows.
     pub least_em: f32,
-    /// What sizes of letters are multiplied by because the picture shows a part of the map.
+    /// The factor of sizes of letters because the picture shows a part of the map.
     pub shrink: f32,
 }
 
@@ -46,7 +46,7 @@ impl Level {
 
     /// Returns `true` if pictures are at least as large as on a phone, some 370 pixels wide.
     pub fn is_readable(self) -> bool {
-        /// Of the level for those.
+        /// The smallest letters on those.
         const PHONE: f32 = 38.0;
         self.least_em <= PHONE
     }

@@ -15,6 +15,7 @@ mod areas;
 mod background;
 mod banks;
 mod baseline;
+mod blocks;
 mod cartouche;
 mod chosen;
 mod compass_rose;
@@ -36,6 +37,7 @@ mod levels;
 mod neat_line;
 mod panel;
 mod pen;
+mod places;
 mod placing;
 mod plate;
 mod profile;
@@ -55,7 +57,6 @@ mod woods;
 
 pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
-pub use grid_letters::MARGIN;
 pub use input::{
     Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Landmark, LandmarkKind, Legend,
     LongProfile, Marks, NorthPoint, Plate, Reach, River, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver,
@@ -64,7 +65,7 @@ pub use input::{
 pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use neat_line::MARGIN as SHEET_MARGIN;
 pub use pen::{Feature, PenStroke, Shape};
-pub use placing::{Places, place};
+pub use places::{Places, place};
 pub use raster::Raster;
 pub use scenery::Scenery;
 pub use shapes::SHAPES;

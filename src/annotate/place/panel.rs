@@ -61,7 +61,7 @@ impl Panel {
     }
 
     fn write(&mut self, kind: Kind, says: &str, text: &Text, from: Vec2, em: f32) {
-        let letters = text.letters.iter().map(|letter| Placed::level(letter, from, em)).collect();
+        let letters = text.level(from, em);
         self.labels.push(Label::new(kind, None, says, em, letters));
     }
 

@@ -1,16 +1,17 @@
-//! Labels, size of picture by size and one after the other: the greatest river first. Later ones only take room away, and labels of small
-//! pictures stay in their places in larger ones.
+//! Labels on pictures of one size, one after the other: the greatest river first. Later ones only take room away, and those that smaller pictures
+//! have stay in their places.
 
 use glam::Vec2;
 
 use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
+use super::blocks::blocks;
 use super::chosen::{Chosen, Shrinks};
-use super::input::{Area, AreaKind, Input, Landmark, LandmarkKind, Marks, Reach, River};
-use super::letters::{Box, Kind, Label, Text};
+use super::input::{Area, AreaKind, Input, Landmark, LandmarkKind, Reach, River};
+use super::letters::{Box, Kind, Text};
 use super::levels::Level;
 use super::search::{MOST_COST, MOST_COST_SMALL, Search};
-use super::{areas, cartouche, grid_letters, inlets, islands, legend, regions, seal, spot_heights};
+use super::{areas, inlets, islands, regions};
 use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
 
@@ -33,107 +34,6 @@ const NEAR: f32 = 0.6;
 
 /// How many rivers are tried, however many there are.
 const MOST_RIVERS: usize = 400;
-
-/// The labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of regions,
-/// lakes and islands, of seas; the title; and what the style has besides names.
-pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
-    Places::default().place(input, background)
-}
-
-/// The labels of one map in the places that have been chosen so far, for pictures and views of any size.
-#[derive(Clone, Debug, Default)]
-pub struct Places {
-    /// The frame that they are chosen in.
-    frame: [Vec2; 2],
-    /// Those of each level, from the smallest pictures on.
-    levels: Vec<Vec<Chosen>>,
-}
-
-impl Places {
-    /// Does the same as [`place`], and keeps what it has chosen for other pictures of the same map.
-    pub fn place<G: Background>(&mut self, input: &Input<'_>, background: &G) -> Vec<Label> {
-        if self.frame != input.frame {
-            *self = Self { frame: input.frame, levels: Vec::new() };
-        }
-        let mut at_level = input.clone();
-        // Titles and legends are larger on larger pictures, whose labels have their places by then.
-        let mut reserved = Vec::new();
-        Level::USUAL.set(&mut at_level);
-        blocks(&at_level, background, &mut reserved);
-        let mut count = 0;
-        for level in Level::up_to(input) {
-            count += 1;
-            if count > self.levels.len() {
-                level.set(&mut at_level);
-                let before = self.levels.last().map_or(&[][..], |chosen| chosen);
-                let chosen = Map::new(&at_level, background, level, before, &reserved).choose();
-                self.levels.push(chosen);
-            }
-        }
-        let chosen = self.levels[..count].last().map_or(&[][..], |chosen| chosen);
-        finish(input, background, chosen.iter().map(|chosen| chosen.resized(input, background)).collect())
-    }
-}
-
-/// The labels that a picture shows whole, with what stands in its corners and margin.
-fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
-    let mut boxes = Vec::new();
-    let (mut corners, _) = blocks(input, background, &mut boxes);
-    // On a part of the map something may have room that has none on the whole, where a name has its place: the name stays.
-    let is_in_the_way =
-        |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
-    let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
-    corners.retain(|label| !left_out.iter().any(|(_, around)| stands_in(label, around)));
-    let mut boxes = kept;
-    boxes.extend(chosen.iter().flat_map(Chosen::boxes));
-    let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
-    labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
-    // Stable: rivers first, in the order of their importance.
-    labels = sort::sorted_by(labels, |label| label.river.is_none().into());
-    let Marks { elevations, grid, .. } = &input.marks;
-    if let Some(elevations) = elevations {
-        for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
-            boxes.extend(around.map(|around| (NONE, around)));
-            labels.extend(is_shown(input, &label).then_some(label));
-        }
-    }
-    if let Some(grid) = grid {
-        labels.push(grid_letters::lines(input, background, grid, &boxes));
-        labels.extend(grid_letters::letters(input, grid));
-    }
-    labels
-}
-
-/// The cartouche, the legend and the seal, whichever there is to be, with what all else keeps off, and what names of seas keep off besides.
-fn blocks<G: Background>(input: &Input<'_>, background: &G, boxes: &mut Vec<(u32, Box)>) -> (Vec<Label>, Option<Box>) {
-    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
-    let cartouche::Set { mut labels, around, beside } = cartouche.unwrap_or_default();
-    boxes.extend(around.into_iter().map(|around| (NONE, around)));
-    let Marks { legend, seal, .. } = &input.marks;
-    if let Some(set) = legend.as_ref().and_then(|legend| legend::set(input, background, legend, boxes)) {
-        labels.extend(set.labels);
-        boxes.push((NONE, set.around));
-    }
-    if let Some((label, around)) = seal.as_ref().and_then(|seal| seal::set(input, background, seal, boxes)) {
-        labels.push(label);
-        boxes.push((NONE, around));
-    }
-    (labels, beside)
-}
-
-/// Returns `true` if a label begins in a level box.
-fn stands_in(label: &Label, around: &Box) -> bool {
-    let off = |letter: &super::letters::Placed| (letter.around(label.em).middle - around.middle).abs();
-    label.letters.first().map(off).is_some_and(|off| off.cmple(around.along + around.down).all())
-}
-
-/// Returns `true` if the picture shows all of a label.
-fn is_shown(input: &Input<'_>, label: &Label) -> bool {
-    let [least, most] = input.view;
-    let boxes = label.letters.iter().map(|letter| letter.around(label.em));
-    let strokes = label.strokes.iter().map(super::letters::Stroke::around);
-    boxes.chain(strokes).flat_map(|around| around.corners()).all(|at| at.cmpge(least).all() && at.cmple(most).all())
-}
 
 /// The rivers that are long enough, in the order in which they are labelled.
 fn by_importance(rivers: &[River], shrink: f32) -> Vec<usize> {
@@ -167,19 +67,25 @@ struct Within<'a> {
 }
 
 /// A map with the labels that it has so far, on pictures of one size.
-struct Map<'a, G> {
+pub struct Map<'a, G> {
     input: &'a Input<'a>,
     background: &'a G,
     level: Level,
     chosen: Vec<Chosen>,
     boxes: Vec<(u32, Box)>,
-    /// What names of seas keep off besides.
+    /// The box that names of seas keep off besides.
     beside: Option<Box>,
 }
 
 impl<'a, G: Background> Map<'a, G> {
     /// A map with the labels of smaller pictures, and with places that are kept for others.
-    fn new(input: &'a Input<'a>, background: &'a G, level: Level, before: &[Chosen], reserved: &[(u32, Box)]) -> Self {
+    pub fn new(
+        input: &'a Input<'a>,
+        background: &'a G,
+        level: Level,
+        before: &[Chosen],
+        reserved: &[(u32, Box)],
+    ) -> Self {
         let chosen: Vec<Chosen> = before.iter().map(|chosen| chosen.resized(input, background)).collect();
         let mut boxes = reserved.to_vec();
         let (_, beside) = blocks(input, background, &mut boxes);
@@ -194,7 +100,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// All labels that there is room for, those of smaller pictures included.
-    fn choose(mut self) -> Vec<Chosen> {
+    pub fn choose(mut self) -> Vec<Chosen> {
         self.label_rivers();
         self.label_areas();
         self.chosen
@@ -202,18 +108,16 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Lets a label that has become smaller stand as near to its river as such letters do, and in full, if nothing is in the way.
     fn draw_near(&mut self, number: usize, em: f32) {
-        let Chosen { label, usual, shrinks: Shrinks::Along(line, _), .. } = &self.chosen[number] else { return };
+        let Chosen { label, usual, shrinks: Shrinks::Along { anchor, .. }, .. } = &self.chosen[number] else { return };
         let (Kind::River, Some(river)) = (label.kind, label.river) else { return };
-        let (usual, name) = (*usual, &self.input.rivers[river as usize].name);
-        let ends = [line.at.first(), line.at.last()].map(|at| at.copied().unwrap_or_default());
-        let middle = (ends[0] + ends[1]) * 0.5;
+        let (usual, anchor, name) = (*usual, *anchor, &self.input.rivers[river as usize].name);
         let Some(course) = Course::new(&self.input.rivers[river as usize].course, em) else { return };
         let before = std::mem::take(&mut self.boxes);
         let own: Vec<Box> = self.chosen[number].boxes().map(|(_, around)| around).collect();
         let is_other = |(_, around): &&(u32, Box)| own.iter().all(|own| own.middle != around.middle);
         self.boxes = before.iter().filter(is_other).copied().collect();
         let subject = Subject { kind: Kind::River, river, name, usual };
-        let within = Within { near: Some((middle, NEAR * em)), ..Within::default() };
+        let within = Within { near: Some((anchor, NEAR * em)), ..Within::default() };
         match self.attempt(subject, &course, &course.lines(em), em, within) {
             Some(chosen) => {
                 self.boxes.extend(chosen.boxes());
@@ -223,7 +127,7 @@ impl<'a, G: Background> Map<'a, G> {
         }
     }
 
-    /// What the labels of some kinds cover, in square units.
+    /// The area that the labels of some kinds cover, in square units.
     fn area(&self, is_one: impl Fn(Kind) -> bool) -> f32 {
         self.chosen.iter().filter(|chosen| is_one(chosen.label.kind)).map(Chosen::area).sum()
     }
@@ -288,7 +192,7 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// The length of an em of a usual length.
     fn em(&self, usual: f32) -> f32 {
-        usual.max(self.input.least_em) * self.input.label_size
+        self.input.em(usual, 1.0)
     }
 
     /// Labels a river, in short if there is no room for all of its name, and a great one in smaller letters if there is none for that; off the
@@ -385,7 +289,9 @@ impl<'a, G: Background> Map<'a, G> {
                 is_lenient,
             };
             let (label, line, width) = search.label(form)?;
-            Some(Chosen { label, text: text_of, usual, over_least: 1.0, shrinks: Shrinks::Along(line, width) })
+            let anchor = near.map_or(line.middle(), |(anchor, _)| anchor);
+            let shrinks = Shrinks::Along { line, width, anchor };
+            Some(Chosen { label, text: text_of, usual, over_least: 1.0, shrinks })
         })
     }
 

@@ -39,7 +39,7 @@ pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouc
         Plate::Profile(_) => 2.1,
     };
     let [at, size] = place(input, background, aspect)?;
-    let [least, most] = anchor::frame(input);
+    let [least, most] = input.inner_frame();
     let at = at.max(least).min(most - size);
     let em = (EM * input.label_size.min(1.2)).max(input.least());
     let mut panel = Panel::new(at, size, em, cartouche, plate)?;

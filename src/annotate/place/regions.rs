@@ -6,7 +6,7 @@ use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright, smoothed, walk_from};
 use super::chosen::{Chosen, Shrinks};
 use super::input::{Input, Landmark, LandmarkKind};
-use super::letters::{Box, Kind, Label, Placed, Text, between};
+use super::letters::{Box, Kind, Label, Placed, Text};
 
 /// Lengths of the em that are tried, in units: for the main land, and for ranges.
 const SIZES: [[f32; 3]; 2] = [[30.0, 24.0, 19.0], [15.0, 13.0, 11.0]];
@@ -41,16 +41,15 @@ pub fn region<G: Background>(
 ) -> Option<Chosen> {
     let (line, name) = (upright(&landmark.line)?, &landmark.name[1]);
     let is_range = landmark.kind == LandmarkKind::Range;
-    let em = |usual: f32| usual.max(OVER_LEAST * input.least_em) * input.label_size;
-    let mut sizes = SIZES[usize::from(is_range)].to_vec();
-    sizes.dedup_by_key(|usual| em(*usual));
+    let em = |usual: f32| input.em(usual, OVER_LEAST);
+    let sizes = input.sizes(&SIZES[usize::from(is_range)], OVER_LEAST);
     let tries = sizes.into_iter().flat_map(|usual| TRACKING.map(|tracking| (usual, tracking)));
     tries.filter(|_| !name.is_empty()).find_map(|(usual, tracking)| {
         let text = Text::spaced(name, Kind::Region, tracking);
         let search = Search { input, background, taken, line: &line, em: em(usual), text, is_range };
         let (letters, on) = search.best()?;
         let label = Label::new(Kind::Region, None, name, search.em, letters);
-        Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::Along(on, 0.0) })
+        Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::along(on, 0.0) })
     })
 }
 
@@ -122,25 +121,21 @@ impl<G: Background> Search<'_, G> {
 
     /// The letters from a place of a line on, and what the ink under them costs; `None` if they cannot stand there.
     fn lay(&self, line: &Line, start: f32) -> Option<(f32, Vec<Placed>)> {
-        let mut walk = walk_from(line, start);
-        let (mut letters, mut hits): (Vec<Placed>, f32) = (Vec::with_capacity(self.text.letters.len()), 0.0);
-        for letter in &self.text.letters {
-            let [from, to] = [letter.at, letter.at + letter.glyph.advance].map(|at| walk.at(start + at * self.em));
-            let placed = between(letter, from, to, self.em)?;
-            let turns = |before: &Placed| before.along.dot(placed.along) < COS_TURN;
-            if !is_upright(placed.along) || letters.last().is_some_and(turns) {
-                return None;
-            }
-            hits += self.ink(&placed.around(self.em))?;
-            letters.push(placed);
+        let letters = self.text.along(line, start, self.em)?;
+        let turns = |pair: &[Placed]| pair[0].along.dot(pair[1].along) < COS_TURN;
+        if letters.windows(2).any(turns) || !letters.iter().all(|letter| is_upright(letter.along)) {
+            return None;
+        }
+        let mut hits = 0.0;
+        for letter in &letters {
+            hits += self.ink(&letter.around(self.em))?;
         }
         Some((3.0 * hits / letters.len() as f32, letters))
     }
 
     /// The share of a letter that has ink under it; `None` if it cannot stand there.
     fn ink(&self, around: &Box) -> Option<f32> {
-        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
-        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
         let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
         if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) || self.taken.iter().any(is_taken) {

@@ -7,7 +7,7 @@ use super::background::Background;
 use super::corner::{self, filled};
 use super::frames::along;
 use super::input::{Cartouche, Input, KILOMETRE, NorthPoint};
-use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+use super::letters::{Box, Kind, Label, Stroke, Text};
 
 /// The length of the em of its letters, in units.
 const EM: f32 = 11.5;
@@ -24,7 +24,7 @@ const LETTERS: f32 = 1.05;
 /// How wide and how high the needle is with what is around it, in ems.
 const NEEDLE: Vec2 = Vec2::new(1.7, 3.1);
 
-/// What the numbers stand for, in kilometres.
+/// The numbers under the bar, in kilometres.
 const NUMBERS: [(&str, f32); 3] = [("0", 0.0), ("100", BETWEEN), ("200 km", 200.0)];
 const BETWEEN: f32 = 100.0;
 /// How far the middles of two numbers are apart at least, in ems.
@@ -59,7 +59,7 @@ pub fn set<G: Background>(
     let (_, place) = best?;
     let em = (EM * input.label_size).max(input.least());
     let size = size(em, has_needle);
-    let at = place.place(anchor::frame(input), size);
+    let at = place.place(input.inner_frame(), size);
     let is_free = anchor::is_open(input, at, size, FROM_COAST * em) && !meets(at, size, em, taken);
     is_free.then(|| (bar(at, em, has_needle), Box::level(at, at + size), place))
 }
@@ -119,7 +119,7 @@ fn bar(at: Vec2, em: f32, has_needle: bool) -> Vec<Label> {
 
 fn written(says: &str, from: Vec2, em: f32) -> Label {
     let text = Text::new(says, Kind::Margin);
-    let letters = text.letters.iter().map(|letter| Placed::level(letter, from, em)).collect();
+    let letters = text.level(from, em);
     Label::new(Kind::Margin, None, says, em, letters)
 }
 

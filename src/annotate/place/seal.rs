@@ -46,7 +46,7 @@ pub fn set<G: Background>(
     }
     let at = place(input, background, side, taken)?;
     let em = EM.min(LETTERS / text.length.max(0.1)) * side;
-    let mut letters: Vec<Placed> = text.letters.iter().map(|letter| Placed::level(letter, Vec2::ZERO, em)).collect();
+    let mut letters: Vec<Placed> = text.level(Vec2::ZERO, em);
     let corners = letters.iter().flat_map(|letter| letter.around(em).corners());
     let (least, most) = corners.fold((Vec2::MAX, Vec2::MIN), |(least, most), at| (least.min(at), most.max(at)));
     let middle = at + 0.5 * side - (least + most) * 0.5;

@@ -15,7 +15,7 @@ const STEP: f32 = 1.5;
 const REFINED: f32 = 0.5;
 const BEST: usize = 3;
 
-/// What no candidate may cost, and in pictures so small that letters are larger than their usual size: what is chosen there is kept for
+/// The cost that no candidate may reach, and in pictures so small that letters are larger than their usual size: what is chosen there is kept for
 /// all others.
 pub const MOST_COST: f32 = 5.5;
 pub const MOST_COST_SMALL: f32 = 4.0;
@@ -59,7 +59,7 @@ pub struct Search<'a, G> {
     pub away: &'a [(Vec2, f32)],
     /// A place that the label's middle keeps to, and how near, in units.
     pub near: Option<(Vec2, f32)>,
-    /// What no candidate may cost.
+    /// The cost that no candidate may reach.
     pub most_cost: f32,
     /// Returns `true` if any place that can be read will do: farther from the bank, on thicker brooks, near to others.
     pub is_lenient: bool,
@@ -188,9 +188,7 @@ impl<G: Background> Search<'_, G> {
     }
 
     fn is_in_frame(&self, at: Vec2) -> bool {
-        let [least, most] = self.input.frame;
-        let margin = FROM_FRAME * self.em;
-        at.cmpge(least + margin).all() && at.cmple(most - margin).all()
+        self.input.is_in_frame(at, FROM_FRAME * self.em)
     }
 
     /// What the ink under the letters costs; `None` if there is too much of it, or sea.
@@ -235,9 +233,7 @@ impl<G: Background> Search<'_, G> {
     fn distances(&self, letters: &[Placed], width: f32) -> Option<f32> {
         let (mut own_sum, mut squares, mut rival_sum, mut missing) = (0.0, 0.0, 0.0, 0.0);
         for letter in letters {
-            let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
-            let both = self.background.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
-            let [own, rival] = both.map(|distance| distance / self.em);
+            let [own, rival] = distances(self.background, letter, self.em, self.river, width);
             if own >= FARTHEST && self.kind == Kind::River && !self.is_lenient {
                 return None;
             }
@@ -248,7 +244,7 @@ impl<G: Background> Search<'_, G> {
         }
         let count = letters.len() as f32;
         let mean = own_sum / count;
-        if count == 0.0 || own_sum * NEARER > rival_sum {
+        if count == 0.0 || !is_nearer(own_sum, rival_sum) {
             return None;
         }
         if self.kind == Kind::Reach {
@@ -275,14 +271,21 @@ impl<G: Background> Search<'_, G> {
     }
 }
 
+/// The distances of a letter from the banks of its river, which is so wide there, and from those of the nearest that could be taken for it, in
+/// ems.
+fn distances<G: Background>(background: &G, letter: &Placed, em: f32, river: u32, width: f32) -> [f32; 2] {
+    let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), em);
+    background.distances(middle, river, RIVAL * width, FARTHEST * em).map(|distance| distance / em)
+}
+
+/// Returns `true` if the sum of distances from a label's river is enough below that from rivals.
+fn is_nearer(own: f32, rival: f32) -> bool {
+    own * NEARER <= rival
+}
+
 /// Returns `true` if letters, of an em in units, are nearer to their river, which is so wide there, than to any that could be taken for it.
 pub fn belongs<G: Background>(background: &G, letters: &[Placed], em: f32, river: u32, width: f32) -> bool {
-    let (mut own, mut rival) = (0.0, 0.0);
-    for letter in letters {
-        let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), em);
-        let distances = background.distances(middle, river, RIVAL * width, FARTHEST * em);
-        own += distances[0];
-        rival += distances[1];
-    }
-    own * NEARER <= rival
+    let both = letters.iter().map(|letter| distances(background, letter, em, river, width));
+    let [own, rival] = both.fold([0.0; 2], |sums, [own, rival]| [sums[0] + own, sums[1] + rival]);
+    is_nearer(own, rival)
 }

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::background::{Background, LAKE, NONE, RIDGE};
 use super::input::{Elevations, Heights, Input};
-use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
+use super::letters::{Box, Kind, Label, Stroke, Text};
 use crate::base::sort;
 
 /// The length of the em, in units.
@@ -167,7 +167,7 @@ impl<G: Background> Search<'_, G> {
             self.is_clear(&figures, taken).then_some(figures)
         })?;
         let start = figures.middle + Vec2::new(-half.x, half.y);
-        let letters = text.letters.iter().map(|letter| Placed::level(letter, start, em)).collect();
+        let letters = text.level(start, em);
         let mut label = Label::new(Kind::SpotHeight, None, &says, em, letters);
         label.strokes =
             if spot.is_landmark { triangle(spot.at, em) } else { vec![Stroke { ends: [spot.at; 2], half: symbol }] };

@@ -56,7 +56,7 @@ impl<'a> Wetlands<'a> {
         is_row.then(|| Standing::new(Feature::Willow, at, 4.2 + 1.4 * size, number, shape))
     }
 
-    /// Whether the land lies low and level.
+    /// Returns `true` if the land lies low and level.
     fn is_low(&self, at: Vec2, inland: f32) -> bool {
         let Some(heights) = self.input.heights else { return inland < NEAR_THE_SEA };
         let here = heights.share(at);

@@ -44,7 +44,7 @@ impl LabelLook {
     }
 }
 
-/// What light reflected by a screen adds to luminances from 0 to 1 (WCAG 2).
+/// The light reflected by a screen, which adds to luminances from 0 to 1 (WCAG 2).
 const FLARE: f32 = 0.05;
 
 /// The luminance of a colour, from 0 to 1, with squares in place of the powers of sRGB: near enough to choose by.

@@ -1,0 +1,96 @@
+//! The labels of pictures of all sizes: chosen size by size, then with what a picture has in its corners and margin, as far as it shows them.
+
+use glam::Vec2;
+
+use super::background::{Background, NONE};
+use super::blocks::blocks;
+use super::chosen::Chosen;
+use super::input::{Input, Marks};
+use super::letters::{Box, Kind, Label, Placed, Stroke};
+use super::levels::Level;
+use super::placing::Map;
+use super::{grid_letters, spot_heights};
+use crate::base::sort;
+
+/// The labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of regions,
+/// lakes and islands, of seas; the title; and what the style has besides names.
+pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
+    Places::default().place(input, background)
+}
+
+/// The labels of one map in the places that have been chosen so far, for pictures and views of any size.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// The frame that they are chosen in.
+    frame: [Vec2; 2],
+    /// Those of each level, from the smallest pictures on.
+    levels: Vec<Vec<Chosen>>,
+}
+
+impl Places {
+    /// Does the same as [`place`], and keeps what it has chosen for other pictures of the same map.
+    pub fn place<G: Background>(&mut self, input: &Input<'_>, background: &G) -> Vec<Label> {
+        if self.frame != input.frame {
+            *self = Self { frame: input.frame, levels: Vec::new() };
+        }
+        let mut at_level = input.clone();
+        let levels: Vec<Level> = Level::up_to(input).collect();
+        if self.levels.len() < levels.len() {
+            // Titles and legends are larger on larger pictures, whose labels have their places by then.
+            let mut reserved = Vec::new();
+            Level::USUAL.set(&mut at_level);
+            blocks(&at_level, background, &mut reserved);
+            for &level in &levels[self.levels.len()..] {
+                level.set(&mut at_level);
+                let before = self.levels.last().map_or(&[][..], |chosen| chosen);
+                let chosen = Map::new(&at_level, background, level, before, &reserved).choose();
+                self.levels.push(chosen);
+            }
+        }
+        let chosen = self.levels[..levels.len()].last().map_or(&[][..], |chosen| chosen);
+        finish(input, background, chosen.iter().map(|chosen| chosen.resized(input, background)).collect())
+    }
+}
+
+/// The labels that a picture shows whole, with what stands in its corners and margin.
+fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
+    let mut boxes = Vec::new();
+    let (mut corners, _) = blocks(input, background, &mut boxes);
+    // On a part of the map something may have room that has none on the whole, where a name has its place: the name stays.
+    let is_in_the_way =
+        |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
+    let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
+    corners.retain(|label| !left_out.iter().any(|(_, around)| stands_in(label, around)));
+    let mut boxes = kept;
+    boxes.extend(chosen.iter().flat_map(Chosen::boxes));
+    let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
+    labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
+    // Stable: rivers first, in the order of their importance.
+    labels = sort::sorted_by(labels, |label| label.river.is_none().into());
+    let Marks { elevations, grid, .. } = &input.marks;
+    if let Some(elevations) = elevations {
+        for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
+            boxes.extend(around.map(|around| (NONE, around)));
+            labels.extend(is_shown(input, &label).then_some(label));
+        }
+    }
+    if let Some(grid) = grid {
+        labels.push(grid_letters::lines(input, background, grid, &boxes));
+        labels.extend(grid_letters::letters(input, grid));
+    }
+    labels
+}
+
+/// Returns `true` if a label begins in a level box.
+fn stands_in(label: &Label, around: &Box) -> bool {
+    let off = |letter: &Placed| (letter.around(label.em).middle - around.middle).abs();
+    label.letters.first().map(off).is_some_and(|off| off.cmple(around.along + around.down).all())
+}
+
+/// Returns `true` if the picture shows all of a label.
+fn is_shown(input: &Input<'_>, label: &Label) -> bool {
+    let [least, most] = input.view;
+    let boxes = label.letters.iter().map(|letter| letter.around(label.em));
+    let strokes = label.strokes.iter().map(Stroke::around);
+    boxes.chain(strokes).flat_map(|around| around.corners()).all(|at| at.cmpge(least).all() && at.cmple(most).all())
+}
