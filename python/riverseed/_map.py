@@ -23,7 +23,7 @@ class Name:
     """``"title"``, ``"reach"``, ``"sea"``, ``"gulf"``, ``"lake"``, ``"island"``, ``"bay"``, ``"cape"``, ``"strait"`` or
     ``"range"``."""
     identity: int | None
-    """Of a reach the identity of its river, of a place the number in its mark (0 for the main land); None for the title."""
+    """The identity of a reach's river or the number in a place's mark (0 for the main land); None for the title."""
     text: str | None
     """The name; None if the recipe takes it away."""
     points: NDArray[np.float32]
