@@ -42,7 +42,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	$(lap) "the element, built"
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg-make, www/pkg-steer, www/pkg-tell and www/pkg-trace, and weigh them
+wasm: ## build the wasm packages into www/pkg-make, www/pkg-steer, www/pkg-tell, www/pkg-trace and www/pkg-write, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 	$(lap) "the wasm packages, built"
@@ -215,10 +215,10 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
 	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features names -- -D warnings
 	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features steer -- -D warnings
-	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace,write -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features steer,tell,trace
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features steer,tell,trace,write
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -279,4 +279,4 @@ docs: ## write what is generated again: the parameters (docs/ and www/src/engine
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg-make www/pkg-steer www/pkg-tell www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg-make www/pkg-steer www/pkg-tell www/pkg-trace www/pkg-write www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

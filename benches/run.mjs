@@ -393,12 +393,14 @@ function size() {
     "the page's": "www/pkg-steer/riverseed_steer_bg.wasm",
     "the teller's": "www/pkg-tell/riverseed_tell_bg.wasm",
     "that of drawn land,": "www/pkg-trace/riverseed_trace_bg.wasm",
+    "the writer's": "www/pkg-write/riverseed_write_bg.wasm",
   };
   const bars = {
     "the element's": atMost(150, 130),
     "the page's": atMost(150, 130),
     "the teller's": atMost(190, 170),
     "that of drawn land,": atMost(22, 20),
+    "the writer's": atMost(190, 170),
   };
   for (const [whose, file] of Object.entries(files)) {
     const bytes = readFileSync(file);

@@ -71,7 +71,7 @@ eventually() {
   touch "$machine/release"
   wait $first
   wait $second
-  called 4 "wasm-pack"
+  called 5 "wasm-pack"
   grep -q "with 'make'" "$checkout/www/pkg-make/riverseed_bg.wasm"
   grep -q "with 'steer'" "$checkout/www/pkg-steer/riverseed_steer_bg.wasm"
   grep -q "with 'tell'" "$checkout/www/pkg-tell/riverseed_tell_bg.wasm"

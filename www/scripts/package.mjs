@@ -60,6 +60,7 @@ function declarations() {
     "pkg-make/riverseed.d.ts",
     "pkg-steer/riverseed_steer.d.ts",
     "pkg-tell/riverseed_tell.d.ts",
+    "pkg-write/riverseed_write.d.ts",
   ]) {
     mkdirSync(dirname(join(types, declared)));
     cpSync(declared, join(types, declared));

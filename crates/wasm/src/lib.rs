@@ -10,6 +10,10 @@ mod steer;
 mod tell;
 #[cfg(feature = "trace")]
 mod trace;
+#[cfg(any(feature = "tell", feature = "write"))]
+mod wire;
+#[cfg(feature = "write")]
+mod write;
 
 use wasm_bindgen::prelude::*;
 

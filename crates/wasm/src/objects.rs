@@ -5,9 +5,7 @@ use wasm_bindgen::prelude::*;
 
 /// A JavaScript Error with a `code` for programs and a message for people.
 pub(super) fn coded(code: &str, message: &str) -> JsValue {
-    let error = Error::new(message);
-    set(&error, &[("code", code.into())]);
-    error.into()
+    Object::assign(&Error::new(message), &object(&[("code", code.into())])).into()
 }
 
 /// A plain object.

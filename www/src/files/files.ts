@@ -1,8 +1,8 @@
 /** Makes the files of finished rivers that widgets can make, too: pictures and shapes. */
 
 import type { River } from "../engine/types.ts";
-import { askMapForFile, type FileMeans } from "../player/annotator.ts";
 import type { Course } from "./course.ts";
+import { type FileMeans, labelled, written } from "./means.ts";
 import { riverPng } from "./river-png.ts";
 
 /** Pixels on the long side of a game pack's picture: a full page in print, and more than any screen has. */
@@ -23,7 +23,7 @@ export function pngOf(river: River, core: Painting, longSide: number): Promise<B
 /** Grows a river to its end and makes an SVG of it. */
 export function svgOf(river: River, core: FileMeans): Promise<Blob> {
   return finished(river, async () => {
-    const svg = await askMapForFile(river, core, (map) => map.svg());
+    const svg = await written(river, core, (map) => map.svg());
     return new Blob([svg], { type: "image/svg+xml" });
   });
 }
@@ -56,9 +56,7 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 export async function picture(river: River, core: Painting, longSide: number): Promise<Blob> {
   const [width = 1, height = 1] = river.sidesFor(Math.max(1, Math.round(longSide)));
   river.resize(width, height);
-  if (river.wantsAnnotation()) {
-    river.takeAnnotation(await askMapForFile(river, core, (map) => map.masks(width, height, 1, new Float32Array())));
-  }
+  await labelled(river, core);
   core.holdOn();
   while (river.paint());
   return riverPng(river, core.memory, "rgb", SILENT);

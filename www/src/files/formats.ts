@@ -5,20 +5,20 @@
 
 import type { SteerCore } from "../engine/steer.ts";
 import type { River } from "../engine/types.ts";
-import { askMapForFile } from "../player/annotator.ts";
 import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from "./files.ts";
 import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
+import { written } from "./means.ts";
 
-/** An engine, with the loader of the teller. */
+/** An engine, with the loaders of teller and writer. */
 export type FileCore = SteerCore & Painting;
 
 const FORMATS: Record<Format, (river: River, core: FileCore) => Promise<Blob>> = {
   svg: svgOf,
   geojson: (river, core) =>
-    raised(river, async () => text(await askMapForFile(river, core, (map) => map.geojson()), "application/geo+json")),
+    raised(river, async () => text(await written(river, core, (map) => map.geojson()), "application/geo+json")),
   json: (river, core) =>
-    finished(river, async () => text(await askMapForFile(river, core, (map) => map.network()), "application/json")),
+    finished(river, async () => text(await written(river, core, (map) => map.network()), "application/json")),
   zip: packOf,
 };
 
@@ -30,7 +30,7 @@ export function fileOf(river: River, core: FileCore, format: Format): Promise<Bl
 /** Packs the picture and the other files that games need. */
 async function packOf(river: River, core: FileCore): Promise<Blob> {
   const [contents, map] = await raised(river, async () => {
-    const contents = await askMapForFile(river, core, contentsOf);
+    const contents = await written(river, core, contentsOf);
     return [contents, await picture(river, core, LONG_SIDE_PX)] as const;
   });
   core.holdOn();

@@ -1,7 +1,7 @@
 /** A map's files for a game, in one archive: rasters, rivers, the picture, and a text that gives the scale. */
 
 import { strToU8, zipSync } from "fflate";
-import type { FinishedMap } from "../engine/types.ts";
+import type { MapFiles } from "../engine/types.ts";
 import { SILENT } from "./files.ts";
 import { pngOf } from "./png.ts";
 
@@ -20,7 +20,7 @@ interface Raster {
   texts: Record<string, string>;
 }
 
-export function contentsOf(map: FinishedMap): Contents {
+export function contentsOf(map: MapFiles): Contents {
   const cells = map.cells();
   try {
     const { columns, rows } = cells;

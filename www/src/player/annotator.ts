@@ -1,15 +1,10 @@
-/**
- * Lays labels and scenery over finished maps, and asks the teller about maps. The teller is fetched, once, when it is
- * first wanted.
- */
+/** Lays labels and scenery over finished maps. The teller is fetched, once, when it is first wanted. */
 
 import type { Framing } from "../browser/canvas.ts";
-import { missing, named, type PageError } from "../engine/errors.ts";
+import { missing, type PageError } from "../engine/errors.ts";
 import type { Teller } from "../engine/tell.ts";
-import type { FinishedMap, River } from "../engine/types.ts";
-import { isEngineUnsure } from "../engine/unsure.ts";
-
-export type LoadTeller = () => Promise<Teller>;
+import type { River } from "../engine/types.ts";
+import { askMap, type LoadTeller } from "./asking.ts";
 
 /** The part of a river that its map is handed over by, and labels are laid over. */
 export type FinishedRiver = Pick<River, "link" | "wantsAnnotation" | "mapData" | "takeAnnotation" | "width" | "height">;
@@ -66,54 +61,6 @@ export class Annotator {
     } finally {
       this.#isAsking = false;
     }
-  }
-}
-
-/** Hands the map of a finished river to the teller and asks it something. */
-export function askMap<Said>(
-  river: Pick<River, "mapData">,
-  { FinishedMap }: Teller,
-  ask: (map: FinishedMap) => Said,
-): Said {
-  const map = new FinishedMap(river.mapData());
-  let mayFree = true;
-  try {
-    return ask(map);
-  } catch (error) {
-    mayFree = !isEngineUnsure(named(error));
-    throw error;
-  } finally {
-    if (mayFree) map.free();
-  }
-}
-
-/** The means of making a file, besides its river. */
-export interface FileMeans {
-  readonly loadTeller: LoadTeller;
-  /** Called before a long step: a file is painted or written in one. */
-  holdOn(): void;
-}
-
-/**
- * Asks for a file's data, fetching the teller if need be. Calls `holdOn` first; it covers the work that follows at
- * once, too.
- */
-export async function askMapForFile<Said>(
-  river: Pick<River, "mapData">,
-  { loadTeller, holdOn }: FileMeans,
-  ask: (map: FinishedMap) => Said,
-): Promise<Said> {
-  const teller = await required(loadTeller);
-  holdOn();
-  return askMap(river, teller, ask);
-}
-
-/** Loads the teller for a file or an answer, which cannot be made without. */
-export async function required(load: LoadTeller): Promise<Teller> {
-  try {
-    return await load();
-  } catch (error) {
-    throw missing("no-files", "the part of Riverseed that does this", error);
   }
 }
 

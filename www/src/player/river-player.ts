@@ -5,7 +5,8 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
-import { Annotator, type LoadTeller } from "./annotator.ts";
+import { Annotator } from "./annotator.ts";
+import type { LoadTeller } from "./asking.ts";
 import { Blitter } from "./blit.ts";
 import { type Drafting, Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";

@@ -3,7 +3,7 @@ import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { pictureOf } from "../core.ts";
 import { engine } from "../steer.ts";
-import { told } from "../tell.ts";
+import { written } from "../tell.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton } from "./saving.ts";
 import { core } from "./tiers.ts";
@@ -54,10 +54,10 @@ for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
 }
 
 /** What the core writes of a link's finished rivers. */
-function written(link: string): { network: object; geojson: object } {
+function dataOf(link: string): { network: object; geojson: object } {
   const river = new engine.River(link);
   while (river.advance(1000));
-  const [network, geojson] = told(river, (map) => [map.network(), map.geojson()] as const);
+  const [network, geojson] = written(river, (map) => [map.network(), map.geojson()] as const);
   river.free();
   return { network: plain(network), geojson: plain(geojson) };
 }
@@ -72,7 +72,7 @@ test("GeoJSON holds every river and lake, with the north up @core", async ({ pag
   const { name, bytes } = await download(page, "Map data");
   expect(name).toBe("puriri.geojson");
   const file = JSON.parse(bytes.toString("utf8"));
-  expect(file).toEqual(written(PLAIN).geojson);
+  expect(file).toEqual(dataOf(PLAIN).geojson);
   const { sources, mouths } = pictureOf(PLAIN, 16, 16).summary;
   const rivers = file.features.filter(({ properties }: Feature) => properties.kind === "river");
   const toSea = rivers.filter(({ properties }: Feature) => properties.parent === null);
@@ -92,7 +92,7 @@ test("JSON holds the whole network @core", async ({ page }) => {
   const { name, bytes } = await download(page, "Network");
   expect(name).toBe("puriri.json");
   const file = JSON.parse(bytes.toString("utf8"));
-  expect(file).toEqual(written(PLAIN).network);
+  expect(file).toEqual(dataOf(PLAIN).network);
   expect(Object.keys(file)).toEqual([
     "recipe",
     "resolved",
@@ -119,7 +119,7 @@ test("the game pack holds rasters, rivers, the picture and a text @core", async 
   const files = unzipSync(new Uint8Array(bytes));
   const heights = decode(files["heights.png"] ?? new Uint8Array());
   expect([heights.depth, heights.channels]).toEqual([16, 1]);
-  expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(written(LINK).geojson);
+  expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(dataOf(LINK).geojson);
   expect(decode(files["map.png"] ?? new Uint8Array()).width).toBe(3000);
   expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toContain("seed=puriri");
   expect(said).toEqual([]);
@@ -160,7 +160,7 @@ test("for data and shapes of finished rivers nothing is fetched but what names t
   // Each is asked once whether there is more to do.
   expect(await advanced()).toEqual({ onPage: 0, inWorker: before + formats.length });
   const others = fetched.filter((url) => !url.startsWith("blob:"));
-  expect(others.map((url) => /riverseed_tell_bg[^/]*\.(js|wasm)$/.exec(url)?.[1])).toEqual(["wasm"]);
+  expect(others.map((url) => /riverseed_write_bg[^/]*\.(js|wasm)$/.exec(url)?.[1])).toEqual(["wasm"]);
 });
 
 test("a file is of what the page showed when it was asked for, whatever is on the canvas", async ({ page }) => {
@@ -179,6 +179,6 @@ test("a file is of what the page showed when it was asked for, whatever is on th
   await page.clock.resume();
   const file = await coming;
   expect(file.suggestedFilename()).toBe("rimu.json");
-  const expected = written(LINK.replace("puriri", "rimu")).network;
+  const expected = dataOf(LINK.replace("puriri", "rimu")).network;
   expect(JSON.parse((await bytesOf(file)).toString("utf8"))).toEqual(expected);
 });

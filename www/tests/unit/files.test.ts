@@ -6,13 +6,13 @@ import { fileOf } from "../../src/files/formats.ts";
 import { pictureOf } from "../../src/files/picture.ts";
 import { differing, pixelsOf } from "../core.ts";
 import { engine, memory } from "../steer.ts";
-import { loadTeller } from "../tell.ts";
+import { loadTeller, loadWriter } from "../tell.ts";
 
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
-const core = { engine, memory, loadTeller, holdOn: () => {} };
+const core = { engine, memory, loadTeller, loadWriter, holdOn: () => {} };
 
 function grown(steps: number): engine.River {
   const river = new engine.River(LINK);
@@ -92,8 +92,8 @@ test("a picture for a file has its labels, and what makes them is fetched for no
   expect(counted.loadTeller).toHaveBeenCalledTimes(1);
 });
 
-test("there is no file without what tells about maps", async () => {
-  const offline = { ...core, loadTeller: () => Promise.reject(new TypeError("offline")) };
+test("there is no file without what writes them", async () => {
+  const offline = { ...core, loadWriter: () => Promise.reject(new TypeError("offline")) };
   for (const format of ["svg", "json", "geojson", "zip"] as const)
     await expect(fileOf(new engine.River(LINK), offline, format)).rejects.toMatchObject({ code: "no-files" });
 });

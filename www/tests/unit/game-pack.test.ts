@@ -3,7 +3,7 @@ import { strFromU8, unzipSync } from "fflate";
 import { expect, test, vi } from "vitest";
 import { contentsOf, packed } from "../../src/files/game-pack.ts";
 import { engine } from "../steer.ts";
-import { told } from "../tell.ts";
+import { written } from "../tell.ts";
 
 // An archive takes seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
@@ -17,7 +17,7 @@ function finished(): engine.River {
 }
 
 async function unpacked(): Promise<Record<string, Uint8Array>> {
-  const archive = await packed(told(finished(), contentsOf), new Blob(["a picture"]));
+  const archive = await packed(written(finished(), contentsOf), new Blob(["a picture"]));
   return unzipSync(new Uint8Array(await archive.arrayBuffer()));
 }
 
@@ -31,13 +31,13 @@ test("the archive holds every file, and the picture as it came", async () => {
   expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
   expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
   expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(
-    JSON.parse(JSON.stringify(told(finished(), (map) => map.geojson()))),
+    JSON.parse(JSON.stringify(written(finished(), (map) => map.geojson()))),
   );
-  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(told(finished(), (map) => map.cells().readme()));
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(written(finished(), (map) => map.cells().readme()));
 });
 
 test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
-  const [files, { columns, rows, rasters }] = [await unpacked(), told(finished(), contentsOf)];
+  const [files, { columns, rows, rasters }] = [await unpacked(), written(finished(), contentsOf)];
   const depths = rasters.map(({ name, values, texts }) => {
     const picture = decode(files[`${name}.png`] ?? new Uint8Array());
     expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
@@ -51,11 +51,11 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
 });
 
 test("a growing river has no rasters", () => {
-  expect(() => told(new engine.River(LINK), contentsOf)).toThrow("no map");
+  expect(() => written(new engine.River(LINK), contentsOf)).toThrow("no map");
 });
 
 test("a river always gives the same archive", async () => {
   const made = async () =>
-    Buffer.from(await (await packed(told(finished(), contentsOf), new Blob(["x"]))).arrayBuffer());
+    Buffer.from(await (await packed(written(finished(), contentsOf), new Blob(["x"]))).arrayBuffer());
   expect((await made()).equals(await made())).toBe(true);
 });

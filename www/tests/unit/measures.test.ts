@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { asText, summed, told } from "../../src/apps/page/panel/measures.ts";
 import type { Measure } from "../../src/engine/types.ts";
-import { askMap } from "../../src/player/annotator.ts";
+import { askMap } from "../../src/player/asking.ts";
 import { engine } from "../core.ts";
 import { teller } from "../tell.ts";
 

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
 import { engine } from "../steer.ts";
-import { told } from "../tell.ts";
+import { written } from "../tell.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
 const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: true }).compile(schema);
@@ -11,10 +11,10 @@ const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: t
 type Network = any;
 
 /** The JSON form of a link's finished rivers, as it comes back from a file. */
-function written(link: string): Network {
+function networkOf(link: string): Network {
   const river = new engine.River(link);
   while (river.advance(1000));
-  const network = told(river, (map) => map.network());
+  const network = written(river, (map) => map.network());
   river.free();
   return JSON.parse(JSON.stringify(network));
 }
@@ -37,18 +37,18 @@ function wrong(network: Network): string[] {
 
 for (const link of LINKS) {
   test(`what is written is valid, with attractors and without: ${link}`, () => {
-    const network = written(link);
+    const network = networkOf(link);
     expect(wrong(network)).toEqual([]);
     expect(wrong({ ...network, attractors: { x: [1, 2.5], y: [3, 4] } })).toEqual([]);
   }, 60_000);
 }
 
 test("lakes are among what is written", () => {
-  expect(written(WITH_LAKES).oxbows.length).toBeGreaterThan(10);
+  expect(networkOf(WITH_LAKES).oxbows.length).toBeGreaterThan(10);
 }, 60_000);
 
 test("what is not of the form is refused, where it is not", () => {
-  const network = { ...written(WITH_LAKES), attractors: { x: [1], y: [2] } };
+  const network = { ...networkOf(WITH_LAKES), attractors: { x: [1], y: [2] } };
   const wrongs: [string, unknown][] = [
     ["/recipe/seed", 7],
     ["/recipe/aspect", 5],
@@ -75,7 +75,7 @@ test("what is not of the form is refused, where it is not", () => {
 }, 60_000);
 
 test("no member may be missing, and none be there that is not told of", () => {
-  const network = { ...written(WITH_LAKES), attractors: { x: [1], y: [2] } };
+  const network = { ...networkOf(WITH_LAKES), attractors: { x: [1], y: [2] } };
   const places: ((network: Network) => Network)[] = [
     (network) => network,
     ({ recipe }) => recipe,

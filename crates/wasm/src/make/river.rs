@@ -182,7 +182,7 @@ impl River {
         self.picture.as_ref().map_or_else(|| is_to_be_annotated(&self.session), has_none)
     }
 
-    /// Returns the finished map, for a `FinishedMap` of the other module; an empty list until it is finished.
+    /// Returns the finished map, for a `FinishedMap` or `MapFiles` of another module; an empty list until it is finished.
     #[wasm_bindgen(js_name = mapData)]
     pub fn map_data(&self) -> Vec<u32> {
         self.session.map().map_or_else(Vec::new, |map| map.to_wire())

@@ -1,22 +1,19 @@
-//! The package `tell`: tells about a finished map. It gives names, labels and scenery, files, measures, and what lies at
-//! a place. It knows the map only by the `mapData` of a `River`.
+//! The package `tell`: tells about a finished map. It gives names, labels and scenery, measures, and what lies at a place.
+//! It knows the map only by the `mapData` of a `River`.
 
-mod files;
 mod inspector;
 mod measures;
 
 use std::cell::RefCell;
 
-use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
+use crate::wire::map_of;
 use riverseed::Map;
 use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::Places;
-use riverseed::digest::{self, DigestError};
-use riverseed::export::ExportError;
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
 
@@ -33,8 +30,7 @@ impl FinishedMap {
     /// Reads the map from the `mapData` of a river. Throws an Error if the data is not a map.
     #[wasm_bindgen(constructor)]
     pub fn new(data: &[u32]) -> Result<Self, JsValue> {
-        let finished = |map| Self { map, places: RefCell::default() };
-        Map::from_wire(data).map(finished).ok_or_else(|| coded("bad-params", "This data is of no map."))
+        Ok(Self { map: map_of(data)?, places: RefCell::default() })
     }
 
     /// Returns names: the map's, those of the `rivers` greatest rivers, the user's own, and those of everything that is
@@ -66,18 +62,9 @@ impl FinishedMap {
         own.map(|own| own.to_string()).map_err(|error| coded("bad-params", &error.to_string()))
     }
 
-    /// Returns the digest of the map, which proves that two browsers draw and write the same. It takes the map's picture,
-    /// `digestWidth()` pixels square, as RGBA bytes, and the attractors of its `River` (`scattered`).
-    pub fn digest(&self, picture: &[u8], attractors: &[f32]) -> Result<String, JsValue> {
-        let attractors: Vec<Vec2> = attractors.chunks_exact(2).map(Vec2::from_slice).collect();
-        let code =
-            |error: &DigestError| if matches!(error, DigestError::Export(_)) { "too-large" } else { "bad-params" };
-        digest::digest_of(&self.map, picture, &attractors).map_err(|error| coded(code(&error), &error.to_string()))
-    }
-
-    /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeAnnotation`. `ratio` is picture
-    /// pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the picture's `frame`,
-    /// or empty.
+    /// Returns the masks of labels and scenery that are laid over a picture of this size, for `River.takeAnnotation`.
+    /// `ratio` is picture pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the
+    /// picture's `frame`, or empty.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
         let domain = self.map.domain();
         let view = View::new(&domain, width_px, height_px);
@@ -86,14 +73,4 @@ impl FinishedMap {
         let mut places = self.places.borrow_mut();
         Ok(AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio).to_bytes())
     }
-}
-
-/// The width and height, in pixels, of the picture that goes into a digest.
-#[wasm_bindgen(js_name = digestWidth)]
-pub fn digest_width() -> u32 {
-    digest::WIDTH
-}
-
-fn export_error(error: &ExportError) -> JsValue {
-    coded("too-large", &error.to_string())
 }

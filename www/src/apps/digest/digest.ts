@@ -10,15 +10,17 @@ import { find } from "../../browser/dom.ts";
 import { named, PageError } from "../../engine/errors.ts";
 import { loadSteer, type SteerCore } from "../../engine/steer.ts";
 import { loadTeller, type Teller } from "../../engine/tell.ts";
-import { annotate, askMap } from "../../player/annotator.ts";
+import { loadWriter, type Writer } from "../../engine/write.ts";
+import { annotate } from "../../player/annotator.ts";
+import { writeMap } from "../../player/asking.ts";
 import { type Line, linesOf } from "./lines.ts";
 
 async function compare(): Promise<void> {
-  const [core, teller] = [await loadSteer(), await loadTeller()];
+  const [core, teller, writer] = [await loadSteer(), await loadTeller(), await loadWriter()];
   const lines = [...linesOf(plain), ...linesOf(annotated)];
   const grown: Line[] = [];
   for (const { link } of lines) {
-    grown.push({ link, digest: digestOf(core, teller, link) });
+    grown.push({ link, digest: digestOf(core, teller, writer, link) });
     await new Promise((resume) => setTimeout(resume));
   }
   const wrong = lines.filter(({ digest }, i) => grown[i]?.digest !== digest);
@@ -30,17 +32,17 @@ async function compare(): Promise<void> {
 }
 
 /** Grows and paints a recipe, and returns the digest of the map and its picture. */
-function digestOf({ engine, memory }: SteerCore, teller: Teller, link: string): string {
+function digestOf({ engine, memory }: SteerCore, teller: Teller, writer: Writer, link: string): string {
   const river = new engine.River(link);
   try {
     if (river.notices.length > 0) throw new PageError("bad-params", link);
     while (river.advance(1000));
-    const width = teller.digestWidth();
+    const width = writer.digestWidth();
     river.resize(width, width);
     if (river.wantsAnnotation()) annotate(river, teller);
     while (river.paint());
     const pixels = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
-    return askMap(river, teller, (map) => map.digest(pixels, river.scattered()));
+    return writeMap(river, writer, (map) => map.digest(pixels, river.scattered()));
   } finally {
     river.free();
   }

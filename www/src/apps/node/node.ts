@@ -4,11 +4,11 @@
  */
 
 import { named, PageError } from "../../engine/errors.ts";
-import { fromDisk } from "../../engine/from-disk.ts";
+import { engine, teller, writer } from "../../engine/from-disk.ts";
 import table from "../../engine/parameters.json";
 import type { Parameter } from "../../engine/table.ts";
 import type { Notice, River, Summary } from "../../engine/types.ts";
-import { askMap } from "../../player/annotator.ts";
+import { askMap, writeMap } from "../../player/asking.ts";
 
 export { PageError } from "../../engine/errors.ts";
 export type { Parameter } from "../../engine/table.ts";
@@ -51,7 +51,7 @@ export function grow(link: string): GrownMap {
 }
 
 function planted(link: string): River {
-  const { River } = fromDisk().engine;
+  const { River } = engine();
   const river = new River(link);
   const { notices } = river;
   if (notices.length === 0) return river;
@@ -80,14 +80,14 @@ class GrownMap {
 
   /** Writes it as an SVG file. */
   svg(): string {
-    return askMap(this.#river, fromDisk().teller, (map) => map.svg());
+    return writeMap(this.#river, writer(), (map) => map.svg());
   }
 
   /** Writes its rivers, lakes, basins and land, with their names and heights, as GeoJSON. */
   geojson(): GeoJson {
     const river = this.#river;
     while (river.raiseRelief());
-    return askMap(river, fromDisk().teller, (map) => map.geojson()) as GeoJson;
+    return writeMap(river, writer(), (map) => map.geojson()) as GeoJson;
   }
 
   /**
@@ -95,7 +95,7 @@ class GrownMap {
    * others.
    */
   names(): Name[] {
-    const flat = askMap(this.#river, fromDisk().teller, (map) => map.greatest(ALL));
+    const flat = askMap(this.#river, teller(), (map) => map.greatest(ALL));
     const names: Name[] = [];
     for (let i = 0; i + 2 < flat.length; i += 3) {
       const [mark = "", name = "", own] = flat.slice(i, i + 3);

@@ -7,7 +7,7 @@ import { dotsOf, linesOf, ringsOf } from "../../browser/path-text.ts";
 import type { SteeredRiver } from "../../engine/steer.ts";
 import type { Teller } from "../../engine/tell.ts";
 import type { FinishedMap, Inspector } from "../../engine/types.ts";
-import { askMap, required } from "../../player/annotator.ts";
+import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 

@@ -4,7 +4,7 @@ import type { SteerCore, SteeredRiver } from "../../engine/steer.ts";
 import type { Measure } from "../../engine/types.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
-import { askMap, required } from "../../player/annotator.ts";
+import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
 import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
@@ -16,7 +16,7 @@ type Player = RiverPlayer<SteeredRiver>;
 
 /** Returns the means of a renderer. `holdOn` is called before a long step. */
 export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<SteeredRiver, Question, Answer> {
-  const maker = { ...core, loadTeller };
+  const maker = { ...core, loadTeller, loadWriter };
   const inspections = new Inspections(loadTeller);
   const timelines = new Timelines();
   return {
@@ -62,6 +62,12 @@ function playerIn(of: number | undefined, playerOf: (id: number) => Player | und
 async function loadTeller() {
   const tell = await import("../../engine/tell.ts");
   return tell.loadTeller();
+}
+
+/** Loads the writer, only when somebody saves. */
+async function loadWriter() {
+  const write = await import("../../engine/write.ts");
+  return write.loadWriter();
 }
 
 /** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */

@@ -4,7 +4,7 @@ import type { Core } from "../../engine/make.ts";
 import type { River } from "../../engine/types.ts";
 import { pngOf, svgOf } from "../../files/files.ts";
 import type { Means } from "../../host/renderer.ts";
-import { loadTeller } from "./late.ts";
+import { loadTeller, loadWriter } from "./late.ts";
 import type { Question } from "./protocol.ts";
 
 /**
@@ -16,7 +16,7 @@ export function meansOf(
   wasmUrl: string | undefined,
   holdOn: () => void = () => {},
 ): Means<River, Question, Blob> {
-  const maker = { engine, memory, loadTeller: () => loadTeller(wasmUrl) };
+  const maker = { engine, memory, loadTeller: () => loadTeller(wasmUrl), loadWriter: () => loadWriter(wasmUrl) };
   return {
     maker,
     async answer({ link: { text, options }, format, longSide }) {

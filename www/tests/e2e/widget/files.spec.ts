@@ -46,22 +46,22 @@ for (const place of ["a worker", "the page"]) {
     expect(width).toBe(shown);
   });
 
-  test(`an SVG is of the finished river, by the teller, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
+  test(`an SVG is of the finished river, by the writer, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
     page,
     blog,
   }) => {
     await open(page, blog, place);
-    expect(blog.asked).not.toContain("/widget/riverseed_tell_bg.wasm");
+    expect(blog.asked).not.toContain("/widget/riverseed_write_bg.wasm");
     const svg = await page.locator("river-seed").evaluate((river: RiverSeed) => river.toSVG());
     expect(svg).toMatch(/^<svg|^<\?xml/);
     expect(svg).toContain('id="river-');
     expect(svg).toContain(link.replaceAll("&", "&amp;"));
-    expect(blog.asked).toContain("/widget/riverseed_tell_bg.wasm");
+    expect(blog.asked).toContain("/widget/riverseed_write_bg.wasm");
   });
 }
 
-test("a teller that does not arrive is an error with a name, and the picture stays", async ({ page, blog }) => {
-  blog.answer("/widget/riverseed_tell_bg.wasm", { status: 404 });
+test("a writer that does not arrive is an error with a name, and the picture stays", async ({ page, blog }) => {
+  blog.answer("/widget/riverseed_write_bg.wasm", { status: 404 });
   await open(page, blog, "a worker");
   const code = await page
     .locator("river-seed")

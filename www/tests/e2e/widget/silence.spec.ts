@@ -116,8 +116,8 @@ test("an engine that stops half-way is given up, and a later widget tries again"
   await expectRiver(page, "miro");
 });
 
-for (const file of ["riverseed_tell_bg.wasm", "tag-tell.js"]) {
-  test(`a teller that never comes is given up by name, and the river stays: ${file}`, async ({ page, blog }) => {
+for (const file of ["riverseed_write_bg.wasm", "tag-write.js"]) {
+  test(`a writer that never comes is given up by name, and the river stays: ${file}`, async ({ page, blog }) => {
     blog.headers = { "content-security-policy": "worker-src 'none'" };
     blog.answer(`/widget/${file}`, { hangs: true });
     const events = await open(page, blog, widget("rimu"));

@@ -10,6 +10,11 @@ vi.mock("../../../src/engine/tell.ts", async () => {
   return { loadTeller };
 });
 
+vi.mock("../../../src/engine/write.ts", async () => {
+  const { loadWriter } = await import("../../tell.ts");
+  return { loadWriter };
+});
+
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
 
 /** As much of a player as is asked: its river, and how that stands. */

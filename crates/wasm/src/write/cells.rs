@@ -1,42 +1,14 @@
-//! The contents of files.
+//! The rasters of a map, for the files of a game.
 
 use js_sys::{Uint8Array, Uint16Array};
-use serde::Serialize;
-use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::{FinishedMap, export_error};
+use riverseed::export::pack;
 use riverseed::export::rasters::{Layer, Rasters, Values};
-use riverseed::export::{Json, geojson, json, pack, svg};
-
-#[wasm_bindgen]
-impl FinishedMap {
-    /// Draws the map as the text of an SVG file. Throws an Error if there is not enough memory, like the others.
-    pub fn svg(&self) -> Result<String, JsValue> {
-        svg::svg(&self.map).map_err(|error| export_error(&error))
-    }
-
-    /// Writes the rivers as GeoJSON.
-    #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        geojson::collection(&self.map).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
-    }
-
-    /// Returns recipe, nodes and rivers: the data that the command line writes as JSON.
-    #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn network(&self) -> Result<JsValue, JsValue> {
-        json::network(&self.map, None).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
-    }
-
-    /// Makes the rasters of the map.
-    pub fn cells(&self) -> Result<Cells, JsValue> {
-        Rasters::new(&self.map).map(Cells).map_err(|error| export_error(&error))
-    }
-}
 
 /// Values of each cell of the relief, for the files of a game: numbers and texts, from which JavaScript makes files.
 #[wasm_bindgen]
-pub struct Cells(Rasters);
+pub struct Cells(pub(super) Rasters);
 
 #[wasm_bindgen]
 impl Cells {
@@ -77,9 +49,4 @@ impl Cells {
         let texts = Layer::ALL.get(number).map(|&layer| self.0.texts(layer)).unwrap_or_default();
         texts.into_iter().flat_map(|(keyword, text)| [keyword.into(), text]).collect()
     }
-}
-
-/// Converts data to plain objects and lists.
-fn to_js(value: &Json) -> Result<JsValue, JsValue> {
-    value.serialize(&Serializer::json_compatible()).map_err(JsValue::from)
 }
