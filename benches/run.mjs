@@ -255,8 +255,8 @@ async function relief() {
 
 async function wholeMap() {
   const looks = [
-    ["style=ink", 2],
-    ["style=atlas", 4],
+    ["style=ink&labels=none", 2],
+    ["style=atlas&labels=none", 4],
     ["style=atlas&labels=some", 4.5],
   ];
   for (const [look, bar] of looks) {

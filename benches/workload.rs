@@ -88,9 +88,9 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["restyle", land, style] => relief::repaint(land, &relief::restyled(style), true),
         ["restyle-less-painting", land, style] => relief::repaint(land, &relief::restyled(style), false),
         ["reshade", land] => relief::repaint(land, &["style=atlas", "style=atlas&shade=1"].map(String::from), true),
-        ["wooded", woods] => {
-            pictures::pictured(link::read(&format!("land=island&style=ink&woods={woods}&hills={woods}")).ok()?)
-        }
+        ["wooded", woods] => pictures::pictured(
+            link::read(&format!("land=island&style=ink&labels=none&woods={woods}&hills={woods}")).ok()?,
+        ),
         ["labelled", labels] => pictures::pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
         ["pen"] => pictures::changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| pictures::differing_bytes().unwrap_or(u32::MAX))),

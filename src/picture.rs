@@ -360,7 +360,7 @@ mod testing {
     use crate::recipe::link;
     use crate::session::Session;
 
-    pub const SMALL: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
+    pub const SMALL: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3&labels=none";
 
     pub fn finished(text: &str) -> Session {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();

@@ -6,7 +6,7 @@ use riverseed::domain::Domain;
 use riverseed::paint::{Painted, View};
 use riverseed::{Picture, Recipe, Session};
 
-const BARE: &str = "seed=skye&attractors=1500&land=island";
+const BARE: &str = "seed=skye&attractors=1500&land=island&labels=none";
 const NAMED: &str = "seed=skye&attractors=1500&land=island&labels=many&cartouche=framed";
 
 fn finished(text: &str) -> Session {

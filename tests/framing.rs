@@ -5,7 +5,8 @@
 use riverseed::paint::Framing;
 use riverseed::{Picture, Recipe, Session};
 
-const SMALL: &str = "seed=skye&attractors=2000";
+const SMALL: &str = "seed=skye&attractors=2000&labels=none";
+const LABELLED: &str = "seed=skye&attractors=2000";
 
 const STYLES: [&str; 12] = [
     "ink",
@@ -76,7 +77,7 @@ fn the_whole_map_framed_is_the_map() {
 
 #[test]
 fn whatever_was_shown_before_a_framed_picture_is_that_of_a_fresh_one() {
-    let session = finished(&format!("{SMALL}&style=atlas&labels=some&woods=0.5"));
+    let session = finished(&format!("{LABELLED}&style=atlas&labels=some&woods=0.5"));
     let mut picture = Picture::new(300, 200).unwrap();
     picture.paint(&session);
     let before = picture.pixmap().data().to_vec();
@@ -141,7 +142,7 @@ fn beyond_an_island_map_there_is_sea_without_a_seam_and_beyond_land_the_map_ends
 fn no_letter_stands_where_other_things_cover_the_picture() {
     let lettered = |framing: [f32; 7]| {
         let pixels = |labels: &str| {
-            let session = finished(&format!("{SMALL}&aspect=2&style=ink&labels={labels}"));
+            let session = finished(&format!("{LABELLED}&aspect=2&style=ink&labels={labels}"));
             let mut picture = Picture::new(800, 400).unwrap();
             picture.frame(&session, Framing::of(&framing));
             picture.paint(&session);

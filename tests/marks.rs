@@ -389,7 +389,7 @@ fn a_map_that_is_handed_over_has_the_same_marks() {
 fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
     let (mut with, mut all) = (0, 0);
     for style in <Style as riverseed::recipe::Choice>::WORDS {
-        let link = format!("land=island&seed=kauri&attractors=1000&style={}", style.name);
+        let link = format!("land=island&seed=kauri&attractors=1000&labels=none&style={}", style.name);
         let mut session = finished_link(&link);
         let size = session.domain().size;
         assert!(labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);

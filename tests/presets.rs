@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
-const LEFT: [Key; 20] = [
+const LEFT: [Key; 24] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -29,6 +29,10 @@ const LEFT: [Key; 20] = [
     Key::Attractors,
     Key::Width,
     Key::BankVariation,
+    Key::Mountains,
+    Key::Plains,
+    Key::Rills,
+    Key::Shade,
     Key::Style,
 ];
 

@@ -231,7 +231,7 @@ fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
         fresh.finish().unwrap();
         assert!(relief(&session) == relief(&fresh), "{change}");
     }
-    assert!(finished("seed=kea&attractors=300").relief().is_none(), "ink shows none");
+    assert!(finished("seed=kea&attractors=300&style=ink").relief().is_none(), "ink shows none");
 }
 
 /// Ink once showed the relief of the atlas before it.

@@ -37,7 +37,7 @@ fn recipe_schema() -> Value {
             Kind::Number { min, max, .. } => {
                 json!({ "type": "number", "minimum": min.to_f64(), "maximum": max.to_f64() })
             }
-            Kind::Choice { choices } => {
+            Kind::Choice { choices, .. } => {
                 let mut words: Vec<&str> = choices.iter().map(|word| word.name).collect();
                 words.sort_unstable();
                 json!({ "type": "string", "enum": words })

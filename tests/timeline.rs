@@ -62,7 +62,7 @@ tiers!(each_moment_looks_as_when_it_was_played_however_one_comes_there);
 
 #[test]
 fn each_tick_and_round_is_a_moment_and_the_ends_are_known() {
-    let text = "seed=kea&land=island&growth=drainage&attractors=600&meander-rounds=9";
+    let text = "seed=kea&land=island&growth=drainage&attractors=600&meander-rounds=9&style=ink";
     let played = played(text);
     let mut session = session(text);
     session.finish().unwrap();

@@ -222,7 +222,7 @@ fn no_change_holds_a_page() {
     let attractors = if Tier::here() == Tier::First { 3000 } else { 20_000 };
     for growth in ["colonize&step=0.5", "drainage&channel-area=2"] {
         let mut most = Most::default();
-        let mut session = most.plant(&format!("attractors={attractors}&growth={growth}{WILD}"));
+        let mut session = most.plant(&format!("style=ink&attractors={attractors}&growth={growth}{WILD}"));
         most.finish(&mut session);
         for (change, first) in [
             ("width=39", Stage::Shape),

@@ -68,7 +68,7 @@ fn written(map: &Map, form: &str) -> Option<u64> {
 /// Writes a picture of a default map as PNG, with our settings or the crate's own balance of time and size. Returns its
 /// length in kB.
 pub fn png(style: &str, is_balanced: bool) -> Option<Repetition> {
-    let recipe = link::read(&format!("style={style}")).ok()?;
+    let recipe = link::read(&format!("style={style}&labels=none")).ok()?;
     let mut session = Session::new(recipe.clone()).ok()?;
     let mut picture = Picture::new(LARGE, LARGE).ok()?;
     session.finish().ok()?;

@@ -45,7 +45,8 @@ pub fn restyled(style: &str) -> [String; 2] {
 /// Paints a map in another way, in which it has been painted before. Returns one of its pixels. It is painted into a
 /// copy of the picture, so that every run is the same; without painting, only the copy is made.
 pub fn repaint(land: &str, looks: &[String; 2], paints: bool) -> Option<Repetition> {
-    let [Some(before), Some(after)] = looks.each_ref().map(|look| link::read(&format!("land={land}&{look}")).ok())
+    let [Some(before), Some(after)] =
+        looks.each_ref().map(|look| link::read(&format!("land={land}&labels=none&{look}")).ok())
     else {
         return None;
     };

@@ -37,7 +37,7 @@ fn row<'py>(py: Python<'py>, parameter: &Parameter) -> PyResult<Bound<'py, PyDic
             fields.set_item("maximum", max.to_f64())?;
             "number"
         }
-        Kind::Choice { choices } => {
+        Kind::Choice { choices, .. } => {
             let words = PyDict::new(py);
             choices.iter().try_for_each(|word| words.set_item(word.name, word.help))?;
             fields.set_item("choices", words)?;

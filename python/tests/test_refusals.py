@@ -20,7 +20,7 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     ({"attractors": 10**10_000}, "attractors: the number has too many digits"),
     ({"attractors": 2.5}, "attractors: '2.5' is not a whole number"),
     ({"depth": 3}, "there is no parameter 'depth'"),
-    ({"style": "neon"}, "style: 'neon' is not one of ink, skeleton, "),
+    ({"style": "neon"}, "style: 'neon' is not one of atlas, night, "),
     ({"seed": "x" * 1000}, "seed: the text has 1000 characters, at most 64 are allowed"),
     ({"seed": "a\0b"}, "seed: the text holds a character that cannot be shown"),
     ({"edition": 7}, "edition: 7 is unknown here"),

@@ -7,7 +7,9 @@ use super::key::Key;
 pub trait Choice: Copy + PartialEq + 'static {
     /// The parameter.
     const KEY: Key;
-    /// All values; the first is the default.
+    /// The word of the value when nothing is given.
+    const DEFAULT: &'static str;
+    /// All values, in the order in which people are offered them.
     const ALL: &'static [Self];
     /// The words of all values, in the same order.
     const WORDS: &'static [Word];
@@ -35,7 +37,7 @@ impl Word {
 macro_rules! choices {
     ($(
         $(#[$attribute:meta])*
-        $Choice:ident of $key:ident { $($(#[doc = $help:literal])+ $Value:ident = $name:literal, $label:literal;)+ }
+        $Choice:ident of $key:ident, $default:ident { $($(#[doc = $help:literal])+ $Value:ident = $name:literal, $label:literal;)+ }
     )+) => {$(
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +48,7 @@ macro_rules! choices {
 
         impl Choice for $Choice {
             const KEY: Key = Key::$key;
+            const DEFAULT: &'static str = Self::$default.word().name;
             const ALL: &'static [Self] = &[$(Self::$Value),+];
             const WORDS: &'static [Word] = &[$(Self::$Value.word().explained()),+];
         }
@@ -63,7 +66,7 @@ macro_rules! choices {
 
 choices! {
     /// A shape of land.
-    LandKind of Land {
+    LandKind of Land, Island {
         /// One land mass, sea all around.
         Island = "island", "an island";
         /// A coast along the chosen sides.
@@ -81,7 +84,7 @@ choices! {
     }
 
     /// A method of growing a tree of rivers.
-    GrowthMethod of Growth {
+    GrowthMethod of Growth, Drainage {
         /// Drainage: water takes the cheapest way, and the more there is of it, the less it costs.
         Drainage = "drainage", "drainage";
         /// Space colonization: attractors draw rivers on.
@@ -91,7 +94,7 @@ choices! {
     }
 
     /// A pattern of drainage, as geologists name them (Twidale 2004).
-    Pattern of Pattern {
+    Pattern of Pattern, Dendritic {
         /// Like a tree, in country without a grain.
         Dendritic = "dendritic", "dendritic";
         /// Side by side down an even slope.
@@ -111,7 +114,7 @@ choices! {
     }
 
     /// A way of placing attractors.
-    Scatter of Scatter {
+    Scatter of Scatter, Random {
         /// At random.
         Random = "random", "at random";
         /// One somewhere in each cell of a grid: an even network.
@@ -119,7 +122,7 @@ choices! {
     }
 
     /// The lines that rivers follow.
-    CourseShape of Courses {
+    CourseShape of Courses, Smooth {
         /// Simplified and smooth.
         Smooth = "smooth", "smooth";
         /// As the tree has grown, step by step.
@@ -127,7 +130,7 @@ choices! {
     }
 
     /// A model of meandering.
-    MeanderModel of Meander {
+    MeanderModel of Meander, Bend {
         /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
         Bend = "bend", "bends grow outward";
         /// Each bend also moves by the curvature upstream (Howard and Knutson 1984): bends skew and travel.
@@ -137,7 +140,7 @@ choices! {
     }
 
     /// The amount of names on a map.
-    Labels of Labels {
+    Labels of Labels, Some {
         /// No names.
         None = "none", "none";
         /// Names on a fiftieth of the land.
@@ -149,7 +152,7 @@ choices! {
     }
 
     /// The form of a map's title, and what stands with it.
-    Cartouche of Cartouche {
+    Cartouche of Cartouche, Auto {
         /// The title with a scale bar, on maps with names.
         Auto = "auto", "with names";
         /// No title.
@@ -165,31 +168,31 @@ choices! {
     }
 
     /// A style of painting.
-    Style of Style {
-        /// Ink on paper, rivers as wide as their discharge asks.
-        Ink = "ink", "ink";
-        /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
-        Skeleton = "skeleton", "skeleton";
+    Style of Style, Atlas {
         /// An atlas page: green lowland, brown mountains, soft shade, blue rivers and sea.
         Atlas = "atlas", "atlas";
         /// The land by night, rivers shining.
         Night = "night", "night";
-        /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
-        Survey = "survey", "survey";
-        /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
-        Basins = "basins", "basins";
         /// An engraving on old paper: water lines, mountains in strokes on their dark side.
         Parchment = "parchment", "parchment";
-        /// Past courses: where great rivers have run in bends before, a band for each time, after Fisk 1944.
-        PastCourses = "past-courses", "past courses";
+        /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
+        Survey = "survey", "survey";
         /// A painting in ink and water: mountains on their dark side, mist along rivers.
         InkWash = "ink-wash", "ink wash";
         /// The land from orbit: forests, rock, snow, shallow water.
         Orbit = "orbit", "from orbit";
+        /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
+        Basins = "basins", "basins";
         /// A blueprint: rivers, coasts and contours in white on blue, over a grid.
         Blueprint = "blueprint", "blueprint";
+        /// Past courses: where great rivers have run in bends before, a band for each time, after Fisk 1944.
+        PastCourses = "past-courses", "past courses";
+        /// Ink on paper, rivers as wide as their discharge asks.
+        Ink = "ink", "ink";
         /// Light ink on dark paper.
         Dark = "dark", "dark";
+        /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
+        Skeleton = "skeleton", "skeleton";
     }
 }
 
@@ -285,13 +288,13 @@ impl Style {
 mod tests {
     use super::*;
     use crate::recipe::table::TABLE;
-    use crate::recipe::{Kind, Recipe, link};
+    use crate::recipe::{Kind, Recipe, Value, link};
 
     /// Checks one choice, and returns the parameter that it belongs to.
     fn check<C: Choice + std::fmt::Debug>() -> Key {
         let row = C::KEY.parameter();
-        assert_eq!(row.kind, Kind::Choice { choices: C::WORDS });
-        assert_eq!(Recipe::default().get::<C>(), C::ALL[0]);
+        assert_eq!(row.kind, Kind::Choice { choices: C::WORDS, default: C::DEFAULT });
+        assert_eq!(*Recipe::default().value(C::KEY), Value::Choice(C::DEFAULT));
         assert_eq!(C::ALL.len(), C::WORDS.len());
         for (&choice, word) in C::ALL.iter().zip(C::WORDS) {
             assert_eq!(link::read(&format!("{}={}", row.name, word.name)).unwrap().get::<C>(), choice);

@@ -241,7 +241,7 @@ mod tests {
         assert_eq!(error("curl=3"), "curl: 3 is not between 0 and 2");
         assert_eq!(
             error("style=neon"),
-            "style: 'neon' is not one of ink, skeleton, atlas, night, survey, basins, parchment, past-courses, ink-wash, orbit, blueprint, dark"
+            "style: 'neon' is not one of atlas, night, parchment, survey, ink-wash, orbit, basins, blueprint, past-courses, ink, dark, skeleton"
         );
         assert_eq!(error("edition=7"), "edition: 7 is unknown here, this program draws edition 1");
         assert_eq!(error("seed=%FF"), "seed: the text holds a character that cannot be shown");

@@ -74,10 +74,12 @@ pub enum Kind {
         /// The value when nothing is given.
         default: Decimal,
     },
-    /// One word of a list; the first is the default.
+    /// One word of a list.
     Choice {
         /// The words of one of the types in [`choice`](super::choice).
         choices: &'static [Word],
+        /// The word when nothing is given.
+        default: &'static str,
     },
     /// Some sides of the domain.
     Sides {
@@ -119,7 +121,7 @@ impl Parameter {
             Kind::Text { default, .. } => Value::Text(default.into()),
             Kind::Integer { default, .. } => Value::Integer(default),
             Kind::Number { default, .. } => Value::Number(default),
-            Kind::Choice { choices } => Value::Choice(choices[0].name),
+            Kind::Choice { default, .. } => Value::Choice(default),
             Kind::Sides { default } => Value::Sides(default),
             Kind::Outline => Value::Outline(Outline::default()),
         }
@@ -131,7 +133,7 @@ impl Parameter {
             (Kind::Text { longest, .. }, Value::Text(text)) => text.chars().count() <= longest,
             (Kind::Integer { min, max, .. }, Value::Integer(n)) => (min..=max).contains(n),
             (Kind::Number { min, max, .. }, Value::Number(x)) => (min..=max).contains(x),
-            (Kind::Choice { choices }, Value::Choice(name)) => choices.iter().any(|word| word.name == *name),
+            (Kind::Choice { choices, .. }, Value::Choice(name)) => choices.iter().any(|word| word.name == *name),
             (Kind::Sides { .. }, Value::Sides(_)) | (Kind::Outline, Value::Outline(_)) => true,
             _ => false,
         }
@@ -162,7 +164,7 @@ impl Parameter {
             Kind::Text { longest, .. } => self.parse_text(text, longest),
             Kind::Integer { min, max, .. } => self.parse_integer(text, min, max),
             Kind::Number { min, max, .. } => self.parse_number(text, min, max),
-            Kind::Choice { choices } => choices
+            Kind::Choice { choices, .. } => choices
                 .iter()
                 .find(|word| word.name == text)
                 .map(|word| Value::Choice(word.name))
@@ -215,7 +217,7 @@ impl Parameter {
 
     fn unknown_choice(&self, text: &str) -> RecipeError {
         let choices = match self.kind {
-            Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
+            Kind::Choice { choices, .. } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
             _ => "the sides n, e, s, w, each once".into(),
         };
         RecipeError::UnknownChoice { key: self.name, value: shown(text), choices }

@@ -176,11 +176,11 @@ mod tests {
         let style = |text, options| read(text, options).recipe.get::<Style>();
         assert_eq!(style("seed=a", DARK), Style::Night);
         assert_eq!(style("seed=a&preset=curl", DARK), Style::Night);
-        assert_eq!(style("seed=a", PAGE), Style::Ink);
-        assert_eq!(style("style=atlas", DARK), Style::Atlas);
+        assert_eq!(style("seed=a", PAGE), Style::Atlas);
         assert_eq!(style("style=ink", DARK), Style::Ink);
+        assert_eq!(style("style=atlas", DARK), Style::Atlas);
         // The style is named, though wrongly: the notice says which style is used instead, and must be true.
-        assert_eq!(style("style=neon", DARK), Style::Ink);
+        assert_eq!(style("style=neon", DARK), Style::Atlas);
     }
 
     #[test]

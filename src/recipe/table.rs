@@ -19,6 +19,9 @@ pub static TABLE: [Parameter; COUNT] = {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
     }
+    const fn choice<C: Choice>() -> Kind {
+        Kind::Choice { choices: C::WORDS, default: C::DEFAULT }
+    }
     explained([
         Parameter {
             key: Key::Seed,
@@ -62,7 +65,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: Kind::Choice { choices: LandKind::WORDS },
+            kind: choice::<LandKind>(),
         },
         Parameter {
             key: Key::Outline,
@@ -161,7 +164,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: Kind::Choice { choices: GrowthMethod::WORDS },
+            kind: choice::<GrowthMethod>(),
         },
         Parameter {
             key: Key::Sensitivity,
@@ -194,7 +197,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: Kind::Choice { choices: Scatter::WORDS },
+            kind: choice::<Scatter>(),
         },
         Parameter {
             key: Key::Reach,
@@ -359,7 +362,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Drainage",
             stage: Grow,
             logarithmic: false,
-            kind: Kind::Choice { choices: Pattern::WORDS },
+            kind: choice::<Pattern>(),
         },
         Parameter {
             key: Key::Strike,
@@ -469,7 +472,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Rivers",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Choice { choices: CourseShape::WORDS },
+            kind: choice::<CourseShape>(),
         },
         Parameter {
             key: Key::Simplify,
@@ -513,7 +516,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Choice { choices: MeanderModel::WORDS },
+            kind: choice::<MeanderModel>(),
         },
         Parameter {
             key: Key::MeanderRounds,
@@ -678,7 +681,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Finish",
             stage: Paint,
             logarithmic: false,
-            kind: Kind::Choice { choices: Style::WORDS },
+            kind: choice::<Style>(),
         },
         Parameter {
             key: Key::Labels,
@@ -689,7 +692,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Names",
             stage: Name,
             logarithmic: false,
-            kind: Kind::Choice { choices: Labels::WORDS },
+            kind: choice::<Labels>(),
         },
         Parameter {
             key: Key::LabelSize,
@@ -733,7 +736,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Names",
             stage: Name,
             logarithmic: false,
-            kind: Kind::Choice { choices: Cartouche::WORDS },
+            kind: choice::<Cartouche>(),
         },
         Parameter {
             key: Key::Woods,

@@ -354,7 +354,7 @@ fn relief_is_made_in_steps_in_any_style_and_is_that_of_all_styles() {
 
 #[test]
 fn relief_of_a_file_is_refused_where_there_is_no_memory_for_it() {
-    let session = finished(BENDS);
+    let session = finished(&format!("{BENDS}&style=ink"));
     let refused = with_lists_up_to(NOTHING, || session.map().unwrap().make_relief()).unwrap_err();
     assert!(refused.to_string().contains("needs about 13 MB"), "{refused}");
 }

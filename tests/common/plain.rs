@@ -4,7 +4,7 @@ use riverseed::recipe::preset;
 
 /// Three rivers that leave a plain rectangle: the values of keys that a test's link leaves out.
 const PLAIN: &str = "growth=colonize&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&mouths=3&attractors=6000&curl=0&stretch=8&trim=20&simplify=60&width=14\
-                     &meander-rounds=24&meander-elsewhere=0.3&great-rivers=1&flat-share=0.25&style=ink";
+                     &meander-rounds=24&meander-elsewhere=0.3&great-rivers=1&flat-share=0.25&style=ink&labels=none";
 
 /// Adds all values of [`PLAIN`] that neither the link nor its preset names. Drainage has the table's valleys, space
 /// colonization none.

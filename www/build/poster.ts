@@ -33,17 +33,13 @@ export const POSTERS: readonly Poster[] = [
   {
     file: "night-upright.webp",
     media: `${DARK} and ${PORTRAIT}`,
-    link: firstLink("night", "&aspect=0.75"),
+    link: "style=night&aspect=0.75",
     ...UPRIGHT,
   },
-  { file: "upright.webp", media: PORTRAIT, link: firstLink("atlas", "&aspect=0.75"), ...UPRIGHT },
-  { file: "night.webp", media: DARK, link: firstLink("night", ""), ...WIDE },
-  { file: "day.webp", media: "all", link: firstLink("atlas", ""), ...WIDE },
+  { file: "upright.webp", media: PORTRAIT, link: "aspect=0.75", ...UPRIGHT },
+  { file: "night.webp", media: DARK, link: "style=night", ...WIDE },
+  { file: "day.webp", media: "all", link: "", ...WIDE },
 ];
-
-function firstLink(style: string, shape: string): string {
-  return `style=${style}&labels=some${shape}`;
-}
 
 const FOLDER = "poster";
 const PLACE = '<canvas id="canvas"';

@@ -122,7 +122,7 @@ fn write_group(out: &mut impl Write, group: &str) -> io::Result<()> {
         writeln!(out, "| `{}` | {} | {default} | {} |", parameter.name, values(parameter), parameter.help)?;
     }
     for parameter in rows() {
-        if let Kind::Choice { choices } = parameter.kind {
+        if let Kind::Choice { choices, .. } = parameter.kind {
             write_choices(out, parameter.name, choices)?;
         }
     }
@@ -161,7 +161,7 @@ fn values(parameter: &Parameter) -> String {
         Kind::Integer { min, max, .. } if min == max => min.to_string(),
         Kind::Integer { min, max, .. } => format!("{min} to {max}{unit}"),
         Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
-        Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
+        Kind::Choice { choices, .. } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
         Kind::Sides { .. } => "some of n, e, s, w".into(),
         Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see [below](#drawn-land)"),
     }

@@ -67,7 +67,7 @@ fn range(kind: Kind) -> Vec<(String, Value)> {
             let number = |name: &str, value: Decimal| named(name, value.to_f64().into());
             vec![number("min", min), number("max", max), number("step", step)]
         }
-        Kind::Choice { choices } => {
+        Kind::Choice { choices, .. } => {
             vec![named("choices", choices.iter().map(|word| choice(word.name, word.label)).collect())]
         }
         Kind::Sides { .. } => {

@@ -74,7 +74,7 @@ fn ending_says_what_is_written() {
     let document = roxmltree::Document::parse(&svg).unwrap();
     assert!(document.descendants().any(|node| node.attribute("id") == Some("river-0")));
     let rivers = written("map.GeoJSON").parse::<geojson::FeatureCollection>().unwrap();
-    assert_eq!(rivers.foreign_members.unwrap()["riverseed"], "seed=rata&edition=1&attractors=200&style=ink");
+    assert_eq!(rivers.foreign_members.unwrap()["riverseed"], "seed=rata&edition=1&attractors=200&style=atlas");
     assert_eq!(written("map.svg"), svg);
 }
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 /// The cosine of 16 degrees, the most between two letters.
-const COS_TURN: f32 = 0.961_261_7;
+pub(super) const COS_TURN: f32 = 0.961_261_7;
 
 /// What samples have met.
 #[derive(Default)]

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright, smoothed, walk_from};
 use super::chosen::{Chosen, Shrinks};
+use super::costs::COS_TURN;
 use super::input::{Input, Landmark, LandmarkKind};
 use super::letters::{Box, Kind, Label, Placed, Text};
 
@@ -21,8 +22,6 @@ const SMOOTHED: f32 = 0.15;
 const ASIDE: [f32; 7] = [0.0, -1.2, 1.2, -2.4, 2.4, -3.6, 3.6];
 const ASIDE_OF_RANGES: usize = 3;
 const STEP: f32 = 0.8;
-/// The cosine of 20 degrees, the most between two letters, which stand far apart.
-const COS_TURN: f32 = 0.939_692_6;
 /// How far letters keep from the coast, the frame and other labels, in ems.
 const FROM_COAST: f32 = 0.3;
 const FROM_FRAME: f32 = 0.4;

@@ -39,7 +39,7 @@ export function parameters(): Parameter[] {
 }
 
 /**
- * Grows the map of a link, such as `seed=kauri&labels=some`. The call blocks meanwhile. Links are read strictly: a
+ * Grows the map of a link, such as `seed=kauri`. The call blocks meanwhile. Links are read strictly: a
  * `PageError` names any value that is unknown or out of range.
  */
 export function grow(link: string): GrownMap {

@@ -6,17 +6,25 @@ import type { ShowMode } from "../../player/river-player.ts";
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 export const prefersDark = window.matchMedia(DARK_PAGES);
 
-/** Returns `how`, or "still" if the visitor prefers reduced motion. */
-export function howFor(how: ShowMode): ShowMode {
-  return prefersStill.matches ? "still" : how;
+/** Returns how maps are shown that are to be seen growing: not so if the visitor prefers reduced motion. */
+export function howToGrow(): ShowMode {
+  return prefersStill.matches ? "still" : "watch";
 }
 
-/**
- * Returns the link of a visit without one: a map with labels, in the style for light or dark pages and the window's
- * shape.
- */
+/** The width over the height of a first map in a window that is higher than wide. In others it is the default. */
+const UPRIGHT = "0.75";
+
+/** Returns the link of a visit without one: the map of all defaults, in the window's shape. */
 export function firstLink(): string {
-  const style = prefersDark.matches ? "night" : "atlas";
-  const shape = innerWidth < innerHeight ? "&aspect=0.75" : "";
-  return `style=${style}&labels=some${shape}`;
+  return isUpright() ? `aspect=${UPRIGHT}` : "";
+}
+
+/** Returns the shape of a fresh map in this window: the shape that the map has, if somebody chose that. */
+export function freshAspect(now: string, usual: string): string {
+  if (now !== usual && now !== UPRIGHT) return now;
+  return isUpright() ? UPRIGHT : usual;
+}
+
+function isUpright(): boolean {
+  return innerWidth < innerHeight;
 }

@@ -23,5 +23,5 @@ export function nameOf(origin: Origin): string {
 
 /** Returns a link to the map that a piece was cut from. */
 function mapOf(seed: string, link: string): HTMLElement {
-  return el("a", { href: `./?${link}&style=atlas&labels=some` }, seed);
+  return el("a", { href: `./?${link}` }, seed);
 }
