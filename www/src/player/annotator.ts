@@ -20,11 +20,17 @@ export class Annotator {
   /** The link of the map for which the teller was asked for last. */
   #askedFor: string | undefined;
   #isAsking = false;
+  #fetching: Promise<void> | undefined;
 
   constructor(
     private readonly load: LoadTeller,
     private readonly events: AnnotatorEvents,
   ) {}
+
+  /** Fetches the teller ahead of the picture that will want it. A failure is told when it does. */
+  expect(): void {
+    this.#fetch().catch(() => {});
+  }
 
   /**
    * Lays labels and scenery over a picture that wants them, if the teller has arrived; `ratio` is device pixels per CSS
@@ -54,13 +60,24 @@ export class Annotator {
     this.#askedFor = link;
     this.#isAsking = true;
     try {
-      this.#teller = await this.load();
+      await this.#fetch();
       this.events.arrived();
     } catch (error) {
       this.events.failed(unlabelled(error));
     } finally {
       this.#isAsking = false;
     }
+  }
+
+  #fetch(): Promise<void> {
+    this.#fetching ??= this.load()
+      .then((teller) => {
+        this.#teller = teller;
+      })
+      .finally(() => {
+        this.#fetching = undefined;
+      });
+    return this.#fetching;
   }
 }
 

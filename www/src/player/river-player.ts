@@ -125,6 +125,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   /** Shows the first river. */
   start(how: ShowMode): void {
     this.#attempt(() => {
+      if (isLabelled(this.link)) this.#annotator.expect();
       this.#fit();
       this.#grow(how);
     });
@@ -368,6 +369,11 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       this.events.failed(error);
     }
   }
+}
+
+/** Returns whether a canonical link asks for labels, as one does that says nothing of them. */
+function isLabelled(link: string): boolean {
+  return new URLSearchParams(link).get("labels") !== "none";
 }
 
 /** Returns a context that replaces pixels rather than mixing them. */

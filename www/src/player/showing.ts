@@ -6,8 +6,8 @@ export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
 /**
  * The way to show a map. watch: shows it grow and meander. settle: while a slider is dragged, shows the grown tree or a
- * draft of the rivers as soon as possible, and the finished rivers when the hand rests. still: shows only finished
- * rivers.
+ * draft of the rivers as soon as possible, and the finished rivers when the hand rests. still: shows finished rivers as
+ * soon as possible.
  */
 export type ShowMode = "watch" | "settle" | "still";
 

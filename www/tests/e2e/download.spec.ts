@@ -4,7 +4,7 @@ import { strFromU8, unzipSync } from "fflate";
 import { pictureOf } from "../core.ts";
 import { engine } from "../steer.ts";
 import { written } from "../tell.ts";
-import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
+import { complaints, countCalls, openBegun, openFinished, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton } from "./saving.ts";
 import { core } from "./tiers.ts";
 
@@ -164,7 +164,7 @@ test("for data and shapes of finished rivers nothing is fetched but what names t
 });
 
 test("a file is of what the page showed when it was asked for, whatever is on the canvas", async ({ page }) => {
-  await openStopped(page, LINK);
+  await openBegun(page, LINK);
   const seed = page.getByLabel("Seed", { exact: true });
   // No frame comes, so the canvas still has the first rivers.
   await seed.fill("rimu");

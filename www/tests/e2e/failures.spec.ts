@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { beforehand, everywhere, finished, openStopped, unfold } from "./riverpage.ts";
+import { beforehand, everywhere, finished, openBegun, openStopped, unfold } from "./riverpage.ts";
 import { download } from "./saving.ts";
 
 async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
@@ -207,9 +207,9 @@ test("memory that runs out before the rivers are there is said, and no tree stan
   page,
 }) => {
   await trapOn(page, "river_advance", "no-memory");
-  await page.goto("./");
-  await expect(page.locator("#caption")).toContainText("Growing");
+  await openBegun(page);
   await trap(page);
+  await page.clock.resume();
   await expectFailure(page, "no-memory", /fewer attractors/);
 });
 

@@ -22,8 +22,8 @@ test("the preference is followed when it changes", async ({ page }) => {
   const states = await recordStates(page);
   await page.goto("./?attractors=300");
   await finished(page);
-  expect(await states()).toEqual(["growing", "finished"]);
+  expect(await states()).toEqual(["settling", "finished"]);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.getByRole("button", { name: "A new seed by chance" }).click();
-  await expect.poll(states).toEqual(["growing", "finished", "settling", "finished"]);
+  await expect.poll(states).toEqual(["settling", "finished", "settling", "finished"]);
 });

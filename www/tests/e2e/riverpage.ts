@@ -50,11 +50,21 @@ export async function stopClock(page: Page): Promise<void> {
 /** Later than any page is open while its clock runs. */
 export const STOPPED_AT_MS = 3_600_000;
 
-/** Opens a link, whose river stands at its start: the page's clock is stopped. */
-export async function openStopped(page: Page, link = ""): Promise<void> {
+/** Opens a link whose first map is not there yet: the page's clock is stopped. */
+export async function openBegun(page: Page, link = ""): Promise<void> {
   await ownClock(page);
   await stopClock(page);
   await page.goto(link === "" ? "./" : `./?${link}`);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "settling");
+}
+
+/** Opens a link and has its finished map grow again, which then stands at its start: the page's clock is stopped. */
+export async function openStopped(page: Page, link = ""): Promise<void> {
+  await ownClock(page);
+  await page.goto(link === "" ? "./" : `./?${link}`);
+  await finished(page);
+  await stopClock(page);
+  await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
 }
 

@@ -4,7 +4,7 @@ import { momentAt, shareOf } from "../../src/apps/page/timeline/track.ts";
 import type { Moment } from "../../src/apps/page-worker/protocol.ts";
 import { engine, pixelsOf } from "../core.ts";
 import { violations } from "./axe.ts";
-import { complaints, expectPictureOfAddress, finished, openFinished, openStopped, shown } from "./riverpage.ts";
+import { complaints, expectPictureOfAddress, finished, openBegun, openFinished, shown } from "./riverpage.ts";
 import { download } from "./saving.ts";
 
 // A style with a relief, so that the last round is not the end.
@@ -106,12 +106,12 @@ test("the thumb is dragged, and play goes on from there", async ({ page }) => {
 });
 
 test("before the first end the track shows how far it is, and cannot be moved", async ({ page }) => {
-  await openStopped(page, LINK);
+  await openBegun(page, LINK);
   await expect(track(page)).toHaveAttribute("aria-disabled", "true");
   await track(page).focus();
   await page.keyboard.press("Home");
   await page.keyboard.press(".");
-  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "settling");
 });
 
 test("a file that is saved half-way is of the finished map", async ({ page }) => {

@@ -150,7 +150,9 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
 
 test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
   await page.goto("./?seed=miro&attractors=4000&meander-rounds=400");
+  await finished(page);
   await page.getByRole("slider", { name: "Speed" }).press("Home");
+  await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   const hide = (hidden: boolean) =>
     page.evaluate((value) => {

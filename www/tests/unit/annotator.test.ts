@@ -80,7 +80,7 @@ test("letters are as large on a dense screen, so that the map has fewer of them"
 });
 
 /** A player on a canvas without pixels, with its display, what it failed with, and how often teller were fetched. */
-function player(load: () => Promise<typeof teller>) {
+function player(load: () => Promise<typeof teller>, text = LINK) {
   vi.stubGlobal("ImageData", Image);
   const canvas = { width: 0, height: 0, getContext: () => ({ putImageData: () => {} }) } as unknown as Canvas;
   const display = new Display();
@@ -91,7 +91,7 @@ function player(load: () => Promise<typeof teller>) {
     changed: () => {},
     failed: (error: unknown) => void errors.push(error as PageError),
   };
-  const one = new RiverPlayer({ engine, memory, loadTeller }, canvas, { text: LINK }, display, events);
+  const one = new RiverPlayer({ engine, memory, loadTeller }, canvas, { text }, display, events);
   return { one, display, errors, loadTeller };
 }
 
@@ -102,12 +102,23 @@ async function frames(display: Display): Promise<void> {
   await Promise.resolve();
 }
 
+test("what makes labels is fetched while a map grows that asks for them, and for no other", () => {
+  for (const [link, times] of [
+    [LINK, 1],
+    [LINK.replace("many", "none"), 0],
+    ["seed=kauri&attractors=300", 1],
+  ] as const) {
+    const { one, loadTeller } = player(() => Promise.resolve(teller), link);
+    one.start("watch");
+    expect(loadTeller, link).toHaveBeenCalledTimes(times);
+  }
+});
+
 test("labels come when what makes them has come, and with every picture after that", async () => {
   const { one, display, errors, loadTeller } = player(() => Promise.resolve(teller));
   const shown = () => pixelsOf(one.river as engine.River);
   one.start("watch");
   display.frame();
-  expect(loadTeller).not.toHaveBeenCalled();
   for (let i = 0; i < 5; i++) await frames(display);
   const labelled = finished(LINK);
   annotate(labelled, teller);
@@ -132,7 +143,8 @@ test("without what makes labels the map is shown bare, and its audience told onc
   expect(Buffer.compare(pixelsOf(one.river as engine.River), pixelsOf(finished(`${LINK}&width=30`)))).toBe(0);
   // Once for each link, however often it is painted.
   expect(errors.map(({ code }) => code)).toEqual(["no-labels", "no-labels"]);
-  expect(loadTeller).toHaveBeenCalledTimes(2);
+  // Ahead, and for each link.
+  expect(loadTeller).toHaveBeenCalledTimes(3);
 });
 
 test("a map that no labels can be made of is shown bare", async () => {

@@ -33,7 +33,7 @@ import { MapNames } from "./panel/map-names.ts";
 import { MeasuresView } from "./panel/measures.ts";
 import { Panel } from "./panel/panel.ts";
 import { PresetNote } from "./panel/preset-note.ts";
-import { firstLink, howFor, prefersDark } from "./preferences.ts";
+import { firstLink, prefersDark } from "./preferences.ts";
 import { Downloads } from "./save/downloads.ts";
 import { SaveDialog } from "./save/save-dialog.ts";
 import { ShareDialog } from "./share/share-dialog.ts";
@@ -187,7 +187,7 @@ class Page {
 
   #press(preset: Preset, all: readonly Preset[] = this.table.presets): void {
     const values = this.#choices.unkept(preset);
-    this.#presetNote.press({ ...preset, values }, all, this.#recipe, () => this.#set(values, "watch"));
+    this.#presetNote.press({ ...preset, values }, all, this.#recipe, () => this.#set(values, "still"));
     this.#showNotices();
   }
 
@@ -225,7 +225,7 @@ class Page {
       this.#presetNote.forget();
       this.#recipe.open(link);
       this.#choices.replaceSeed(this.#recipe.seed);
-      this.#show("watch", isStep && this.#undo.isStep());
+      this.#show("still", isStep && this.#undo.isStep());
     });
   }
 
@@ -260,7 +260,7 @@ class Page {
 
   #show(how: ShowMode, isStep = false): void {
     this.#showRecipe(isStep);
-    this.#viewport.show(mapOf(this.#recipe), howFor(how));
+    this.#viewport.show(mapOf(this.#recipe), how);
   }
 
   #showRecipe(isStep = false): void {
@@ -414,7 +414,7 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
     () => prefersDark.matches,
   );
   const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);
-  viewport.start(howFor("watch"));
+  viewport.start("still");
   const shut = (error: unknown): never => {
     viewport.close();
     throw error;

@@ -28,6 +28,7 @@ import type {
 import type { PageRenderHost } from "../backend.ts";
 import { Camera, type Insets, type Point, type Stage, transformBetween } from "./camera.ts";
 import { Gestures, KEY_ZOOM } from "./gestures.ts";
+import { LastPicture } from "./last-picture.ts";
 
 export interface ViewportElements {
   /** The picture's place. */
@@ -88,6 +89,7 @@ export class RiverViewport {
   #isOver = false;
   #isCovered = false;
   readonly #camera = new Camera();
+  readonly #lastPicture: LastPicture;
   /** The part of the map that the picture shows. */
   #framing: Framing | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
@@ -101,7 +103,8 @@ export class RiverViewport {
     /** Measures how much of the picture's place other things cover. */
     private readonly covered: () => Insets,
   ) {
-    this.#wanted = { ...first, how: "watch", number: 0 };
+    this.#wanted = { ...first, how: "still", number: 0 };
+    this.#lastPicture = new LastPicture(elements.frame);
     this.#listenToHand();
     observeSize(this.#observer, elements.frame);
     document.addEventListener("visibilitychange", () => this.#rest());
@@ -151,6 +154,8 @@ export class RiverViewport {
     if (this.#id === undefined) return;
     this.#wanted.number = ++this.#links;
     this.elements.frame.dataset["pending"] = "";
+    if (how === "still") this.#lastPicture.keep(this.elements.canvas);
+    else this.#lastPicture.drop();
     const size = this.#size();
     this.#wanted.framing = size.framing;
     this.#send({ do: "show", link: { text: link }, how, size });
@@ -287,6 +292,7 @@ export class RiverViewport {
     delete this.elements.frame.dataset["pending"];
     this.#becomeFramed(this.#wanted.framing);
     this.#wanted.framing = undefined;
+    if (state === "finished") this.#lastPicture.fade();
     this.#tell((events) => events.changed(state, phase, summary));
   }
 
@@ -300,6 +306,7 @@ export class RiverViewport {
       this.#wanted = { ...this.#wanted, link: this.link, aspect, number: 0 };
       void this.#resize();
       delete this.elements.frame.dataset["pending"];
+      this.#lastPicture.drop();
     }
     this.#tell((events) => events.failed(error));
   }
@@ -323,6 +330,7 @@ export class RiverViewport {
     const { frame, zoom } = this.elements;
     const follow = (move: (stage: Stage) => void): void => {
       move(this.#stage());
+      this.#lastPicture.drop();
       this.#followCamera();
     };
     const zoomBy = (factor: number, about?: Point): void =>

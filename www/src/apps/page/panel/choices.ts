@@ -12,6 +12,7 @@ import type { SteerCore } from "../../../engine/steer.ts";
 import type { Parameter, Preset, Table } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
+import { freshAspect } from "../preferences.ts";
 import { SeedTrail } from "./seed-trail.ts";
 import { StyleStrip } from "./style-strip.ts";
 
@@ -42,6 +43,8 @@ export class Choices {
   readonly #countries: PresetButtons;
   readonly #seedBox: SeedBox;
   readonly #land: LandChoice;
+  /** The shape of the map on show, and the default. */
+  #aspects = { now: "", usual: "" };
 
   constructor(
     private readonly engine: SteerCore["engine"],
@@ -63,7 +66,7 @@ export class Choices {
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
     );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
-      events.set([["seed", seed]], "watch", true),
+      events.set([["seed", seed]], "still", true),
     );
     describeSeed(parameter("seed"));
     this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
@@ -99,6 +102,7 @@ export class Choices {
     this.#countries.show(values);
     this.#seedBox.show(seed);
     this.#land.show(values.get("land") ?? "");
+    this.#aspects = { now: values.get("aspect") ?? "", usual: defaults.get("aspect") ?? "" };
   }
 
   /** Replaces the seed in its box, whatever is typed there. */
@@ -119,7 +123,7 @@ export class Choices {
 
   /** Takes the map of a country, all but its seed, its style and what is kept. */
   #goToCountry(country: Preset): void {
-    this.events.set(this.unkept(country), "watch");
+    this.events.set(this.unkept(country), "still");
   }
 
   /** Returns whether a country is on show already, as far as its values are not kept. */
@@ -129,15 +133,17 @@ export class Choices {
 
   #throwDice(): void {
     try {
-      this.#goToSeed(this.engine.freshSeed());
+      const { now, usual } = this.#aspects;
+      const aspect = this.kept.has("aspect") ? now : freshAspect(now, usual);
+      this.#goToSeed(this.engine.freshSeed(), [["aspect", aspect]]);
     } catch (error) {
       this.events.failed(error);
     }
   }
 
-  #goToSeed(seed: string): void {
+  #goToSeed(seed: string, others: Values = []): void {
     this.replaceSeed(seed);
-    this.events.set([["seed", seed]], "watch");
+    this.events.set([["seed", seed], ...others], "still");
   }
 }
 

@@ -1,6 +1,7 @@
 /**
- * The strip of styles: a thumbnail of the map on show in each style. Choosing a style never changes the map: a style
- * that needs a country of its own has a button after it, which goes there.
+ * The strip of styles: a thumbnail of the map on show in each of the first styles, and of the others once somebody asks
+ * for more. Choosing a style never changes the map: a style that needs a country of its own has a button after it, which
+ * goes there.
  */
 
 import { el } from "../../../browser/dom.ts";
@@ -10,8 +11,8 @@ import type { Thumbnail } from "../../../player/thumbnails.ts";
 /** The size of a thumbnail in CSS pixels. */
 const SIZE = { width: 112, height: 64 };
 
-/** The first styles in their order on the strip; the others follow. */
-const FIRST = ["atlas", "night", "survey", "parchment", "basins", "past-courses", "ink-wash", "orbit", "blueprint"];
+/** The number of styles, in the table's order, that are in sight from the beginning. */
+const FIRST = 6;
 
 /** Makes thumbnails of the map on show, with `size` in device pixels; none if another map is shown by then. */
 export type MakeThumbnails = (
@@ -28,8 +29,16 @@ export class StyleStrip {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; canvas: HTMLCanvasElement }>();
   /** The buttons of countries, each after the button of the style that is best there. */
   readonly #best: { country: Preset; button: HTMLButtonElement }[];
-  /** The link, without a style, of the map in the thumbnails. */
+  readonly #more = el(
+    "button",
+    { type: "button", class: "quiet more-styles", "aria-expanded": "false" },
+    "More styles",
+  );
+  /** The link, without a style, of the map in the thumbnails, and the styles whose thumbnails show it. */
   #map: string | undefined;
+  readonly #made = new Set<string>();
+  /** Makes the thumbnails that are missing, once there is a map. */
+  #makeMissing = async (): Promise<void> => {};
   readonly #ratio = Math.min(2, Math.max(1, Math.ceil(window.devicePixelRatio)));
 
   constructor(
@@ -38,14 +47,12 @@ export class StyleStrip {
     countries: readonly Preset[],
     private readonly choose: Choose,
   ) {
-    const choices = style?.choices ?? [];
-    const rank = (value: string): number => (FIRST.indexOf(value) + FIRST.length + 1) % (FIRST.length + 1);
-    for (const { value } of [...choices].sort((a, b) => rank(a.value) - rank(b.value))) {
+    for (const [rank, { value }] of (style?.choices ?? []).entries()) {
       const { width, height } = this.#size;
       const canvas = el("canvas", { width, height, "aria-hidden": "true" });
       const button = el(
         "button",
-        { type: "button", class: "style", "aria-pressed": "false" },
+        { type: "button", class: "style", "aria-pressed": "false", hidden: rank >= FIRST },
         canvas,
         el("span", {}, nameOf(value)),
       );
@@ -56,19 +63,28 @@ export class StyleStrip {
       place.append(button);
     }
     this.#best = countries.filter(({ style }) => style !== undefined).map((country) => this.#makeBest(country));
+    this.#more.addEventListener("click", () => this.#showMore());
+    place.append(this.#more);
   }
 
-  /** Makes thumbnails of a finished map, unless only its style has changed since the last ones. */
+  /** Makes thumbnails of a finished map in the styles in sight, but for those that show it already. */
   async refresh(link: () => string, make: MakeThumbnails): Promise<void> {
+    this.#makeMissing = () => this.#refresh(link, make);
+    await this.#makeMissing();
+  }
+
+  async #refresh(link: () => string, make: MakeThumbnails): Promise<void> {
     const map = unstyled(link());
-    if (map === this.#map || this.place.getClientRects().length === 0) return;
-    const made = await make([...this.#buttons.keys()], this.#size).catch((thrown: unknown) => {
-      // Not tried again for this map, since it would fail again.
-      this.#map = map;
-      throw thrown;
-    });
-    if (made.length === 0 || unstyled(link()) !== map) return;
+    if (map !== this.#map) this.#made.clear();
     this.#map = map;
+    const missing = [...this.#buttons].filter(([style, { button }]) => !button.hidden && !this.#made.has(style));
+    if (missing.length === 0 || this.place.getClientRects().length === 0) return;
+    const styles = missing.map(([style]) => style);
+    // Whatever comes of it: what fails would fail again.
+    for (const style of styles) this.#made.add(style);
+    const made = await make(styles, this.#size);
+    if (unstyled(link()) !== map) return;
+    if (made.length === 0) for (const style of styles) this.#made.delete(style);
     for (const thumbnail of made) this.#draw(thumbnail);
   }
 
@@ -79,8 +95,20 @@ export class StyleStrip {
 
   /** Shows which style is chosen, and offers the country that it is best on unless that would change nothing. */
   show(style: string, changesNothing: (country: Preset) => boolean): void {
-    for (const [value, { button }] of this.#buttons) button.setAttribute("aria-pressed", String(value === style));
+    for (const [value, { button }] of this.#buttons) {
+      button.setAttribute("aria-pressed", String(value === style));
+      if (value === style) button.hidden = false;
+    }
     for (const { country, button } of this.#best) button.hidden = country.style !== style || changesNothing(country);
+  }
+
+  /** Shows all styles, for good: who looks for one may look for another. */
+  #showMore(): void {
+    const hidden = [...this.#buttons.values()].filter(({ button }) => button.hidden);
+    for (const { button } of hidden) button.hidden = false;
+    this.#more.remove();
+    hidden[0]?.button.focus();
+    this.#makeMissing().catch(() => {});
   }
 
   #choose(style: string): void {

@@ -8,7 +8,7 @@ import { el } from "../../../browser/dom.ts";
 import type { Preset } from "../../../engine/table.ts";
 import type { PageRenderHost } from "../backend.ts";
 import { elements } from "../elements.ts";
-import { howFor } from "../preferences.ts";
+import { howToGrow } from "../preferences.ts";
 import { type SharedValues, SideBySide } from "./side-by-side.ts";
 
 export interface SixWaysEvents {
@@ -38,7 +38,7 @@ export class SixWays {
       changed,
       take,
       copy,
-      how: () => howFor("watch"),
+      how: howToGrow,
     });
     this.button.addEventListener("click", () => this.open());
   }
