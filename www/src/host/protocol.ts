@@ -28,7 +28,7 @@ export type SceneCommand = { id: number } & (
   | { do: "show"; link: LinkToRead; how: ShowMode; size: CanvasSize }
   | { do: "resize"; size: CanvasSize }
   | { do: "speed"; speed: number }
-  | { do: "play" | "pause" | "toggle" | "replay" | "finish" | "rest" | "wake" | "close" }
+  | { do: "play" | "pause" | "toggle" | "replay" | "finish" | "rest" | "finishUnseen" | "wake" | "close" }
 );
 
 /** A message to the renderer. A question has a number that no other message has, and gets one answer. */

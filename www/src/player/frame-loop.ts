@@ -51,7 +51,8 @@ export interface Growing {
 }
 
 export interface Frames {
-  request(callback: (now: number) => void): number;
+  /** Requests a frame. Work that is out of sight comes after all that is seen. */
+  request(callback: (now: number) => void, isUnseen?: boolean): number;
   cancel(handle: number): void;
   now(): number;
 }
@@ -101,8 +102,8 @@ interface Following {
  */
 type Picture = "none" | "due" | "next" | "begun";
 
-/** The presence of an audience: here; away for now; gone for good. */
-type Audience = "here" | "away" | "gone";
+/** The presence of an audience: here; past, so that it finds a finished river when it comes back; away for now; gone for good. */
+type Audience = "here" | "past" | "away" | "gone";
 
 export interface FrameLoopEvents {
   /**
@@ -223,13 +224,20 @@ export class FrameLoop {
 
   /** Stops making steps until `wake`. A picture that is due is still painted. */
   rest(): void {
-    if (this.#audience === "here") this.#audience = "away";
+    this.#meet("away");
     if (this.#picture === "none") this.halt();
     else this.#forgetTime();
   }
 
+  /** Goes to the end without animation while nobody looks, and paints the finished river alone. */
+  finishUnseen(): void {
+    this.#meet("past");
+    this.#goOn();
+  }
+
+  /** Goes on for an audience, from as far as the river has grown. */
   wake(): void {
-    if (this.#audience === "away") this.#audience = "here";
+    this.#meet("here");
     this.#goOn();
   }
 
@@ -246,6 +254,14 @@ export class FrameLoop {
     this.#audience = "gone";
   }
 
+  #meet(audience: Audience): void {
+    if (this.#audience === audience || this.#audience === "gone") return;
+    // Seen and unseen rivers wait in different lines.
+    if (this.#isPassed || audience === "past") this.halt();
+    if (this.#course.is === "growing") this.#course.pace = undefined;
+    this.#audience = audience;
+  }
+
   #goOn(): void {
     if (this.#picture !== "none" || this.#isStepping) this.#wake();
   }
@@ -255,7 +271,11 @@ export class FrameLoop {
   }
 
   get #isStepping(): boolean {
-    return this.#runs && this.#audience === "here";
+    return this.#runs && this.#audience !== "away";
+  }
+
+  get #isPassed(): boolean {
+    return this.#audience === "past";
   }
 
   /** Forgets the last frame's time, so that the animation goes on from where it was. */
@@ -276,7 +296,7 @@ export class FrameLoop {
   }
 
   #wake(): void {
-    if (this.#audience !== "gone") this.#handle ??= this.frames.request((now) => this.#frame(now));
+    if (this.#audience !== "gone") this.#handle ??= this.frames.request((now) => this.#frame(now), this.#isPassed);
   }
 
   #frame(now: number): void {
@@ -311,12 +331,13 @@ export class FrameLoop {
   /** Makes the steps that are due, within the budget. */
   #proceed(now: number, phase: Phase): void {
     const course = this.#course;
-    if (course.is === "growing") {
+    if (course.is === "settling" || (course.is === "growing" && this.#isPassed)) {
+      this.#advance(phase, 1, SETTLE_BUDGET_MS);
+    } else if (course.is === "growing") {
       const elapsed = course.last === undefined ? 0 : Math.min(now - course.last, LONGEST_STEP_MS);
       course.last = now;
       this.#animate(course, phase, (elapsed * this.#speed) / 1000);
-    } else if (course.is === "settling") this.#advance(phase, 1, SETTLE_BUDGET_MS);
-    else if (course.is === "following") this.#follow(course, phase);
+    } else if (course.is === "following") this.#follow(course, phase);
   }
 
   /** Makes a draft until something has been shown; then waits for the hand to rest. */
@@ -325,10 +346,11 @@ export class FrameLoop {
     else if (this.frames.now() - since >= REST_MS) this.#advance(phase, 1, SETTLE_BUDGET_MS);
   }
 
-  /** Returns whether a picture should be painted. A settling river is painted seldom. */
+  /** Returns whether a picture should be painted. A settling river is painted seldom, and one that nobody sees at its end. */
   #isWorthShowing(now: number, before: Phase): boolean {
     const { phase } = this.river;
     const course = this.#course;
+    if (this.#isPassed && this.#runs) return phase === "finished";
     if ((course.is !== "settling" && course.is !== "following") || phase === "finished") return true;
     const isFollowing = course.is === "following";
     if (isFollowing && (phase === "meandering" || phase === "relief")) return course.shown !== "rivers";

@@ -162,6 +162,11 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#attempt(() => this.#loop.rest());
   }
 
+  /** Goes to the finished river, without pictures, while nobody sees it. */
+  finishUnseen(): void {
+    this.#attempt(() => this.#loop.finishUnseen());
+  }
+
   wake(): void {
     this.#attempt(() => this.#loop.wake());
   }

@@ -388,6 +388,61 @@ test("at rest what is due to be drawn is drawn, and nothing grows", () => {
   expect(stage.ticks).toBeGreaterThan(0);
 });
 
+test("a river that the reader is past is finished without pictures, and then painted once", () => {
+  const stage = new Stage(600, 200);
+  stage.cost = 1;
+  stage.loop.watch();
+  stage.frames(5);
+  const seen = stage.drawn.length;
+  stage.loop.finishUnseen();
+  stage.frames(200);
+  expect(stage.loop.state).toBe("finished");
+  expect(stage.phases.slice(seen)).toEqual(["finished"]);
+  expect(stage.waiting).toBe(0);
+});
+
+test("who comes back before that sees it go on from as far as it is, at the usual pace", () => {
+  const stage = new Stage(600);
+  stage.cost = 1;
+  stage.loop.watch();
+  stage.frames(5);
+  stage.loop.finishUnseen();
+  stage.frames(20);
+  expect(stage.loop.state).toBe("growing");
+  const [ticks, seen] = [stage.ticks, stage.drawn.length];
+  stage.loop.wake();
+  stage.frames(2);
+  expect(stage.drawn.length).toBeGreaterThan(seen);
+  expect(stage.ticks).toBeGreaterThanOrEqual(ticks);
+  expect(stage.ticks - ticks).toBeLessThan(0.1 * stage.lastTick);
+});
+
+test("one that is paused stays so when the reader is past it", () => {
+  const stage = new Stage();
+  stage.loop.watch();
+  stage.frames(5);
+  stage.loop.pause();
+  stage.frames(1);
+  const { ticks } = stage;
+  stage.loop.finishUnseen();
+  stage.frames(20);
+  expect(stage.ticks).toBe(ticks);
+  expect(stage.loop.state).toBe("paused");
+});
+
+test("a hidden page stops those as well that nobody sees", () => {
+  const stage = new Stage();
+  stage.loop.watch();
+  stage.frames(1);
+  stage.loop.finishUnseen();
+  stage.loop.rest();
+  stage.frames(5);
+  const { ticks } = stage;
+  stage.frames(20);
+  expect(stage.ticks).toBe(ticks);
+  expect(stage.waiting).toBe(0);
+});
+
 test("a failure is told once and stops the loop", () => {
   const stage = new Stage();
   stage.advance = () => {

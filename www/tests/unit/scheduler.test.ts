@@ -67,3 +67,45 @@ test("what is cancelled does not come", () => {
   frame();
   expect(times).toBe(0);
 });
+
+test("rivers out of sight come after those in sight, and have one turn in a full frame", () => {
+  const { scheduler, frame, work } = stage();
+  const done: string[] = [];
+  const grow = (name: string, isUnseen: boolean): void => {
+    scheduler.request(() => {
+      done.push(name);
+      work(SHARE_MS / 2);
+      grow(name, isUnseen);
+    }, isUnseen);
+  };
+  for (const name of ["past", "past later"]) grow(name, true);
+  for (const name of ["a", "b"]) grow(name, false);
+  frame();
+  frame();
+  expect(done).toEqual(["a", "b", "past later", "a", "b", "past later"]);
+});
+
+test("of rivers out of sight one is finished after the other, the last first", () => {
+  const { scheduler, frame, work } = stage();
+  const done: string[] = [];
+  const grow = (name: string, turns: number): void => {
+    scheduler.request(() => {
+      done.push(name);
+      work(SHARE_MS);
+      if (turns > 1) grow(name, turns - 1);
+    }, true);
+  };
+  for (const name of ["first", "last"]) grow(name, 2);
+  for (let i = 0; i < 4; i++) frame();
+  expect(done).toEqual(["last", "last", "first", "first"]);
+  expect(scheduler.isAwaited).toBe(false);
+});
+
+test("what is cancelled by one before it in the same frame does not come", () => {
+  const { scheduler, frame } = stage();
+  let times = 0;
+  scheduler.request(() => scheduler.cancel(handle));
+  const handle = scheduler.request(() => times++);
+  frame();
+  expect(times).toBe(0);
+});

@@ -44,6 +44,8 @@ export class RiverSeed extends Base {
   /** Defined while the element is in a document, and aborted when it leaves. */
   #life: AbortController | undefined;
   #isNear = false;
+  /** True once the reader has been near. */
+  #wasNear = false;
   /** True if attributes have changed in this turn. */
   #isChanging = false;
   /** True once it has begun: it does not begin again by itself. */
@@ -239,6 +241,7 @@ export class RiverSeed extends Base {
     on(matchMedia(STILL), "change", () => this.#finishIfStill());
     const near = (isNear: boolean): void => {
       this.#isNear = isNear;
+      this.#wasNear ||= isNear;
       this.#rest();
       this.#beginIfDue();
     };
@@ -323,7 +326,7 @@ export class RiverSeed extends Base {
   #leave(): void {
     this.#life?.abort();
     this.#life = undefined;
-    this.#isNear = this.#hasFailed = false;
+    this.#isNear = this.#wasNear = this.#hasFailed = false;
     this.#close();
     this.#renew("the river-seed was removed");
   }
@@ -337,10 +340,11 @@ export class RiverSeed extends Base {
     this.#view.clear();
   }
 
-  /** Rests while the element is off the screen or the tab is hidden. */
+  /** Rests while the tab is hidden, and until the element is seen. Once the reader is past it, it finishes unseen. */
   #rest(): void {
     if (this.#id === undefined) return;
-    renderHost.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
+    const isAway = document.hidden || !this.#wasNear;
+    renderHost.send(this.#id, { do: isAway ? "rest" : this.#isNear ? "wake" : "finishUnseen" });
   }
 
   #finishIfStill(): void {

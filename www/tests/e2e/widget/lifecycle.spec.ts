@@ -49,15 +49,67 @@ test("an eager river is there at once, and grows when it is seen", async ({ page
   await expect.poll(() => isGrowing(page)).toBe(true);
 });
 
-test("off the screen it stands still, back on it goes on", async ({ page, blog }) => {
+/** Waits until no widget is near the window, as the element itself counts it. */
+async function scrollPast(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    scrollTo(0, document.body.scrollHeight);
+    const river = document.querySelector("river-seed") ?? document.body;
+    await new Promise<void>((done) => {
+      const observer = new IntersectionObserver(
+        ([entry]) => {
+          if (entry?.isIntersecting === false) done();
+        },
+        { rootMargin: "150px" },
+      );
+      observer.observe(river);
+    });
+  });
+  await frames(page, 5);
+}
+
+test("one that is read past is finished without a picture on the way, and is whole when scrolled back to @core", async ({
+  page,
+  blog,
+}) => {
+  const link = "seed=rimu&meander-rounds=200&style=ink&labels=none";
+  const events = await open(page, blog, `<river-seed recipe="${link}"></river-seed>${BELOW}`);
+  await heard(events, "progress");
+  await scrollPast(page);
+  const before = await probe(page);
+  expect((await events()).map(({ type }) => type)).not.toContain("complete");
+  await heard(events, "complete");
+  const after = await probe(page);
+  expect(after.steps).toBeGreaterThan(before.steps);
+  expect(after.pictures - before.pictures).toBe(1);
+  await expect.poll(async () => (await probe(page)).frames).toBe(0);
+  await page.evaluate(() => scrollTo(0, 0));
+  await expectPicture(page, canonical(link));
+});
+
+test("who comes back before it is finished sees it go on growing", async ({ page, blog }) => {
   const events = await open(page, blog, `${LONG}${BELOW}`);
   await heard(events, "progress");
+  await scrollPast(page);
   await expect.poll(() => isGrowing(page)).toBe(true);
-  await page.evaluate(() => scrollTo(0, 4000));
-  await expect.poll(() => isGrowing(page)).toBe(false);
-  expect((await probe(page)).frames).toBe(0);
   await page.evaluate(() => scrollTo(0, 0));
-  await expect.poll(() => isGrowing(page)).toBe(true);
+  const { length } = await events();
+  await expect.poll(async () => (await events()).slice(length).map(({ type }) => type)).toContain("progress");
+  await heard(events, "complete");
+});
+
+test("twenty that are read past one after the other are all finished", async ({ page, blog }) => {
+  const rivers = Array.from(
+    { length: 20 },
+    (_, i) => `<river-seed id="r${i}" recipe="seed=${i}&attractors=2000&style=ink&labels=none"></river-seed>`,
+  );
+  const events = await open(page, blog, `${rivers.join('<p style="height: 300px">Text.</p>')}${BELOW}`);
+  for (let i = 0; i < 20; i++) {
+    await page.locator(`#r${i}`).scrollIntoViewIfNeeded();
+    await heard(events, "ready", i + 1);
+  }
+  await scrollPast(page);
+  await heard(events, "complete", 20);
+  expect((await probe(page)).frames).toBe(0);
 });
 
 test("in a hidden tab it stands still", async ({ page, blog }) => {

@@ -72,7 +72,7 @@ export function canonical(link: string): string {
 
 /** Counts, in a page or in a worker, what the engine holds and does; and fails by name when a river is replayed, once asked to. */
 export const PROBE = `{
-  const count = { rivers: 0, steps: 0, frames: 0, bytes: 0 };
+  const count = { rivers: 0, steps: 0, pictures: 0, frames: 0, bytes: 0 };
   let memory, failure;
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...given) => {
@@ -93,6 +93,11 @@ export const PROBE = `{
   };
   // What the glue asks of an instance.
   Object.defineProperty(WebAssembly.Instance, Symbol.hasInstance, { value: (one) => "exports" in Object(one) });
+  const put = globalThis.OffscreenCanvasRenderingContext2D?.prototype.putImageData;
+  if (put) OffscreenCanvasRenderingContext2D.prototype.putImageData = function (...given) {
+    count.pictures++;
+    return Reflect.apply(put, this, given);
+  };
   const request = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.requestAnimationFrame = (callback) => {
     count.frames++;
@@ -111,6 +116,8 @@ export const PROBED_WORKER = PROBE + readFileSync(join(BUILT, "worker.js"), "utf
 export interface Count {
   rivers: number;
   steps: number;
+  /** That were put on a canvas. */
+  pictures: number;
   /** That are waited for. */
   frames: number;
   bytes: number;
