@@ -5,11 +5,9 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Code } from "../engine/errors.ts";
-import type { Phase, Summary } from "../engine/types.ts";
-import type { State } from "../player/frame-loop.ts";
-import type { Canvas, LinkToRead, Reading, ShowMode } from "../player/river-player.ts";
+import type { Canvas, LinkToRead, Reading, ShowMode, Status } from "../player/river-player.ts";
 
-export type { Reading } from "../player/river-player.ts";
+export type { Reading, Status } from "../player/river-player.ts";
 
 /** Puts a river on a canvas. */
 export interface Opening {
@@ -28,6 +26,7 @@ export type SceneCommand = { id: number } & (
   | { do: "show"; link: LinkToRead; how: ShowMode; size: CanvasSize }
   | { do: "resize"; size: CanvasSize }
   | { do: "speed"; speed: number }
+  | { do: "seek"; share: number }
   | { do: "play" | "pause" | "toggle" | "replay" | "finish" | "rest" | "finishUnseen" | "wake" | "close" }
 );
 
@@ -64,13 +63,6 @@ export interface Pong {
   is: "alive";
   isAtWork: boolean;
   silenceMs?: number;
-}
-
-/** The state of a river on its canvas, with its numbers. */
-export interface Status {
-  state: State;
-  phase: Phase;
-  summary: Summary;
 }
 
 /**

@@ -54,7 +54,7 @@ export class Scene<R extends River = River> {
     const { id, canvas, link, how } = this.opening;
     const events: PlayerEvents = {
       sizeFor: () => this.#size,
-      changed: (reading, state, phase, summary) => this.tell({ id, is: "shown", reading, state, phase, summary }),
+      changed: (reading, status) => this.tell({ id, is: "shown", reading, ...status }),
       failed: (thrown) => this.#fail(thrown),
     };
     const player = new RiverPlayer(this.maker, canvas, link, this.frames, events, this.clock);
@@ -76,6 +76,9 @@ export class Scene<R extends River = River> {
         break;
       case "speed":
         player.speed = command.speed;
+        break;
+      case "seek":
+        player.seek(command.share);
         break;
       default:
         player[command.do]();

@@ -22,6 +22,11 @@ export class Annotator {
   #isAsking = false;
   #fetching: Promise<void> | undefined;
 
+  /** True while the teller is fetched. */
+  get isAsking(): boolean {
+    return this.#isAsking;
+  }
+
   constructor(
     private readonly load: LoadTeller,
     private readonly events: AnnotatorEvents,
@@ -60,12 +65,12 @@ export class Annotator {
     this.#askedFor = link;
     this.#isAsking = true;
     try {
-      await this.#fetch();
+      await this.#fetch().finally(() => {
+        this.#isAsking = false;
+      });
       this.events.arrived();
     } catch (error) {
       this.events.failed(unlabelled(error));
-    } finally {
-      this.#isAsking = false;
     }
   }
 

@@ -5,6 +5,7 @@
  */
 
 import type { Phase } from "../engine/types.ts";
+import { progressOf } from "./progress.ts";
 
 /** The time in which a tree grows up at 1x, whatever its shape and however fine it is. */
 export const GROWTH_SECONDS = 2;
@@ -71,7 +72,9 @@ type Course =
    */
   | { is: "growing"; last?: number | undefined; pace?: { phase: Phase; spent: number } | undefined }
   | Settling
-  | Following;
+  | Following
+  /** On its way to a share of the progress, to be paused there. */
+  | { is: "seeking"; share: number };
 
 /** The course to the finished river without animation. */
 interface Settling {
@@ -196,6 +199,15 @@ export class FrameLoop {
   settle(showsTree: boolean): void {
     const [shownAt, from] = [this.frames.now(), this.river.phase];
     this.#enter({ is: "settling", from, showsTree, hasShown: false, shownAt });
+  }
+
+  /**
+   * Goes to a share of the progress, from 0 to 1, without animation, in slices, and pauses there. Rivers only grow
+   * forward: for an earlier share they grow again.
+   */
+  seek(share: number): void {
+    if (progressOf(this.river) > share) this.river.restart();
+    this.#enter({ is: "seeking", share });
   }
 
   /**
@@ -337,7 +349,18 @@ export class FrameLoop {
       const elapsed = course.last === undefined ? 0 : Math.min(now - course.last, LONGEST_STEP_MS);
       course.last = now;
       this.#animate(course, phase, (elapsed * this.#speed) / 1000);
-    } else if (course.is === "following") this.#follow(course, phase);
+    } else if (course.is === "seeking") this.#seek(course.share);
+    else if (course.is === "following") this.#follow(course, phase);
+  }
+
+  /** Makes steps to a share of the progress, within the budget, and pauses there. */
+  #seek(share: number): void {
+    const end = this.frames.now() + SETTLE_BUDGET_MS;
+    while (this.river.phase !== "finished" && progressOf(this.river) < share) {
+      this.river.advance(1);
+      if (this.frames.now() >= end) return;
+    }
+    if (this.river.phase !== "finished") this.#become({ is: "paused" });
   }
 
   /** Makes a draft until something has been shown; then waits for the hand to rest. */
@@ -350,7 +373,7 @@ export class FrameLoop {
   #isWorthShowing(now: number, before: Phase): boolean {
     const { phase } = this.river;
     const course = this.#course;
-    if (this.#isPassed && this.#runs) return phase === "finished";
+    if (course.is === "seeking" || (this.#isPassed && this.#runs)) return phase === "finished";
     if ((course.is !== "settling" && course.is !== "following") || phase === "finished") return true;
     const isFollowing = course.is === "following";
     if (isFollowing && (phase === "meandering" || phase === "relief")) return course.shown !== "rivers";
@@ -426,7 +449,7 @@ export class FrameLoop {
 }
 
 function stateOf({ is }: Course): State {
-  return is === "following" ? "settling" : is;
+  return is === "following" || is === "seeking" ? "settling" : is;
 }
 
 /** Returns whether a river is settling and no picture has shown anything new of it. */

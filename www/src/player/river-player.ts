@@ -4,14 +4,15 @@
  */
 
 import type { CanvasSize } from "../browser/canvas.ts";
-import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
+import type { Phase, ReadOptions, River } from "../engine/types.ts";
 import { Annotator } from "./annotator.ts";
 import type { LoadTeller } from "./asking.ts";
 import { Blitter } from "./blit.ts";
 import { type Drafting, Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
+import { progressOf } from "./progress.ts";
 import type { SharedClock } from "./shared-clock.ts";
-import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts";
+import type { Canvas, LinkToRead, Reading, ShowMode, Status, Wanted } from "./showing.ts";
 
 export type * from "./showing.ts";
 
@@ -19,7 +20,7 @@ export interface PlayerEvents {
   /** Returns the size that the canvas should have for a river of this shape; 0 if it is not shown. */
   sizeFor(aspect: number): CanvasSize;
   /** Called when the link, the state or the river changed. */
-  changed(reading: Reading, state: State, phase: Phase, summary: Summary): void;
+  changed(reading: Reading, status: Status): void;
   failed(error: unknown): void;
 }
 
@@ -85,7 +86,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#drafts = new Drafts(this.#river, () => frames.now());
     this.#annotator = new Annotator(core.loadTeller, {
       arrived: () => this.#attempt(() => this.#redraw()),
-      failed: (error) => this.#attempt(() => events.failed(error)),
+      failed: (error) =>
+        this.#attempt(() => {
+          events.failed(error);
+          // No names are to be waited for.
+          this.#tell();
+        }),
     });
     this.#growing = clock?.join(this.#river) ?? this.#river;
     this.#loop = new FrameLoop(this.#growing, frames, {
@@ -155,6 +161,11 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   /** Goes to the finished river without animation. */
   finish(): void {
     if (this.state !== "finished") this.#attempt(() => this.#loop.settle(false));
+  }
+
+  /** Goes to a share of the progress and pauses there. */
+  seek(share: number): void {
+    this.#attempt(() => this.#loop.seek(share));
   }
 
   /** Makes no steps until `wake`, while nobody sees the river. */
@@ -332,7 +343,13 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   #tell(): void {
     const { phase } = this.#river;
     this.#told = { phase, at: this.frames.now() };
-    this.events.changed(this.#reading, this.state, phase, this.#river.summary());
+    this.events.changed(this.#reading, {
+      state: this.state,
+      phase,
+      progress: progressOf(this.#river),
+      isUnnamed: this.#annotator.isAsking,
+      summary: this.#river.summary(),
+    });
   }
 
   /**

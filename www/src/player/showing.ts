@@ -1,6 +1,7 @@
 /** Plain data that goes to a player and comes back: the map to show, and the map on the canvas. */
 
-import type { Notice, ReadOptions } from "../engine/types.ts";
+import type { Notice, Phase, ReadOptions, Summary } from "../engine/types.ts";
+import type { State } from "./frame-loop.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -33,4 +34,15 @@ export interface Reading {
   notices: readonly Notice[];
   /** The number of links the player had been asked to show by then, without the first. */
   links: number;
+}
+
+/** The state of a map on its canvas, with its numbers. */
+export interface Status {
+  state: State;
+  phase: Phase;
+  /** The share of the way to the finished map, from 0 to 1. */
+  progress: number;
+  /** True for a finished map whose names are still being fetched. */
+  isUnnamed: boolean;
+  summary: Summary;
 }

@@ -606,3 +606,46 @@ test("rivers, or a relief, that are made again are not thrown away before anythi
     expect([stage.loop.isBusy, stage.loop.state]).toEqual([false, "finished"]);
   }
 });
+
+test("seeking goes to its share without pictures on the way, and pauses there", () => {
+  const stage = new Stage(600, 200);
+  stage.cost = 1;
+  stage.loop.seek(0.25);
+  stage.frames(100);
+  expect(stage.loop.state).toBe("paused");
+  expect(stage.drawn).toEqual([300]);
+  expect(stage.waiting).toBe(0);
+});
+
+test("seeking back grows again from the mouths; forward it goes on", () => {
+  const stage = new Stage(600, 200);
+  stage.loop.seek(0.8);
+  stage.frames(5);
+  expect(stage.phase).toBe("meandering");
+  stage.loop.seek(0.25);
+  stage.frames(5);
+  expect([stage.ticks, stage.restarts]).toEqual([300, 1]);
+  stage.loop.seek(0.4);
+  stage.frames(5);
+  expect([stage.ticks, stage.restarts]).toEqual([480, 1]);
+});
+
+test("seeking to the end finishes, and playing goes on from where it was sought", () => {
+  const stage = new Stage(600);
+  stage.loop.seek(0.25);
+  stage.frames(5);
+  stage.loop.play();
+  stage.frames(3);
+  expect(stage.loop.state).toBe("growing");
+  expect(stage.restarts).toBe(0);
+  stage.loop.seek(1);
+  stage.frames(5);
+  expect(stage.loop.state).toBe("finished");
+});
+
+test.each([Number.NaN, -1, Number.POSITIVE_INFINITY])("seeking to %s stops somewhere", (share) => {
+  const stage = new Stage(600);
+  stage.loop.seek(share);
+  stage.frames(5);
+  expect(stage.loop.state).toBe(share > 1 ? "finished" : "paused");
+});

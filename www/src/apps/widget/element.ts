@@ -53,7 +53,7 @@ export class RiverSeed extends Base {
   #hasFailed = false;
   #isShown = false;
   /** The last request, until the river follows it: there may be no river yet, or a worker that no longer answers. */
-  #asked: "play" | "pause" | "still" | undefined;
+  #asked: "play" | "pause" | "still" | { share: number } | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
   #link: ReturnType<typeof linkToRead> | undefined;
@@ -114,6 +114,11 @@ export class RiverSeed extends Base {
     return this.#present === "failed" ? "failed" : phase;
   }
 
+  /** The share of the way to the finished rivers, from 0 to 1. */
+  get progress(): number {
+    return this.#now?.progress ?? 0;
+  }
+
   /**
    * A promise that resolves when the requested rivers are finished, and rejects with the error if they fail. There is a
    * new promise when the attributes ask for other rivers, the element leaves the document, or finished rivers grow
@@ -131,6 +136,11 @@ export class RiverSeed extends Base {
 
   pause(): void {
     this.#ask("pause");
+  }
+
+  /** Goes to a share of the progress, from 0 to 1, and pauses there. To go back, the rivers grow again. */
+  seek(share: number): void {
+    this.#ask({ share: Number(share) });
   }
 
   /** Grows the river again from the mouths. After a failure it tries again. */
@@ -160,11 +170,15 @@ export class RiverSeed extends Base {
     return (await this.#file({ format: "svg", longSide: 0 })).text();
   }
 
-  #ask(what: "play" | "pause"): void {
+  #ask(what: "play" | "pause" | { share: number }): void {
     this.#asked = what;
-    if (what === "play") this.#growAgain();
+    if (what !== "pause") this.#growAgain();
     if (this.#id === undefined) this.#beginIfDue();
-    else renderHost.send(this.#id, { do: what });
+    else this.#send(this.#id, what);
+  }
+
+  #send(id: number, what: "play" | "pause" | { share: number }): void {
+    renderHost.send(id, typeof what === "string" ? { do: what } : { do: "seek", ...what });
   }
 
   // ---- attributes
@@ -191,9 +205,13 @@ export class RiverSeed extends Base {
     return linkToRead(linkOf(this), this.#isDark);
   }
 
-  /** The way to show a river. One whose growth has been seen to the end is not animated again. */
+  /**
+   * The way to show a river. One whose growth has been seen to the end is not animated again, and a picture in its
+   * place gives way to the finished river alone.
+   */
   get #how(): ShowMode {
-    return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
+    const isNews = this.#isShown || (this.#status?.state !== "finished" && this.#view.poster !== "picture");
+    return isNews && !this.#isStill ? "watch" : "still";
   }
 
   #file(file: FileRequest): Promise<Blob> {
@@ -304,9 +322,10 @@ export class RiverSeed extends Base {
   #open(id: number): void {
     const canvas = this.#view.prepare();
     const size = this.#view.fit();
-    const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
+    const asked = this.#asked;
+    const how = asked === "still" ? asked : asked && asked !== "pause" ? "watch" : this.#how;
     renderHost.send(id, { do: "open", canvas, link: this.#linkNow, how, size });
-    if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
+    if (asked && asked !== "still" && asked !== "play") this.#send(id, asked);
     this.#id = id;
     this.#links = 0;
     this.#rest();
@@ -370,21 +389,29 @@ export class RiverSeed extends Base {
     if (report.is === "shown") this.#show(report.reading, report);
   }
 
-  #show(reading: Reading, { state, phase, summary }: Status): void {
+  #show(reading: Reading, status: Status): void {
+    // A picture that has its names, perhaps, is not exchanged for a map without them.
+    if (status.isUnnamed && !this.#isShown && this.#view.poster === "picture") return;
+    const { state, phase, progress, summary } = status;
     const before = this.#status?.state;
-    this.#status = { state, phase, summary };
+    this.#status = status;
     this.#reading = reading;
-    if (reading.links === this.#links) this.#advance(reading, this.#status);
+    if (reading.links === this.#links) this.#advance(reading, status);
     this.#asked = undefined;
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
-    // A river without animation is not shown before it is finished.
-    if (state !== "settling" || phase === "finished") this.#reveal(reading);
+    if (this.#isWorthShowing(status)) this.#reveal(reading);
     this.#describe();
-    if (state !== "finished") this.#emit("progress", { phase, summary });
+    if (state !== "finished") this.#emit("progress", { phase, progress, summary });
     else if (before !== "finished") {
-      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, this.#status)));
+      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, status)));
       this.#emit("complete", { link: reading.link, summary });
     }
+  }
+
+  /** True if a picture is better than what is there: a river without animation only when finished, land only than nothing. */
+  #isWorthShowing({ state, phase, progress }: Status): boolean {
+    if (state === "settling") return phase === "finished";
+    return progress > 0 || this.#isShown || !this.#view.poster;
   }
 
   #reveal({ link, notices }: Reading): void {
@@ -436,7 +463,8 @@ export class RiverSeed extends Base {
     this.#view.name(name ?? this.#strings.alternative(this.#told(reading, status)));
     const isAsked = this.hasAttribute("controls");
     const isMoving = status.state === "growing" || status.state === "paused";
-    const does = this.#isShown && (isAsked || isMoving || !this.hasAttribute("still")) ? DOES[status.state] : undefined;
+    const isThere = this.#isShown || status.state === "paused";
+    const does = isThere && (isAsked || isMoving || !this.hasAttribute("still")) ? DOES[status.state] : undefined;
     const isQuiet = !isAsked && !isMoving;
     this.#view.button(does, does ? this.#strings[does] : "", { isQuiet, isDark: this.#isDark });
   }

@@ -14,6 +14,8 @@ export interface ReadyDetail {
 /** The detail of `progress`, which is dispatched a few times a second while the river grows. */
 export interface ProgressDetail {
   phase: Phase;
+  /** The share of the way to the finished river, from 0 to 1. */
+  progress: number;
   summary: Summary;
 }
 

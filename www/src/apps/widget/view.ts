@@ -10,6 +10,9 @@ import { sharedSheet } from "./sheet.ts";
 /** The next action of the button. */
 export type Does = "pause" | "play" | "replay";
 
+/** Content that is seen as a picture. */
+const PICTURES = "img, svg, canvas, video";
+
 export class View {
   readonly #own = new CSSStyleSheet();
   readonly #note = el("p", { part: "note", hidden: true });
@@ -93,6 +96,13 @@ export class View {
   note(text: string): void {
     setText(this.#note, text);
     this.#note.hidden = text === "";
+  }
+
+  /** The author's content in place of the river: whether a picture is part of it. */
+  get poster(): "picture" | "words" | undefined {
+    const content = this.#slot.assignedElements();
+    const hasPicture = content.some((one) => one.matches(PICTURES) || one.querySelector(PICTURES));
+    return hasPicture ? "picture" : content.length > 0 ? "words" : undefined;
   }
 
   /** The size of the picture in pixels; 0 while the element is not laid out. The map covers a box of another shape. */

@@ -127,6 +127,8 @@ async function opened(isHeard = true) {
       reading: { ...map(link), seed: "", notices: [], links },
       state,
       phase: state === "finished" ? "finished" : "growing",
+      progress: state === "finished" ? 1 : 0.5,
+      isUnnamed: false,
       summary: SUMMARY,
     });
   const failed = (links: number, code: "too-large" | "panic" | "no-labels" = "too-large") =>
