@@ -1,10 +1,11 @@
 /** The element's attributes and the properties that mirror them. */
 
+import { addressOf } from "../../browser/address.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../engine/attribute-names.ts";
 import { linkText } from "../../engine/link-text.ts";
 
 /** Attributes about the element's behaviour, which are not part of the recipe. */
-const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "wasm-url"] as const;
+const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "maker", "wasm-url"] as const;
 
 /** Boolean attributes. */
 const FLAGS = ["still", "controls"] as const;
@@ -29,6 +30,14 @@ export function aspectOf(link: string): number {
   const text = new URLSearchParams(link).get("aspect")?.trim();
   const aspect = text ? Number(text) : Number.NaN;
   return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
+}
+
+/** Returns the address of a map on the page that the attribute `maker` names; empty without one that a link may lead to. */
+export function makerOf(element: Element, link: string): string {
+  const page = element.getAttribute("maker");
+  const address =
+    page && URL.canParse(page, document.baseURI) ? addressOf(link, new URL(page, document.baseURI).href) : "";
+  return address.startsWith("http") ? address : "";
 }
 
 /** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */

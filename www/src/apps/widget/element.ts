@@ -11,7 +11,7 @@ import type { Reading, Status } from "../../host/protocol.ts";
 import type { Client } from "../../host/render-host.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
-import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
+import { ASPECT, aspectOf, linkOf, makerOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend, renderHost } from "./backend.ts";
 import type { CompleteDetail, RiverSeedEventMap } from "./events.ts";
 import { type FileRequest, linkToRead, type Report } from "./protocol.ts";
@@ -65,7 +65,11 @@ export class RiverSeed extends Base {
   #outcome = new Outcome();
   /** The number of links it has asked the engine to show after the first, as `Reading` counts them. */
   #links = 0;
-  readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
+  readonly #view = new View(
+    this.attachShadow({ mode: "open" }),
+    () => this.#press(),
+    () => this.#followSoon(),
+  );
   readonly #client: Client<Blob> = { hear: (report) => this.#hear(report), moved: () => this.#move() };
 
   connectedCallback(): void {
@@ -162,7 +166,10 @@ export class RiverSeed extends Base {
   /** Makes a PNG of the finished river. */
   async toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
     const { width, height } = this.#view.size;
-    return this.#file({ format: "png", longSide: Number(longSide ?? Math.max(width, height, 1)) });
+    const side = Number(longSide ?? Math.max(width, height));
+    if (longSide === undefined && side === 0 && this.isConnected)
+      throw refusal("is not laid out: say how long its longSide is");
+    return this.#file({ format: "png", longSide: side });
   }
 
   /** Returns the finished rivers as the text of an SVG. */
@@ -215,7 +222,7 @@ export class RiverSeed extends Base {
   }
 
   #file(file: FileRequest): Promise<Blob> {
-    if (!this.isConnected) throw new DOMException("this river-seed is in no document", "InvalidStateError");
+    if (!this.isConnected) throw refusal("is in no document");
     return renderHost.ask({ ...file, link: this.#linkNow }, this.#wasmUrl);
   }
 
@@ -463,6 +470,7 @@ export class RiverSeed extends Base {
     this.#view.name(name ?? this.#strings.alternative(this.#told(reading, status)));
     const isAsked = this.hasAttribute("controls");
     const isMoving = status.state === "growing" || status.state === "paused";
+    this.#view.maker(this.#isShown ? makerOf(this, reading.link) : "", this.#strings.maker);
     const isThere = this.#isShown || status.state === "paused";
     const does = isThere && (isAsked || isMoving || !this.hasAttribute("still")) ? DOES[status.state] : undefined;
     const isQuiet = !isAsked && !isMoving;
@@ -482,6 +490,10 @@ export class RiverSeed extends Base {
   #emit<Type extends keyof RiverSeedEventMap>(type: Type, detail: RiverSeedEventMap[Type]["detail"]): boolean {
     return this.dispatchEvent(new CustomEvent(type, { detail, cancelable: type === "error" }));
   }
+}
+
+function refusal(why: string): DOMException {
+  return new DOMException(`this river-seed ${why}`, "InvalidStateError");
 }
 
 reflect(RiverSeed.prototype);

@@ -19,6 +19,8 @@ export interface Strings {
   alternative: (told: Told) => string;
   /** Announced once when the river is finished. */
   finished: (told: Told) => string;
+  /** The text of the link to the page that made the map. */
+  maker: string;
   /** The text in place of a picture that failed and has no fallback. */
   failed: string;
 }
@@ -29,6 +31,7 @@ export const ENGLISH: Strings = {
   replay: "Grow the rivers again",
   alternative: ({ seed, phase, summary, count }) => alternative(seed, phase, summary, count),
   finished: ({ summary, count }) => `Finished: ${sizeOf(summary, count)}.`,
+  maker: "Made with Riverseed",
   failed: "This river cannot be shown.",
 };
 

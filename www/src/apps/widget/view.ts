@@ -1,6 +1,6 @@
 /**
- * The visible parts of a widget: the author's content until there is a river, the canvas, the button, and
- * announcements.
+ * The visible parts of a widget: the author's content until there is a river, the canvas, the button, the link to the
+ * maker, the caption, and announcements.
  */
 
 import { type CanvasSize, type Fit, fitOf, type Size } from "../../browser/canvas.ts";
@@ -18,21 +18,31 @@ export class View {
   readonly #note = el("p", { part: "note", hidden: true });
   readonly #slot = el("slot", {}, this.#note);
   /** The element that the canvas covers. */
-  readonly #frame = el("div");
+  readonly #frame = el("div", { class: "frame" });
   readonly #button = el("button", { type: "button", part: "button", hidden: true });
+  readonly #maker = el("a", { part: "maker", hidden: true });
   readonly #status = el("span", { part: "status", role: "status" });
+  /** The map without its caption. */
+  readonly #map = el("div", { class: "map" }, this.#slot, this.#frame, this.#button, this.#maker);
+  readonly #caption = el("slot", { name: "caption", part: "caption" });
+  readonly #box = el("div", {}, this.#map, this.#caption);
   #canvas: HTMLCanvasElement | undefined;
   /** A new canvas, hidden until it has a picture. */
   #next: HTMLCanvasElement | undefined;
   #label = "";
-  /** The style rules of this element: its shape, and the layout of the canvas. */
-  #shape = "";
+  /** The aspect ratio of the map as a style, and the style rule that lays out the canvas. */
+  #aspect = "auto";
+  #hasFailed = false;
   #layout = "";
 
-  constructor(root: ShadowRoot, pressed: () => void) {
+  /** `pressed` is called for the button, `recoloured` when the page's colour scheme has changed. */
+  constructor(root: ShadowRoot, pressed: () => void, recoloured: () => void) {
     root.adoptedStyleSheets = [sharedSheet(), this.#own];
-    root.append(this.#slot, this.#frame, this.#button, this.#status);
+    root.append(this.#box, this.#status);
     this.#button.addEventListener("click", pressed);
+    this.#caption.addEventListener("slotchange", () => this.#applyRules());
+    // There is no event for it, but the system's colours change, and this one has a transition.
+    this.#status.addEventListener("transitionrun", recoloured);
   }
 
   /**
@@ -40,7 +50,8 @@ export class View {
    * remaining content, even if the author reserved space for the river, since none will come.
    */
   shape(aspect: number, hasFailed: boolean): void {
-    this.#shape = `:host { ${hasFailed ? "aspect-ratio: auto !important" : `aspect-ratio: ${aspect}`} }`;
+    this.#aspect = hasFailed ? "auto" : String(aspect);
+    this.#hasFailed = hasFailed;
     this.#applyRules();
   }
 
@@ -90,6 +101,7 @@ export class View {
     this.#slot.hidden = false;
     this.note("");
     this.button(undefined, "", {});
+    this.maker("", "");
   }
 
   /** Shows a text in place of the picture, if the author has provided no content. */
@@ -110,8 +122,13 @@ export class View {
     return this.#measure().pixels;
   }
 
+  /** Gives the shape to the element, or, if there is a caption below, to the map alone. */
   #applyRules(): void {
-    this.#own.replaceSync(`${this.#shape} ${this.#layout}`);
+    const isCaptioned = this.#caption.assignedElements().length > 0;
+    this.#box.classList.toggle("captioned", isCaptioned);
+    const shape = `aspect-ratio: ${this.#aspect}${this.#hasFailed ? " !important" : ""}`;
+    const place = isCaptioned && !this.#hasFailed ? ":host { background: none; border-radius: 0 } .map" : ":host";
+    this.#own.replaceSync(`${place} { ${shape} } ${this.#layout}`);
   }
 
   #measure(): Fit {
@@ -128,15 +145,22 @@ export class View {
     }
   }
 
+  /** Shows the link to the map's maker, unless there is no address. */
+  maker(address: string, text: string): void {
+    this.#maker.hidden = address === "";
+    this.#maker.href = address;
+    setText(this.#maker, text);
+  }
+
   /** Shows the button, or hides it if there is nothing to do. */
   button(does: Does | undefined, label: string, { isQuiet = false, isDark = false }): void {
+    this.#box.classList.toggle("dark", isDark);
     this.#button.hidden = does === undefined;
     if (does === undefined) return;
     this.#button.dataset["does"] = does;
     this.#button.setAttribute("aria-label", label);
     this.#button.title = label;
     this.#button.classList.toggle("quiet", isQuiet);
-    this.#button.classList.toggle("dark", isDark);
   }
 
   /** Announces something politely, once. */

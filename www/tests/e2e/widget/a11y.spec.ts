@@ -38,6 +38,8 @@ const FORMS = [
   'aria-label="Rivers"',
   "still",
   'theme="dark" controls',
+  'maker="https://maps.example/"',
+  'maker="https://maps.example/" theme="dark"',
 ];
 
 for (const attributes of FORMS) {

@@ -85,3 +85,13 @@ test("a size that no picture can have is an error with a name", async ({ page, b
     expect(said).toBe(code);
   }
 });
+
+test("a picture of one that is not laid out needs a size, and says so", async ({ page, blog }) => {
+  await open(page, blog, "a worker");
+  const said = await page.locator("river-seed").evaluate(async (river: RiverSeed) => {
+    river.hidden = true;
+    const refusal = await river.toBlob().catch((error: Error) => `${error.name}: ${error.message}`);
+    return [refusal, (await createImageBitmap(await river.toBlob({ longSide: 160 }))).width];
+  });
+  expect(said).toEqual(["InvalidStateError: this river-seed is not laid out: say how long its longSide is", 160]);
+});
