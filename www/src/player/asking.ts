@@ -27,6 +27,8 @@ export async function required<Module>(load: () => Promise<Module>): Promise<Mod
   try {
     return await load();
   } catch (error) {
+    // A part that was left out says so itself.
+    if (named(error).code === "no-files") throw error;
     throw missing("no-files", "the part of Riverseed that does this", error);
   }
 }
