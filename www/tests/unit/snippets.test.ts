@@ -17,7 +17,7 @@ const shared = (link: string): Shared => ({
 test("an element has a river's values as attributes, its room, and a picture that leads to the page", () => {
   expect(elementSnippet(shared("seed=kauri&edition=1&curl=0.6&meander-rounds=9"), "riverseed-kauri.png")).toBe(
     `<script type="module" src="https://rivers.example/maps/widget/river-seed.js"></script>
-<river-seed seed="kauri" edition="1" curl="0.6" meander-rounds="9" style="display:block;aspect-ratio:1.5;min-height:0;overflow:hidden">
+<river-seed seed="kauri" edition="1" curl="0.6" meander-rounds="9" maker="https://rivers.example/maps/" style="display:block;aspect-ratio:1.5;min-height:0;overflow:hidden">
   <a href="https://rivers.example/maps/?seed=kauri&amp;edition=1&amp;curl=0.6&amp;meander-rounds=9"><img src="riverseed-kauri.png"
     alt="Rivers grown from “kauri”" loading="lazy" style="display:block;width:100%"></a>
 </river-seed>`,
@@ -26,7 +26,7 @@ test("an element has a river's values as attributes, its room, and a picture tha
 
 test("keys that HTML has for itself carry a prefix", () => {
   expect(elementSnippet(shared("seed=a&width=20&style=atlas"), "p.png")).toContain(
-    `<river-seed seed="a" river-width="20" river-style="atlas" style="display:block;`,
+    `<river-seed seed="a" river-width="20" river-style="atlas" maker="https://rivers.example/maps/" style="display:block;`,
   );
 });
 

@@ -32,13 +32,13 @@ export function titleOf(seed: string): string {
 /**
  * Returns the script and the element. The style reserves the river's space before the script is loaded. Inside is the
  * picture for readers without script or engine, which is beside the post as `picture`; if it was not saved, its text
- * links to this page.
+ * links to this page. `maker` keeps a small link to it on the map.
  */
 export function elementSnippet({ link, seed, aspect, page }: Shared, picture: string): string {
   const attributes = [...new URLSearchParams(link)].map(([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`);
   return [
     `<script type="module" src="${escaped(addressBeside(page, ELEMENT_SCRIPT))}"></script>`,
-    `<river-seed${attributes.join("")} style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
+    `<river-seed${attributes.join("")} maker="${escaped(addressBeside(page, "./"))}" style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
     `  <a href="${escaped(addressOf(link, page))}"><img src="${escaped(picture)}"`,
     `    alt="${escaped(titleOf(seed))}" loading="lazy" style="display:block;width:100%"></a>`,
     `</river-seed>`,
