@@ -20,10 +20,11 @@ export class View {
   /** The element that the canvas covers. */
   readonly #frame = el("div", { class: "frame" });
   readonly #button = el("button", { type: "button", part: "button", hidden: true });
-  readonly #maker = el("a", { part: "maker", hidden: true });
+  /** The link to the maker, in the element only while it has an address. */
+  readonly #maker = el("a", { part: "maker" });
   readonly #status = el("span", { part: "status", role: "status" });
   /** The map without its caption. */
-  readonly #map = el("div", { class: "map" }, this.#slot, this.#frame, this.#button, this.#maker);
+  readonly #map = el("div", { class: "map" }, this.#slot, this.#frame, this.#button);
   readonly #caption = el("slot", { name: "caption", part: "caption" });
   readonly #box = el("div", {}, this.#map, this.#caption);
   #canvas: HTMLCanvasElement | undefined;
@@ -147,9 +148,10 @@ export class View {
 
   /** Shows the link to the map's maker, unless there is no address. */
   maker(address: string, text: string): void {
-    this.#maker.hidden = address === "";
     this.#maker.href = address;
     setText(this.#maker, text);
+    if (!address) this.#maker.remove();
+    else if (!this.#maker.isConnected) this.#map.append(this.#maker);
   }
 
   /** Shows the button, or hides it if there is nothing to do. */
