@@ -1,7 +1,10 @@
 //! Makes the annotation of a map part by part: labels, woods and hills, and the masks that lay them over a picture.
 
-use crate::annotate::labels::labels_in;
-use crate::annotate::place::{Label, Places, Scenery};
+use glam::Vec2;
+
+use crate::annotate::labels::{LEAST_EM, labels_in};
+use crate::annotate::names::Names;
+use crate::annotate::place::{Label, Places, Scenery, heading};
 use crate::annotate::scenery;
 use crate::map::Map;
 use crate::paint::{AnnotationMasks, SceneryPainter, View, letters, scenery_look};
@@ -27,7 +30,24 @@ impl AnnotationBuilder {
 
     /// The same, with labels in the places that have been chosen for other pictures of the map.
     pub fn whole_in(places: &mut Places, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
-        let mut this = Self { labels: Some(labels_of(places, map, view, ratio)), ..Self::default() };
+        Self::with(labels_of(places, map, view, ratio), map, view, ratio)
+    }
+
+    /// Makes an annotation with the map's title as a heading in a box of the picture: its upper left and its lower right
+    /// corner, in pixels. There is no cartouche and no legend then.
+    pub fn headed(map: &Map, view: &View, ratio: f32, within: [Vec2; 2]) -> AnnotationMasks {
+        let names = Names::of(map);
+        let mut labels = labels_of(&mut Places::default(), map, view, ratio);
+        // What would stand in corners, and the country's name on its land, which would say the same again.
+        labels.retain(|label| !label.kind.is_block() && label.text != names.title);
+        let within = within.map(|corner| view.point(corner));
+        labels.extend(heading(&names.title, &names.subtitle, within, LEAST_EM * ratio / view.scale));
+        Self::with(labels, map, view, ratio)
+    }
+
+    /// Makes the rest of an annotation with its labels at once.
+    fn with(labels: Vec<Label>, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
+        let mut this = Self { labels: Some(labels), ..Self::default() };
         loop {
             if let Some(masks) = this.advance(map, view, ratio) {
                 return masks;

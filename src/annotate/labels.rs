@@ -25,7 +25,7 @@ use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
 /// The smallest letters that can be read: their em in pixels.
-const LEAST_EM: f32 = 11.0;
+pub(crate) const LEAST_EM: f32 = 11.0;
 /// The least part of a map that letters are made for: they have no size in a view of none of it.
 const LEAST_SHOWN: f32 = 1e-4;
 

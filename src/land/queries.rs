@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
-use super::regions::{Region, regions_of};
+use super::regions::{Region, Run, regions_of};
 #[cfg(feature = "names")]
 use super::regions::{between, regions};
 use super::walk::walk;
@@ -135,6 +135,15 @@ impl Land {
     /// Connected components of land, the largest first.
     pub fn regions(&self) -> &[Region] {
         &self.regions
+    }
+
+    /// The north-western and the south-eastern corner of the box around all land, in units; `None` if there is none. Its
+    /// last cells may reach beyond the map.
+    pub fn bounds(&self) -> Option<[Vec2; 2]> {
+        let runs = self.regions.iter().flat_map(|region| &region.runs);
+        let corners = |run: &Run| [(run.start, run.row), (run.end, run.row + 1)];
+        let boxes = runs.map(|run| corners(run).map(|(x, y)| Vec2::new(x as f32, y as f32) * CELL_SIZE));
+        boxes.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
     }
 
     /// Connected components of water, the largest first.
@@ -321,6 +330,18 @@ mod tests {
                 assert!((share - sea).abs() < 0.06, "{kind}: {share} is not {sea}");
             }
         }
+    }
+
+    #[test]
+    fn no_land_lies_outside_its_bounds_and_some_on_each_side() {
+        let land = land("seed=ra&land=island");
+        let [least, most] = land.bounds().unwrap();
+        assert!(least.min_element() > 0.0 && most.cmplt(Domain::with_aspect(1.5).size).all());
+        let columns = land.grid.columns as usize;
+        let dry = (0..land.grid.cells.len()).filter(|&cell| land.grid.cells[cell] == Cell::Land);
+        let corner = |cell: usize| Vec2::new((cell % columns) as f32, (cell / columns) as f32) * CELL_SIZE;
+        let around = |[a, b]: [Vec2; 2], at: Vec2| [a.min(at), b.max(at + CELL_SIZE)];
+        assert_eq!(dry.map(corner).fold([Vec2::MAX, Vec2::MIN], around), [least, most]);
     }
 
     #[test]

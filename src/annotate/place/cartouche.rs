@@ -24,7 +24,7 @@ const OVER_LEAST: f32 = 1.3;
 /// How much smaller letters may be than on other pictures and still be as large.
 const AS_LARGE: f32 = 0.8;
 /// How large the line under the title is, over the title, and at most, where the title itself is small.
-const UNDER_TITLE: f32 = 0.4;
+pub(super) const UNDER_TITLE: f32 = 0.4;
 const MOST_UNDER_TITLE: f32 = 0.85;
 /// How small it is at least, in units: it can be read on screens, so it has one size on these and in print.
 const LEAST_UNDER_TITLE: f32 = 9.8;
@@ -44,10 +44,10 @@ const BESIDE: f32 = 6.0;
 const CLEARED: f32 = 12.0;
 
 /// How high capitals are, how deep letters reach under their line, and how far lines are apart, in ems.
-const CAPITAL: f32 = 0.66;
-const UNDER: f32 = 0.22;
-const LINE: f32 = 1.08;
-const TO_SEED: f32 = 1.25;
+pub(super) const CAPITAL: f32 = 0.66;
+pub(super) const UNDER: f32 = 0.22;
+pub(super) const LINE: f32 = 1.08;
+pub(super) const TO_SEED: f32 = 1.25;
 
 /// A cartouche in its place.
 #[derive(Default)]
@@ -277,7 +277,7 @@ impl Block {
 }
 
 /// A title in as many lines, the longest of which is as short as may be; `None` if it has fewer words.
-fn broken(title: &str, count: usize) -> Option<Vec<&str>> {
+pub(super) fn broken(title: &str, count: usize) -> Option<Vec<&str>> {
     let title = title.trim();
     if count == 1 {
         return Some(vec![title]);

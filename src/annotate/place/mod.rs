@@ -25,6 +25,7 @@ mod divides;
 mod frames;
 mod free;
 mod grid_letters;
+mod heading;
 mod hill_shapes;
 mod hills;
 mod inlets;
@@ -57,6 +58,7 @@ mod woods;
 
 pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
+pub use heading::heading;
 pub use input::{
     Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Landmark, LandmarkKind, Legend,
     LongProfile, Marks, NorthPoint, Plate, Reach, River, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver,

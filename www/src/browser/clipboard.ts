@@ -1,3 +1,5 @@
+/** The clipboard: copies text and pictures. */
+
 /**
  * Copies text to the clipboard. Returns false if the browser does not allow it: without https, or if the visitor
  * refuses.
@@ -5,6 +7,21 @@
 export async function copy(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Returns whether the browser lets pages copy pictures. */
+export function copiesPictures(): boolean {
+  return "ClipboardItem" in globalThis && navigator.clipboard?.write !== undefined;
+}
+
+/** Copies a picture to the clipboard. Returns false if the browser does not allow it. */
+export async function copyPicture(picture: Blob): Promise<boolean> {
+  try {
+    await navigator.clipboard.write([new ClipboardItem({ [picture.type]: picture })]);
     return true;
   } catch {
     return false;

@@ -12,9 +12,9 @@ export interface PictureOrder {
   isTransparent: boolean;
 }
 
-/** A picture with the map's title, for posts and for the previews of links in social networks. */
+/** A picture with all of the land and the map's title, to send and to post. */
 export interface CardOrder {
-  kind: "card";
+  kind: "card" | "portrait";
   link: string;
 }
 
@@ -37,8 +37,14 @@ export type Said =
 export const SIZES = { screen: 2000, a4: 3508, a3: 4961, poster: 8192 } as const;
 export const OWN_SIZES = { min: 256, max: 8192 } as const;
 
-/** The size in pixels of the picture that social networks show for a link. */
-export const CARD = { width: 1200, height: 630 } as const;
+/**
+ * The sizes in pixels of the pictures with a title: the card, which social networks show for a link, and the portrait,
+ * which fills a phone.
+ */
+export const CARDS = {
+  card: { width: 1200, height: 630 },
+  portrait: { width: 1200, height: 1500 },
+} as const;
 
 /** Returns a link without labels and cartouche. */
 export function withoutNames(link: string): string {

@@ -13,6 +13,11 @@ export interface MakerCore extends SteerCore {
 /** Paints a finished river, with its labels. */
 export async function paint(river: SteeredRiver, core: MakerCore, course: Course): Promise<void> {
   await labelled(river, { loadTeller: core.loadTeller, holdOn: () => {} });
+  await painted(river, course);
+}
+
+/** Paints a finished river that has its labels. */
+export async function painted(river: SteeredRiver, course: Course): Promise<void> {
   await course.pause();
   river.refine();
   await inSteps(

@@ -1,8 +1,9 @@
 /** Makes pictures and cards of a link. Each grows a river for itself. */
 
 import type { SteeredRiver } from "../engine/steer.ts";
+import { cardLink, paintCard } from "./card.ts";
 import { type Course, grow, partOf } from "./course.ts";
-import { CARD, type CardOrder, changed, type PictureOrder } from "./order.ts";
+import type { CardOrder, PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";
 import { riverPng } from "./river-png.ts";
 
@@ -11,12 +12,12 @@ const GROWN = 0.2;
 const PAINTED = 0.7;
 
 export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore, course: Course): Promise<Blob> {
-  const river = new core.engine.River(order.kind === "card" ? cardLink(order.link) : order.link);
+  const river = new core.engine.River(order.kind === "picture" ? order.link : cardLink(order.link));
   try {
     await grow(river, partOf(course, 0, GROWN));
-    if (order.kind === "card") river.resize(CARD.width, CARD.height);
-    else river.resize(...sidesFor(river, order));
-    await paint(river, core, partOf(course, GROWN, PAINTED));
+    const painting = partOf(course, GROWN, PAINTED);
+    if (order.kind === "picture") await paintWhole(order, river, core, painting);
+    else await paintCard(order.kind, river, core, painting);
     const isTransparent = order.kind === "picture" && order.isTransparent;
     if (isTransparent) river.cutOut();
     return await riverPng(river, core.memory, isTransparent ? "rgba" : "rgb", partOf(course, PAINTED, 1));
@@ -25,20 +26,8 @@ export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore
   }
 }
 
-function sidesFor(river: SteeredRiver, { longerSide }: PictureOrder): [width: number, height: number] {
-  const [width = 0, height = 0] = river.sidesFor(longerSide);
-  return [width, height];
-}
-
-/**
- * Returns the link of a card: the map with its title, in letters that can be read at a small size, and with few labels
- * if it has any.
- */
-export function cardLink(link: string): string {
-  const labels = new URLSearchParams(link).get("labels") ?? "none";
-  return changed(link, {
-    cartouche: "plain",
-    "label-size": "1.6",
-    labels: labels === "none" ? undefined : "few",
-  });
+async function paintWhole(order: PictureOrder, river: SteeredRiver, core: MakerCore, course: Course): Promise<void> {
+  const [width = 0, height = 0] = river.sidesFor(order.longerSide);
+  river.resize(width, height);
+  await paint(river, core, course);
 }

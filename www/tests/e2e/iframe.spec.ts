@@ -44,6 +44,8 @@ const river = (page: Page) => page.frameLocator("iframe").first().locator("river
 test("the iframe that Share copies draws the same river on another origin @core", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
+  await page.getByRole("radio", { name: "Blog" }).check();
+  await page.getByText("My blog allows no scripts").click();
   await page.getByRole("button", { name: "Copy iframe" }).click();
   await expect(page.getByRole("dialog").getByRole("status")).toHaveText("Iframe copied.");
   const snippet = await page.evaluate(() => navigator.clipboard.readText());
@@ -56,8 +58,9 @@ test("the iframe that Share copies draws the same river on another origin @core"
 test("the element that Share copies draws the same river on another origin", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
-  await page.getByRole("button", { name: "Copy element" }).click();
-  await expect(page.getByRole("dialog").getByRole("status")).toHaveText("Element copied.");
+  await page.getByRole("radio", { name: "Blog" }).check();
+  await page.getByRole("button", { name: "Copy snippet" }).click();
+  await expect(page.getByRole("dialog").getByRole("status")).toHaveText("Snippet copied.");
   const snippet = await page.evaluate(() => navigator.clipboard.readText());
   await openElsewhere({ page, blog, baseURL }, `<div style="width:480px">${snippet}</div>`);
   await expect.poll(() => showsRiver(page, page.locator("river-seed"), LINK)).toBe(true);

@@ -65,7 +65,7 @@ async function expectWhole(page: Page, windowWidth: number, aspect: number): Pro
   expect(map.x + map.width).toBeLessThanOrEqual(windowWidth);
   expect(map.y + map.height).toBeLessThanOrEqual(bar.y);
   expect(Math.abs(map.width / map.height / aspect - 1)).toBeLessThan(0.02);
-  for (const name of ["A new seed by chance", "Replay", "Save", "Share", "Undo", "Shape…"])
+  for (const name of ["A new seed by chance", "Replay", "Send", "Save", "Share", "Undo", "Shape…"])
     await expect(page.getByRole("button", { name, exact: true })).toBeInViewport({ ratio: 1 });
 }
 

@@ -1,10 +1,12 @@
 import { expect, test } from "vitest";
 import {
   elementSnippet,
+  embedAddress,
   iframeSnippet,
   markdownSnippet,
   type Shared,
   titleOf,
+  withoutDefaultStyle,
 } from "../../src/apps/page/share/snippets.ts";
 
 const shared = (link: string): Shared => ({
@@ -35,6 +37,24 @@ test("an iframe is named, lazy, fenced in, and has the river's shape", () => {
     `<iframe src="https://rivers.example/maps/embed.html?seed=kauri&amp;aspect=2"
   title="Rivers grown from “kauri”" loading="lazy" sandbox="allow-scripts allow-same-origin"
   width="720" height="360" style="width:100%;height:auto;aspect-ratio:2;border:0"></iframe>`,
+  );
+});
+
+test("a widget follows its page unless a style of one's own was chosen, and the page that it leads to has the whole link", () => {
+  const link = "seed=a&style=atlas&curl=0.6";
+  const following = { ...shared(link), widgetLink: withoutDefaultStyle(link, "atlas") };
+  expect(elementSnippet(following, "p.png")).toContain('<river-seed seed="a" curl="0.6" style="display:block;');
+  expect(elementSnippet(following, "p.png")).toContain("?seed=a&amp;style=atlas&amp;curl=0.6");
+  expect(iframeSnippet(following)).toContain('embed.html?seed=a&amp;curl=0.6"');
+  expect(withoutDefaultStyle(link, "night")).toBe(link);
+  expect(withoutDefaultStyle("seed=style%3Datlas&names=t.style=atlas", "atlas")).toBe(
+    "seed=style%3Datlas&names=t.style=atlas",
+  );
+});
+
+test("the address for notebooks is the one of the iframe", () => {
+  expect(embedAddress(shared("seed=kauri&aspect=2"))).toBe(
+    "https://rivers.example/maps/embed.html?seed=kauri&aspect=2",
   );
 });
 

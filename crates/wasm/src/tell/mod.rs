@@ -6,6 +6,7 @@ mod measures;
 
 use std::cell::RefCell;
 
+use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
@@ -66,11 +67,46 @@ impl FinishedMap {
     /// `ratio` is picture pixels per CSS pixel; letters have at least 11 CSS pixels. `framing` is the argument of the
     /// picture's `frame`, or empty.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
+        let view = self.view(width_px, height_px, framing)?;
+        let mut places = self.places.borrow_mut();
+        Ok(AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio).to_bytes())
+    }
+
+    /// Returns the same with the map's title as a heading: as large as it fits into `within`, a box's left, top, right and
+    /// bottom in pixels of the picture.
+    #[wasm_bindgen(js_name = headedMasks)]
+    pub fn headed_masks(
+        &self,
+        width_px: u32,
+        height_px: u32,
+        ratio: f32,
+        framing: &[f32],
+        within: &[f32],
+    ) -> Result<Vec<u8>, JsValue> {
+        let view = self.view(width_px, height_px, framing)?;
+        let &[left, top, right, bottom] = within else {
+            return Err(coded("bad-params", "A box has four numbers."));
+        };
+        let within = [Vec2::new(left, top), Vec2::new(right, bottom)];
+        Ok(AnnotationBuilder::headed(&self.map, &view, ratio, within).to_bytes())
+    }
+
+    /// Returns the left, top, right and bottom of all land, in widths of the map from its north-western corner.
+    #[wasm_bindgen(js_name = landBounds)]
+    pub fn land_bounds(&self) -> Vec<f32> {
+        let size = self.map.domain().size;
+        let all = [Vec2::ZERO, size];
+        let [least, most] = self.map.land().and_then(|land| land.bounds()).unwrap_or(all);
+        [least, most.min(size)].iter().flat_map(|corner| (*corner / size.x).to_array()).collect()
+    }
+}
+
+impl FinishedMap {
+    /// The view of a picture of this size.
+    fn view(&self, width_px: u32, height_px: u32, framing: &[f32]) -> Result<View, JsValue> {
         let domain = self.map.domain();
         let view = View::new(&domain, width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
-        let view = view.framed(&domain, Framing::of(framing));
-        let mut places = self.places.borrow_mut();
-        Ok(AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio).to_bytes())
+        Ok(view.framed(&domain, Framing::of(framing)))
     }
 }

@@ -38,6 +38,20 @@ export const elements = {
     forms: find("#sharing-forms", HTMLElement),
     status: find("#sharing-status", HTMLElement),
   },
+  sending: {
+    dialog: find("#sending", HTMLDialogElement),
+    open: find("#send", HTMLButtonElement),
+    close: find("#sending-close", HTMLButtonElement),
+    content: find("#sending-content", HTMLElement),
+    status: find("#sending-status", HTMLElement),
+    elsewhere: find("#shared", HTMLElement),
+  },
+  welcome: {
+    form: find("#welcome", HTMLFormElement),
+    line: find("#welcome-line", HTMLElement),
+    word: find("#welcome-word", HTMLInputElement),
+    hide: find("#welcome-hide", HTMLButtonElement),
+  },
   seedHelp: find("#seed-help", HTMLElement),
   transport: {
     play: find("#play", HTMLButtonElement),

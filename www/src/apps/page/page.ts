@@ -16,6 +16,7 @@ import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
 import { remainderOf } from "../../player/summary-text.ts";
 import { type Engines, openEngines, type PageRenderHost } from "./backend.ts";
+import { CountryName } from "./country-name.ts";
 import { elements } from "./elements.ts";
 import { HelpSheet } from "./help/help.ts";
 import { shortcuts } from "./help/shortcuts.ts";
@@ -36,12 +37,14 @@ import { PresetNote } from "./panel/preset-note.ts";
 import { firstLink, prefersDark } from "./preferences.ts";
 import { Downloads } from "./save/downloads.ts";
 import { SaveDialog } from "./save/save-dialog.ts";
+import { SendDialog } from "./share/send-dialog.ts";
 import { ShareDialog } from "./share/share-dialog.ts";
 import { SixWays } from "./six/six-ways.ts";
 import { showFailure, showNotices } from "./status.ts";
 import { Track } from "./timeline/track.ts";
 import { Transport } from "./timeline/transport.ts";
 import { Undo } from "./undo.ts";
+import { Welcome } from "./welcome.ts";
 
 class Page {
   readonly #recipe: Recipe;
@@ -56,6 +59,7 @@ class Page {
   );
   readonly #address = new AddressBar((link, isStep) => this.#undo.write(this.#six.inAddress(link), isStep));
   readonly #names: MapNames;
+  readonly #country: CountryName;
   readonly #measures: MeasuresView;
   readonly #words = new MapWords(elements);
   readonly #riverPointer = new RiverPointer(
@@ -84,6 +88,7 @@ class Page {
   #hasMissed = false;
   readonly #six: SixWays;
   readonly #presetNote: PresetNote;
+  readonly #welcome: Welcome;
 
   constructor(
     core: SteerCore,
@@ -94,6 +99,7 @@ class Page {
   ) {
     const { engine } = core;
     this.#recipe = recipe;
+    this.#country = new CountryName(recipe);
     this.#viewport = viewport;
     this.#names = new MapNames(viewport, recipe, {
       changed: (names) => this.#set([["names", names]], "settle"),
@@ -134,6 +140,12 @@ class Page {
       failed: (error) => this.#failBeside(error),
     });
     this.#choices.presets.append(this.#six.button);
+    this.#welcome = new Welcome(
+      elements.welcome,
+      { address: location, referrer: document.referrer, isElsewhere: this.#six.areAskedFor },
+      () => sessionStorage,
+      (word) => this.#grow(word),
+    );
     new HelpSheet(elements.help, shortcuts());
     const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
@@ -144,8 +156,9 @@ class Page {
   /** Enables the controls and shows the first river. */
   start(): void {
     this.#transport.enable();
-    const { dice, land, download, copy, reset, sharing, drawing, panel, zoom } = elements;
-    for (const button of [dice, land, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
+    const { dice, land, download, copy, reset, sending, sharing, drawing, panel, zoom } = elements;
+    const { draw } = drawing;
+    for (const button of [dice, land, sending.open, download, sharing.open, copy, reset, draw, panel.open, zoom.closer])
       button.disabled = false;
     // First, so that the address keeps asking for them.
     if (this.#six.areAskedFor) this.#six.open();
@@ -167,12 +180,13 @@ class Page {
 
   #listen(): void {
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    const downloads = new Downloads(this.#recipe, {
+    const downloads = new Downloads(this.#recipe, this.#country, {
       make: (link, format) => this.#viewport.file(link, format),
       failed: (error) => this.#failBeside(error),
     });
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
-    new ShareDialog(elements.sharing, this.#recipe, downloads);
+    const sending = new SendDialog(elements.sending, this.#recipe, this.#country, downloads);
+    new ShareDialog(elements.sharing, this.#recipe, downloads, sending);
     elements.copy.addEventListener("click", () => void this.#copyLink());
     // Elements above the bar are placed by its height.
     new ResizeObserver(() => {
@@ -212,8 +226,15 @@ class Page {
       const changes = [...values];
       this.#presetNote.forget();
       this.#recipe.set(changes);
+      if (changes.some(([key]) => key === "seed")) this.#welcome.leave();
       this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
+  }
+
+  /** Grows a country from a word that was not typed into the seed's own box. */
+  #grow(word: string): void {
+    this.#choices.replaceSeed(word);
+    this.#set([["seed", word]], "watch");
   }
 
   /**
@@ -264,14 +285,21 @@ class Page {
   }
 
   #showRecipe(isStep = false): void {
-    const { link, values, seed } = this.#recipe;
+    const { link, values } = this.#recipe;
     this.#address.show(link, isStep);
     document.documentElement.dataset["style"] = values.get("style") ?? "";
     this.#choices.show(this.#recipe);
     this.#ownLand.show(values);
-    elements.title.textContent = seed;
-    document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
+    this.#showName();
     this.#showNotices();
+  }
+
+  /** Shows the name of the country. */
+  #showName(): void {
+    const { text } = this.#country;
+    elements.title.textContent = text;
+    document.title = text === "" ? "Riverseed" : `${text} · Riverseed`;
+    this.#welcome.show(text, this.#recipe.seed);
   }
 
   #showNotices(): void {
@@ -302,7 +330,9 @@ class Page {
     void this.#measures.refresh(remainderOf(summary));
     void keepForOffline();
     const { seed } = this.#recipe;
-    this.#words.tell(await this.#names.refresh(), seed, phase, summary);
+    const names = await this.#names.refresh();
+    if (this.#country.learn(names)) this.#showName();
+    this.#words.tell(names, seed, phase, summary);
   }
 
   #refreshThumbnails(): Promise<void> {

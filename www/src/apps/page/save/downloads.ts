@@ -1,13 +1,14 @@
 /** Saves files of the rivers on show, one at a time, and reports their progress. */
 
-import { named, type PageError } from "../../../engine/errors.ts";
+import { named, PageError } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import type { Format } from "../../../files/format-names.ts";
 import { withoutNames } from "../../../files/order.ts";
+import type { CountryName } from "../country-name.ts";
 import { save } from "../share/share.ts";
 import { fileName } from "./file-names.ts";
 import { type Making, making } from "./making.ts";
-import { type Choices, type Kind, longerSideOf } from "./save-choices.ts";
+import { type Choices, type FileChoices, type FileKind, longerSideOf } from "./save-choices.ts";
 
 export interface DownloadEvents {
   /** Makes a file of a link's finished rivers. */
@@ -23,14 +24,15 @@ export interface Asker {
   at(share: number | undefined): void;
 }
 
-/** The details after the seed in the names of files, and their extension. */
-const NAMES: Record<Kind, { ending: string; details(style: string, choices: Choices): (string | number)[] }> = {
-  png: { ending: "png", details: (style, choices) => [style, longerSideOf(choices)] },
+/** The details after the country's name in the names of files, and their extension. */
+const NAMES: Record<FileKind, { ending: string; details(style: string, choices: FileChoices): (string | number)[] }> = {
+  png: { ending: "png", details: (style, choices) => [style, sizeOf(choices)] },
   svg: { ending: "svg", details: (style) => [style] },
   geojson: { ending: "geojson", details: () => [] },
   json: { ending: "json", details: () => [] },
   zip: { ending: "zip", details: (style) => [style] },
   card: { ending: "png", details: (style) => [style, "card"] },
+  portrait: { ending: "png", details: (style) => [style, "portrait"] },
   // The extension depends on the browser's encoder, and is corrected when the file is made.
   animation: { ending: "mp4", details: (style) => [style] },
 };
@@ -43,13 +45,18 @@ export class Downloads {
 
   constructor(
     private readonly recipe: Recipe,
+    private readonly country: CountryName,
     private readonly events: DownloadEvents,
   ) {}
 
   /** Returns the name of a file of the rivers on show. */
-  nameOf(choices: Choices): string {
+  nameOf(choices: FileChoices): string {
     const { ending, details } = NAMES[choices.kind];
-    return fileName(this.recipe.seed, ending, ...details(this.recipe.values.get("style") ?? "", choices));
+    return fileName(
+      this.country.text.toLowerCase(),
+      ending,
+      ...details(this.recipe.values.get("style") ?? "", choices),
+    );
   }
 
   /**
@@ -78,12 +85,19 @@ export class Downloads {
     }
   }
 
+  /** Makes a file of the rivers on show that is not saved. Others may be in the making meanwhile. */
+  async make(choices: FileChoices): Promise<Blob> {
+    const file = await this.#begin(choices, { say: () => {}, at: () => {} }).file;
+    if (!file) throw new PageError("no-files", "it was cancelled");
+    return file;
+  }
+
   /** Cancels the file that is being made, if any. */
   cancel(): void {
     this.#making?.cancel();
   }
 
-  #begin(choices: Choices, asker: Asker): Making {
+  #begin(choices: FileChoices, asker: Asker): Making {
     const { kind, hasNames, isTransparent } = choices;
     const { shown } = this.recipe;
     const link = hasNames ? shown : withoutNames(shown);
@@ -92,6 +106,7 @@ export class Downloads {
       case "png":
         return making({ kind: "picture", link, longerSide: longerSideOf(choices), isTransparent }, tell);
       case "card":
+      case "portrait":
       case "animation":
         return making({ kind, link: shown }, tell);
       case "svg":
@@ -112,6 +127,12 @@ export class Downloads {
     });
     return { file: Promise.race([made, cancelled]), cancel: () => control.abort() };
   }
+}
+
+/** Returns the size of a picture as its file's name has it: that of a sheet, or pixels. */
+function sizeOf(choices: FileChoices): string | number {
+  const { size } = choices;
+  return size === "screen" || size === "own" ? longerSideOf(choices) : size;
 }
 
 /** Returns a file name with the extension of its type. */

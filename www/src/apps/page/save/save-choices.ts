@@ -9,6 +9,9 @@ export type Kind = (typeof KINDS)[number];
 export type SizeName = keyof typeof SIZES | "own";
 export const SIZE_NAMES: readonly SizeName[] = [...(Object.keys(SIZES) as (keyof typeof SIZES)[]), "own"];
 
+/** A kind of file; the portrait is what *Send* makes. */
+export type FileKind = Kind | "portrait";
+
 /** The choices of the Save dialog. */
 export interface Choices {
   kind: Kind;
@@ -18,6 +21,9 @@ export interface Choices {
   isTransparent: boolean;
   hasNames: boolean;
 }
+
+/** The choices for a file, which may be of a kind that the dialog does not offer. */
+export type FileChoices = Omit<Choices, "kind"> & { kind: FileKind };
 
 const KEPT_AS = "riverseed-save";
 
@@ -76,6 +82,6 @@ export function ownSizeOf(text: string): number | undefined {
 }
 
 /** Returns the longer side of the chosen picture, in pixels. */
-export function longerSideOf({ size, ownSize }: Readonly<Choices>): number {
+export function longerSideOf({ size, ownSize }: Readonly<Pick<Choices, "size" | "ownSize">>): number {
   return size === "own" ? ownSize : SIZES[size];
 }

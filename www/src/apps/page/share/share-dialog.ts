@@ -1,6 +1,4 @@
-/**
- * The Share dialog: a river as a link, an element, an iframe or a picture in Markdown, each with a button to copy it.
- */
+/** The Share dialog: asks where the country is to be seen, and gives the one thing that is needed there. */
 
 import { addressOf } from "../../../browser/address.ts";
 import { copy } from "../../../browser/clipboard.ts";
@@ -8,7 +6,15 @@ import { el } from "../../../browser/dom.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import type { Downloads } from "../save/downloads.ts";
 import { type Choices, FIRST } from "../save/save-choices.ts";
-import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
+import { PLACES, type Place } from "./places.ts";
+import {
+  elementSnippet,
+  embedAddress,
+  iframeSnippet,
+  markdownSnippet,
+  type Shared,
+  withoutDefaultStyle,
+} from "./snippets.ts";
 
 export interface ShareElements {
   dialog: HTMLDialogElement;
@@ -21,122 +27,131 @@ export interface ShareElements {
   status: HTMLElement;
 }
 
+/** What sends the country, as the button *Send* does. */
+export interface Sender {
+  /** True if the system's share sheet takes pictures. */
+  readonly canSend: boolean;
+  press(): Promise<void>;
+}
+
+/** A text to copy. */
 interface Form {
+  /** The name of the text, in "Copy …" and "… copied". */
   name: string;
-  /** The help text, which says what the form is for. */
-  help: string;
-  /** Returns the text to copy. `picture` is the file name of the saved picture. */
+  /** Returns the text. `picture` is the file name of the saved picture. */
   text(shared: Shared, picture: string): string;
-  /** True if it refers to a picture, which has to be saved. */
-  takesPicture?: boolean;
 }
 
 /** The files that are saved from here: the map at screen size, and its card. */
 const PICTURE: Choices = { ...FIRST, kind: "png", size: "screen" };
 const CARD: Choices = { ...FIRST, kind: "card" };
 
-const LINK: Form = {
-  name: "link",
-  help: "Opens this page with these very rivers, for a message or a bookmark.",
-  text: ({ link, page }) => addressOf(link, page),
-};
-
-const ELEMENT: Form = {
-  name: "element",
-  help:
-    "Grows the rivers within your own page, where it may load scripts. For several, the first line is needed once. Save the " +
-    "picture beside your text: it is shown until the rivers appear, and where they cannot.",
-  text: elementSnippet,
-  takesPicture: true,
-};
-
-const IFRAME: Form = {
-  name: "iframe",
-  help: "Grows the rivers in a frame, for pages that allow no scripts from other sites.",
-  text: iframeSnippet,
-};
-
-const MARKDOWN: Form = {
-  name: "Markdown",
-  help: "A still picture that leads here, for a README or a forum. Save the picture beside your text.",
-  text: markdownSnippet,
-  takesPicture: true,
-};
+const LINK: Form = { name: "link", text: ({ link, page }) => addressOf(link, page) };
+const SNIPPET: Form = { name: "snippet", text: elementSnippet };
+const IFRAME: Form = { name: "iframe", text: iframeSnippet };
+const ADDRESS: Form = { name: "address", text: embedAddress };
+const MARKDOWN: Form = { name: "Markdown", text: markdownSnippet };
 
 export class ShareDialog {
   readonly #boxes = new Map<Form, HTMLTextAreaElement>();
+  readonly #sections = new Map<Place, HTMLElement>();
+  readonly #send = button("Send with its picture", () => this.#leaveTo(() => void this.sender.press()));
 
   constructor(
     private readonly elements: ShareElements,
     private readonly recipe: Recipe,
     private readonly downloads: Downloads,
+    private readonly sender: Sender,
   ) {
-    const forms = [LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form));
-    elements.forms.replaceChildren(...forms, this.#card());
+    const content: Record<Place, HTMLElement[]> = {
+      message: [this.#text(LINK, this.#send)],
+      blog: [this.#text(SNIPPET, this.#save("Save picture", PICTURE)), this.#otherBlogs()],
+      notebook: [this.#text(ADDRESS)],
+      readme: [this.#text(MARKDOWN, this.#save("Save picture", PICTURE))],
+      print: [
+        el(
+          "div",
+          { class: "actions" },
+          button("Print…", () => this.#leaveTo(() => print())),
+        ),
+      ],
+    };
+    for (const [place, { help }] of PLACES)
+      this.#sections.set(place, el("section", {}, el("p", { class: "help" }, help), ...content[place]));
+    elements.forms.replaceChildren(this.#places(), ...this.#sections.values());
     elements.open.addEventListener("click", () => this.#open());
     elements.close.addEventListener("click", () => elements.dialog.close());
   }
 
-  #saveButton(): HTMLButtonElement {
-    const save = el("button", { type: "button" }, "Save picture");
-    save.addEventListener("click", () => void this.#save(PICTURE));
-    return save;
+  /** Makes the choice of the place. */
+  #places(): HTMLElement {
+    const choices = PLACES.map(([place, { name }]) => {
+      const radio = el("input", { type: "radio", name: "share-place", value: place, checked: place === "message" });
+      radio.addEventListener("change", () => this.#show(place));
+      return el("label", {}, radio, name);
+    });
+    this.#show("message");
+    return el("fieldset", { class: "places" }, el("legend", {}, "Where?"), ...choices);
   }
 
-  async #save(choice: Choices): Promise<void> {
-    await this.downloads.save(choice, { say: (text) => this.#say(text), at: () => {} });
+  #show(shown: Place): void {
+    for (const [place, section] of this.#sections) section.hidden = place !== shown;
   }
 
-  #section(form: Form): HTMLElement {
-    const { name, help } = form;
-    const ids = { box: `share-${name}`, help: `share-${name}-help` };
+  /** Makes a text with a button that copies it. */
+  #text(form: Form, ...more: HTMLButtonElement[]): HTMLElement {
     const box = el("textarea", {
       class: "snippet",
       rows: 2,
       readonly: true,
       spellcheck: "false",
-      id: ids.box,
-      "aria-describedby": ids.help,
+      "aria-label": headed(form.name),
     });
-    const copy = el("button", { type: "button", autofocus: form === LINK }, `Copy ${name}`);
-    copy.addEventListener("click", () => void this.#copy(form, box));
     this.#boxes.set(form, box);
+    const copy = button(`Copy ${form.name}`, () => void this.#copy(form, box));
+    copy.className = "act";
+    copy.autofocus = form === LINK;
+    return el("div", {}, box, el("div", { class: "actions" }, copy, ...more));
+  }
+
+  /** Makes what blogs need that take no scripts. */
+  #otherBlogs(): HTMLElement {
+    const help =
+      "The iframe is for blogs that allow no scripts of other sites. Where nothing but pictures is allowed, as on Medium " +
+      "and Substack, post the card with the link.";
     return el(
-      "section",
+      "details",
       {},
-      el("h3", {}, el("label", { for: ids.box }, headed(name))),
-      el("p", { class: "help", id: ids.help }, help),
-      el("div", { class: "actions" }, copy, ...(form.takesPicture ? [this.#saveButton()] : [])),
-      box,
+      el("summary", {}, "My blog allows no scripts"),
+      el("p", { class: "help" }, help),
+      this.#text(IFRAME, this.#save("Save card", CARD)),
     );
+  }
+
+  #save(name: string, choices: Choices): HTMLButtonElement {
+    return button(name, () => void this.downloads.save(choices, { say: (text) => this.#say(text), at: () => {} }));
+  }
+
+  /** Closes the dialog first: what follows is not about it. */
+  #leaveTo(next: () => void): void {
+    this.elements.dialog.close();
+    next();
   }
 
   #open(): void {
-    const { link, seed, values, widgetNotices } = this.recipe;
-    const shared = { link, seed, aspect: values.get("aspect") ?? "", page: location.href };
+    const { link, seed, values, defaults, widgetNotices } = this.recipe;
+    const shared: Shared = {
+      link,
+      widgetLink: withoutDefaultStyle(link, defaults.get("style") ?? ""),
+      seed,
+      aspect: values.get("aspect") ?? "",
+      page: location.href,
+    };
     const picture = this.downloads.nameOf(PICTURE);
     for (const [form, box] of this.#boxes) box.value = form.text(shared, picture);
+    this.#send.hidden = !this.sender.canSend;
     this.#say(promiseFor(widgetNotices));
     this.elements.dialog.showModal();
-  }
-
-  /**
-   * Makes the section of the card. It is a file, since social networks show the same picture for all links of this
-   * page.
-   */
-  #card(): HTMLElement {
-    const save = el("button", { type: "button" }, "Save card");
-    save.addEventListener("click", () => void this.#save(CARD));
-    const help =
-      "A picture of 1200 × 630 with the map’s title, to post beside the link: a link by itself shows this page's picture, " +
-      "since only a server could make one for each map.";
-    return el(
-      "section",
-      {},
-      el("h3", {}, "Card"),
-      el("p", { class: "help" }, help),
-      el("div", { class: "actions" }, save),
-    );
   }
 
   async #copy({ name }: Form, box: HTMLTextAreaElement): Promise<void> {
@@ -156,8 +171,14 @@ export class ShareDialog {
 
 /** Says who sees the same rivers. A widget cannot grow everything that the page can, and then its rivers differ. */
 function promiseFor(notices: readonly string[]): string {
-  if (notices.length === 0) return "Everyone who opens one of these sees the same rivers, to the bit.";
-  return `As an element or an iframe the rivers will be different: ${notices.join("; ")}.`;
+  if (notices.length === 0) return "Everyone who opens it sees the same country.";
+  return `On a blog or in a notebook the rivers will be different: ${notices.join("; ")}.`;
+}
+
+function button(name: string, press: () => void): HTMLButtonElement {
+  const made = el("button", { type: "button" }, name);
+  made.addEventListener("click", press);
+  return made;
 }
 
 function headed(name: string): string {

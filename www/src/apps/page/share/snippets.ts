@@ -10,6 +10,8 @@ import { attributeOf } from "../../../engine/attribute-names.ts";
 export interface Shared {
   /** Its canonical link. */
   readonly link: string;
+  /** The link for widgets, if it is another: they follow their page's colours where it names no style. */
+  readonly widgetLink?: string;
   readonly seed: string;
   /** Width over height, as a link writes it. */
   readonly aspect: string;
@@ -30,12 +32,25 @@ export function titleOf(seed: string): string {
 }
 
 /**
+ * Returns a link without its style if that is the default one of the page on show: a widget then is dark on dark pages
+ * and light on others.
+ */
+export function withoutDefaultStyle(link: string, style: string): string {
+  return link
+    .split("&")
+    .filter((part) => part !== `style=${style}`)
+    .join("&");
+}
+
+/**
  * Returns the script and the element. The style reserves the river's space before the script is loaded. Inside is the
  * picture for readers without script or engine, which is beside the post as `picture`; if it was not saved, its text
  * links to this page. `maker` keeps a small link to it on the map.
  */
-export function elementSnippet({ link, seed, aspect, page }: Shared, picture: string): string {
-  const attributes = [...new URLSearchParams(link)].map(([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`);
+export function elementSnippet({ link, widgetLink = link, seed, aspect, page }: Shared, picture: string): string {
+  const attributes = [...new URLSearchParams(widgetLink)].map(
+    ([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`,
+  );
   return [
     `<script type="module" src="${escaped(addressBeside(page, ELEMENT_SCRIPT))}"></script>`,
     `<river-seed${attributes.join("")} maker="${escaped(addressBeside(page, "./"))}" style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
@@ -45,15 +60,20 @@ export function elementSnippet({ link, seed, aspect, page }: Shared, picture: st
   ].join("\n");
 }
 
+/** Returns the address of the page for iframes, which shows nothing but the map. */
+export function embedAddress({ link, widgetLink = link, page }: Shared): string {
+  return addressOf(widgetLink, addressBeside(page, EMBED_PAGE));
+}
+
 /**
  * Returns an iframe. Its sandbox lets the embedded page run its scripts with its own origin, and nothing else: no
  * opening windows, no navigating away, no dialogs.
  */
-export function iframeSnippet({ link, seed, aspect, page }: Shared): string {
-  const address = addressOf(link, addressBeside(page, EMBED_PAGE));
+export function iframeSnippet(shared: Shared): string {
+  const { seed, aspect } = shared;
   const height = Math.round(IFRAME_WIDTH_PX / Number(aspect));
   return [
-    `<iframe src="${escaped(address)}"`,
+    `<iframe src="${escaped(embedAddress(shared))}"`,
     `  title="${escaped(titleOf(seed))}" loading="lazy" sandbox="allow-scripts allow-same-origin"`,
     `  width="${IFRAME_WIDTH_PX}" height="${height}" style="width:100%;height:auto;aspect-ratio:${escaped(aspect)};border:0"></iframe>`,
   ].join("\n");
