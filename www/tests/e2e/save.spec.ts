@@ -382,7 +382,7 @@ for (const [width, height] of [
     const overflow = await saving(page).evaluate((dialog) => dialog.scrollWidth - dialog.clientWidth);
     expect(overflow).toBeLessThanOrEqual(0);
     const name = await saved(page);
-    expect(name.name).toBe(`${"W".repeat(40)}-atlas-3000.png`);
+    expect(name.name).toBe(`${"w".repeat(40)}-atlas-3000.png`);
     expect(await saving(page).evaluate((dialog) => dialog.scrollWidth - dialog.clientWidth)).toBeLessThanOrEqual(0);
     for (const control of await saving(page).locator("input:visible, button:visible, select:visible").all()) {
       await control.evaluate((element) => element.scrollIntoView({ block: "center" }));

@@ -129,10 +129,10 @@ export class Downloads {
   }
 }
 
-/** Returns the size of a picture as its file's name has it: that of a sheet, or pixels. */
+/** Returns the size of a picture as its file's name has it: that of a sheet of paper, or pixels. */
 function sizeOf(choices: FileChoices): string | number {
   const { size } = choices;
-  return size === "screen" || size === "own" ? longerSideOf(choices) : size;
+  return size === "a4" || size === "a3" ? size : longerSideOf(choices);
 }
 
 /** Returns a file name with the extension of its type. */
