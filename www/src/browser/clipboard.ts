@@ -13,15 +13,19 @@ export async function copy(text: string): Promise<boolean> {
   }
 }
 
+/** The class of what is copied besides text, which some browsers lack. */
+const { ClipboardItem: Item } = globalThis as Partial<typeof globalThis>;
+
 /** Returns whether the browser lets pages copy pictures. */
 export function copiesPictures(): boolean {
-  return "ClipboardItem" in globalThis && navigator.clipboard?.write !== undefined;
+  return Item !== undefined && navigator.clipboard?.write !== undefined;
 }
 
 /** Copies a picture to the clipboard. Returns false if the browser does not allow it. */
 export async function copyPicture(picture: Blob): Promise<boolean> {
+  if (!Item) return false;
   try {
-    await navigator.clipboard.write([new ClipboardItem({ [picture.type]: picture })]);
+    await navigator.clipboard.write([new Item({ [picture.type]: picture })]);
     return true;
   } catch {
     return false;

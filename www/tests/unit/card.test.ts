@@ -10,6 +10,9 @@ const COURSE: Course = { tell: () => {}, pause: () => Promise.resolve() };
 /** An island of few rivers on plain paper: what is not paper is land or a letter. */
 const LINK = "seed=Ardenmoor&land=island&style=ink&labels=none&attractors=400&meander=none";
 
+/** No test depends on speed; this only ends one that hangs. */
+const SLOWEST_MS = 120_000;
+
 interface Picture {
   width: number;
   height: number;
@@ -33,7 +36,7 @@ async function pictureFor(kind: keyof typeof CARDS, link: string): Promise<Pictu
 const pictures = new Map<string, Picture>();
 beforeAll(async () => {
   for (const kind of ["card", "portrait"] as const) pictures.set(kind, await pictureFor(kind, LINK));
-});
+}, SLOWEST_MS);
 
 /** The first and the last row with ink of each band that has some without a gap. */
 function bands({ width, height, isInk }: Picture): [first: number, last: number][] {
@@ -48,14 +51,16 @@ function bands({ width, height, isInk }: Picture): [first: number, last: number]
 }
 
 for (const [kind, size] of Object.entries(CARDS)) {
-  test(`a ${kind} has its size, and no land is cut off`, () => {
+  test(`a ${kind} has its size, and no land is cut off`, { timeout: SLOWEST_MS }, () => {
     const { width, height, isInk } = pictures.get(kind) as Picture;
     expect({ width, height }).toEqual(size);
     for (let x = 0; x < width; x++) for (const y of [5, height - 6]) expect(isInk(x, y)).toBe(false);
     for (let y = 0; y < height; y++) for (const x of [5, width - 6]) expect(isInk(x, y)).toBe(false);
   });
 
-  test(`the title of a ${kind} can be read where it is 300 pixels wide, and touches no land`, () => {
+  test(`the title of a ${kind} can be read where it is 300 pixels wide, and touches no land`, {
+    timeout: SLOWEST_MS,
+  }, () => {
     const [title, ...below] = bands(pictures.get(kind) as Picture);
     const [first = 0, last = 0] = title ?? [];
     // From the top of the d to the line; no letter reaches below it.
@@ -64,7 +69,7 @@ for (const [kind, size] of Object.entries(CARDS)) {
   });
 }
 
-test("a title of two long words stands on the picture too", async () => {
+test("a title of two long words stands on the picture too", { timeout: SLOWEST_MS }, async () => {
   const { width, height, isInk } = await pictureFor("card", `${LINK}&seed=Wobegonshire+Severnmouth`);
   for (let y = 0; y < height; y++) for (const x of [5, width - 6]) expect(isInk(x, y)).toBe(false);
 });
