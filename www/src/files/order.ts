@@ -8,6 +8,10 @@ export interface PictureOrder {
   link: string;
   /** In pixels. */
   longerSide: number;
+  /** In pixels, for a picture with the shape of a sheet of paper; without it, a picture has the map's shape. */
+  shorterSide?: number;
+  /** Dots per inch, for a picture that is made for print. */
+  dpi?: number;
   /** True to leave out the sea, or in line styles the paper. */
   isTransparent: boolean;
 }
@@ -37,6 +41,23 @@ export type Said =
 export const SIZES = { screen: 2000, a4: 3508, a3: 4961, poster: 8192 } as const;
 export const OWN_SIZES = { min: 256, max: 8192 } as const;
 
+/** The dots per inch of good print. */
+export const PRINT_DPI = 300;
+
+/** A sheet of paper: the shorter side in pixels, and the dots per inch at which its picture fills it. */
+export interface Sheet {
+  paper: string;
+  shorterSide: number;
+  dpi: number;
+}
+
+/** The sheets by size. The largest picture there may be is not as fine as good print on A1, but a poster is seen from afar. */
+export const SHEETS: Partial<Record<keyof typeof SIZES, Sheet>> = {
+  a4: { paper: "A4", shorterSide: 2480, dpi: PRINT_DPI },
+  a3: { paper: "A3", shorterSide: 3508, dpi: PRINT_DPI },
+  poster: { paper: "A1", shorterSide: 5786, dpi: 247.4 },
+};
+
 /**
  * The sizes in pixels of the pictures with a title: the card, which social networks show for a link, and the portrait,
  * which fills a phone.
@@ -48,7 +69,7 @@ export const CARDS = {
 
 /** Returns a link without labels and cartouche. */
 export function withoutNames(link: string): string {
-  return changed(link, { labels: undefined, cartouche: undefined });
+  return changed(link, { labels: "none", cartouche: "none" });
 }
 
 /** Returns a link with other values; keys with an undefined value get their default. */

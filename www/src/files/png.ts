@@ -13,6 +13,8 @@ export interface PngImage {
   rows(first: number, count: number): Uint8Array;
   /** Texts by keyword, in Latin-1. */
   texts: Readonly<Record<string, string>>;
+  /** Dots per inch, if the picture has a size on paper. */
+  dpi?: number | undefined;
 }
 
 /**
@@ -42,8 +44,9 @@ const BAND_BYTES = 1 << 19;
 const SIGNATURE = new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10]);
 
 export async function pngOf(image: PngImage, course: Course): Promise<Blob> {
-  const { texts } = image;
+  const { texts, dpi } = image;
   const parts: BlobPart[] = [SIGNATURE, ...chunk("IHDR", header(image))];
+  if (dpi !== undefined) parts.push(...chunk("pHYs", density(dpi)));
   for (const [keyword, text] of Object.entries(texts)) parts.push(...chunk("tEXt", latin(`${keyword}\0${text}`)));
   const zlib = new CompressionStream("deflate");
   const packing = collect(zlib.readable, (bytes) => parts.push(...chunk("IDAT", bytes)));
@@ -181,6 +184,17 @@ function header({ width, height, pixels }: PngImage): Uint8Array<ArrayBuffer> {
   view.setUint32(0, width);
   view.setUint32(4, height);
   bytes.set([LAYOUTS[pixels].depth, LAYOUTS[pixels].colour], 8);
+  return bytes;
+}
+
+const METRES_AN_INCH = 0.0254;
+
+/** Returns the dots per metre in either direction, and the number that says that they are counted by the metre. */
+function density(dpi: number): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(9);
+  const view = new DataView(bytes.buffer);
+  for (const at of [0, 4]) view.setUint32(at, Math.round(dpi / METRES_AN_INCH));
+  bytes[8] = 1;
   return bytes;
 }
 

@@ -66,16 +66,19 @@ test("a picture of one's own size is the one that a native program painted", asy
 });
 
 for (const [size, width, height] of [
-  ["a4", 3508, 2192],
-  ["a3", 4961, 3101],
+  ["a4", 3508, 2480],
+  ["a3", 4961, 3508],
 ] as const) {
-  test(`a picture for paper has its size: ${size}`, async ({ page }) => {
+  test(`a picture for paper has its shape and says its dots per inch: ${size}`, async ({ page }) => {
     await openFinished(page, LINK.replace("atlas", "ink"));
     await choose(page, "Picture");
     await chooseSize(page, size);
     const { name, bytes } = await saved(page);
     expect(name).toBe(`puriri-ink-${size}.png`);
     expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([width, height]);
+    const density = bytes.indexOf("pHYs") + 4;
+    expect([0, 4].map((at) => bytes.readUInt32BE(density + at))).toEqual([11_811, 11_811]);
+    expect(bytes[density + 8]).toBe(1);
   });
 }
 

@@ -123,6 +123,33 @@ test("the element's picture has exactly the core's pixels, and is the page's fil
   }
 });
 
+test("a sheet of paper lies as the map does, shows all of it in the middle, and is as the map's ground to its edges", async () => {
+  for (const [aspect, width, height] of [
+    [1.6, 707, 500],
+    [1, 707, 500],
+    [0.6, 500, 707],
+  ] as const) {
+    const link = `seed=kauri&attractors=300&land=island&style=atlas&labels=none&aspect=${aspect}`;
+    const order = { kind: "picture", link, longerSide: 707, shorterSide: 500, dpi: 300, isTransparent: false } as const;
+    const sheet = await pictureOf(order, core, { tell: () => {}, pause: () => Promise.resolve() });
+    const picture = decode(await sheet.arrayBuffer(), { checkCrc: true });
+    expect([picture.width, picture.height, picture.resolution?.x]).toEqual([width, height, 11_811]);
+    const river = new engine.River(link);
+    while (river.advance(1000));
+    river.resize(width, height);
+    const across = Math.max(1, width / height / aspect);
+    river.frame([(1 - across) / 2, (1 / aspect - across / (width / height)) / 2, across]);
+    while (river.paint());
+    const framed = pixelsOf(river).filter((_, i) => i % 4 !== 3);
+    // The map lies where it should to a small part of a pixel.
+    const apart = framed.filter((value, i) => Math.abs(value - (picture.data[i] ?? 0)) > 8).length;
+    expect(apart / framed.length, link).toBeLessThan(0.001);
+    // The corners are sea, as is the map's own edge.
+    const pixel = (x: number, y: number) => [...picture.data.subarray((y * width + x) * 3, (y * width + x) * 3 + 3)];
+    expect(pixel(0, 0)).toEqual(pixel(width - 1, height - 1));
+  }
+});
+
 test("a game pack's picture has exactly the core's pixels, and carries its link", async () => {
   const link = "seed=kauri&attractors=300&land=valley&style=atlas";
   const pack = await (await fileOf(new engine.River(link), core, "zip")).arrayBuffer();

@@ -51,6 +51,15 @@ test.each([
   expect([...read.data]).toEqual([...numbers]);
 });
 
+test("a picture for print says its dots per inch, in whole dots per metre, and any other says nothing", async () => {
+  const printed = decode(await (await pngOf({ ...image(3, 2, false), dpi: 300 }, still)).arrayBuffer(), {
+    checkCrc: true,
+  });
+  expect(printed.resolution).toEqual({ x: 11_811, y: 11_811, unit: 1 });
+  const shown = decode(await (await pngOf(image(3, 2, false), still)).arrayBuffer());
+  expect(shown.resolution).toBeUndefined();
+});
+
 test("what smooth ground takes is little: a row is written as what differs from those before it", async () => {
   const width = 500;
   const slope = new Uint8Array(width * width * 4).map((_, i) => ((i >> 2) % width) / 2 + (i >> 2) / width / 2);

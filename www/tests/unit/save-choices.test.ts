@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { longerSideOf, ownSizeOf, SaveChoices } from "../../src/apps/page/save/save-choices.ts";
-import { SIZES } from "../../src/files/order.ts";
+import { longerSideOf, ownSizeOf, paperOf, SaveChoices } from "../../src/apps/page/save/save-choices.ts";
+import { SHEETS, SIZES } from "../../src/files/order.ts";
 
 function keeper(first?: string) {
   const kept = new Map<string, string>(first === undefined ? [] : [["riverseed-save", first]]);
@@ -57,4 +57,20 @@ test("sizes are those of uses, or one's own from 256 to 8192", () => {
   expect(["256", "8192", " 300 "].map(ownSizeOf)).toEqual([256, 8192, 300]);
   for (const text of ["", "255", "8193", "-300", "300.5", "3e3", "0x200", "abc", "1e999", "٣٠٠"])
     expect(ownSizeOf(text), text).toBeUndefined();
+});
+
+test("sheets are as wide and as high as paper at their dots per inch, and screens have none", () => {
+  const millimetres = { a4: [297, 210], a3: [420, 297], poster: [841, 594] } as const;
+  const choices = new SaveChoices(() => keeper()).now;
+  for (const [size, [longer, shorter]] of Object.entries(millimetres) as [
+    keyof typeof millimetres,
+    [number, number],
+  ][]) {
+    const { shorterSide = 0, dpi = 0 } = paperOf({ ...choices, size });
+    expect(Math.abs((SIZES[size] / dpi) * 25.4 - longer), size).toBeLessThan(0.1);
+    expect(Math.abs((shorterSide / dpi) * 25.4 - shorter), size).toBeLessThan(0.1);
+  }
+  expect([SHEETS.a4?.dpi, SHEETS.a3?.dpi]).toEqual([300, 300]);
+  expect(paperOf({ ...choices, size: "own" })).toEqual({ dpi: 300 });
+  expect(paperOf({ ...choices, size: "screen" })).toEqual({});
 });

@@ -8,7 +8,7 @@ import type { CountryName } from "../country-name.ts";
 import { save } from "../share/share.ts";
 import { fileName } from "./file-names.ts";
 import { type Making, making } from "./making.ts";
-import { type Choices, type FileChoices, type FileKind, longerSideOf } from "./save-choices.ts";
+import { type Choices, type FileChoices, type FileKind, longerSideOf, paperOf } from "./save-choices.ts";
 
 export interface DownloadEvents {
   /** Makes a file of a link's finished rivers. */
@@ -104,7 +104,10 @@ export class Downloads {
     const tell = (share: number): void => asker.at(share);
     switch (kind) {
       case "png":
-        return making({ kind: "picture", link, longerSide: longerSideOf(choices), isTransparent }, tell);
+        return making(
+          { kind: "picture", link, longerSide: longerSideOf(choices), ...paperOf(choices), isTransparent },
+          tell,
+        );
       case "card":
       case "portrait":
       case "animation":

@@ -1,7 +1,7 @@
 /** The visitor's last choices in the Save dialog, remembered if the browser allows storage. */
 
 import type { Keeper } from "../../../controls/disclosure.ts";
-import { OWN_SIZES, SIZES } from "../../../files/order.ts";
+import { OWN_SIZES, PRINT_DPI, SHEETS, type Sheet, SIZES } from "../../../files/order.ts";
 
 export const KINDS = ["png", "svg", "geojson", "json", "zip", "card", "animation"] as const;
 export type Kind = (typeof KINDS)[number];
@@ -79,6 +79,14 @@ export function ownSizeOf(text: string): number | undefined {
   const { min, max } = OWN_SIZES;
   const size = /^\s*\d{1,6}\s*$/.test(text) ? Number(text) : Number.NaN;
   return size >= min && size <= max ? size : undefined;
+}
+
+/** Returns the sheet of paper that the chosen picture fills, if any, and the dots per inch of pictures for print. */
+export function paperOf({ size }: Readonly<Choices>): Partial<Omit<Sheet, "paper">> {
+  // A custom size is one that somebody needs for print; screens do not ask for dots per inch.
+  if (size === "own") return { dpi: PRINT_DPI };
+  const { shorterSide, dpi } = SHEETS[size] ?? {};
+  return shorterSide === undefined || dpi === undefined ? {} : { shorterSide, dpi };
 }
 
 /** Returns the longer side of the chosen picture, in pixels. */

@@ -3,7 +3,7 @@
 import { el } from "../../../browser/dom.ts";
 import type { Keeper } from "../../../controls/disclosure.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
-import { OWN_SIZES, SIZES } from "../../../files/order.ts";
+import { OWN_SIZES, SHEETS, SIZES } from "../../../files/order.ts";
 import type { Asker, Downloads } from "./downloads.ts";
 import { KINDS, type Kind, ownSizeOf, SaveChoices, SIZE_NAMES, type SizeName } from "./save-choices.ts";
 
@@ -34,11 +34,19 @@ const NO_ENCODER = "not available: this browser does not let this page encode vi
 
 const SIZE_WORDS: Record<SizeName, string> = {
   screen: `Screen: ${SIZES.screen}`,
-  a4: `A4 at 300 dpi: ${SIZES.a4}`,
-  a3: `A3 at 300 dpi: ${SIZES.a3}`,
-  poster: `Poster: ${SIZES.poster}`,
+  a4: paper("a4"),
+  a3: paper("a3"),
+  poster: `Poster, ${paper("poster")}`,
   own: "Own size",
 };
+
+/** Returns the words for a sheet of paper, as in "A4, 300 dpi: 3508 × 2480". */
+function paper(size: keyof typeof SIZES): string {
+  const { paper = "", shorterSide = 0, dpi = 0 } = SHEETS[size] ?? {};
+  return `${paper}, ${Math.round(dpi)} dpi: ${SIZES[size]} × ${shorterSide}`;
+}
+
+const SIZE_HELP = "longer side first, in pixels; on paper, sea or paper of the style fills the sheet";
 
 const TRANSPARENT_HELP =
   "Transparent leaves the sea out; land, rivers and names stay. In the styles ink, dark and skeleton the paper goes, and lines stay.";
@@ -90,7 +98,7 @@ export class SaveDialog {
     this.#sized = el(
       "div",
       { class: "save-options" },
-      row("save-size", "Size", this.#size, el("span", { class: "help" }, "longer side in pixels")),
+      row("save-size", "Size", this.#size, el("span", { class: "help" }, SIZE_HELP)),
       this.#ownRow,
       this.#ground.element,
       el("p", { class: "help" }, TRANSPARENT_HELP),
