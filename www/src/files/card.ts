@@ -12,8 +12,8 @@ const SEEN_WIDTH_PX = 300;
 
 /** Returns the link of such a picture: the map without its own title, and with few labels if it has any. */
 export function cardLink(link: string): string {
-  const labels = new URLSearchParams(link).get("labels") ?? "none";
-  return changed(link, { cartouche: "none", labels: labels === "none" ? labels : "few" });
+  const isBare = new URLSearchParams(link).get("labels") === "none";
+  return changed(link, { cartouche: "none", labels: isBare ? "none" : "few" });
 }
 
 /** Paints the picture of a grown river. */

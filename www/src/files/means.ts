@@ -26,10 +26,20 @@ export async function written<Written>(
   return writeMap(river, writer, write);
 }
 
-/** Lays labels and scenery over a finished river's picture if it wants them, fetching the teller if need be. */
-export async function labelled(river: River, { loadTeller, holdOn }: Omit<FileMeans, "loadWriter">): Promise<void> {
+/** The part of the map's surroundings that a picture shows, as in `River.frame`. All in widths of the map. */
+export type Frame = readonly [left: number, top: number, across: number];
+
+/**
+ * Lays labels and scenery over a finished river's picture if it wants them, fetching the teller if need be. `frame` is
+ * the picture's, if it does not show just the map.
+ */
+export async function labelled(
+  river: River,
+  { loadTeller, holdOn }: Omit<FileMeans, "loadWriter">,
+  frame?: Frame,
+): Promise<void> {
   if (!river.wantsAnnotation()) return;
   const teller = await required(loadTeller);
   holdOn();
-  annotate(river, teller);
+  annotate(river, teller, 1, frame);
 }

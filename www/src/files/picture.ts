@@ -3,6 +3,7 @@
 import type { SteeredRiver } from "../engine/steer.ts";
 import { cardLink, paintCard } from "./card.ts";
 import { type Course, grow, partOf } from "./course.ts";
+import type { Frame } from "./means.ts";
 import type { CardOrder, PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";
 import { riverPng } from "./river-png.ts";
@@ -29,26 +30,33 @@ export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore
 
 /** Paints all of a map, on a sheet of paper if the order has one. */
 async function paintWhole(order: PictureOrder, river: SteeredRiver, core: MakerCore, course: Course): Promise<void> {
-  shape(river, order);
-  await paint(river, core, course);
+  const frame = shape(river, order);
+  await paint(river, core, course, frame);
 }
 
-/** Gives a river's picture its size and shape. */
-function shape(river: SteeredRiver, { longerSide, shorterSide }: PictureOrder): void {
-  const [mapWidth = 1, mapHeight = 1] = river.lengths();
+/** Gives a river's picture its size and shape. Returns its frame if it does not show just the map. */
+function shape(river: SteeredRiver, { longerSide, shorterSide }: PictureOrder): Frame | undefined {
   if (shorterSide === undefined) {
     const [width = 0, height = 0] = river.sidesFor(longerSide);
     river.resize(width, height);
     return;
   }
-  const [width, height] = mapWidth < mapHeight ? [shorterSide, longerSide] : [longerSide, shorterSide];
-  river.resize(width, height);
-  river.frame(centred(width, height, mapWidth / mapHeight));
+  return shapeSheet(river, longerSide, shorterSide);
 }
 
-/** Returns the framing of a picture with the whole map in its middle, as large as it can be: `River.frame`. */
-export function centred(width: number, height: number, aspect: number): Float32Array {
+/** Gives a river's picture the size of a sheet, which lies or stands as the map does. */
+function shapeSheet(river: SteeredRiver, longerSide: number, shorterSide: number): Frame {
+  const [mapWidth = 1, mapHeight = 1] = river.lengths();
+  const [width, height] = mapWidth < mapHeight ? [shorterSide, longerSide] : [longerSide, shorterSide];
+  const frame = centred(width, height, mapWidth / mapHeight);
+  river.resize(width, height);
+  river.frame([...frame]);
+  return frame;
+}
+
+/** Returns the frame of a picture with the whole map in its middle, as large as it can be. */
+function centred(width: number, height: number, aspect: number): Frame {
   const across = Math.max(1, width / (height * aspect));
   const down = (across * height) / width;
-  return Float32Array.of((1 - across) / 2, (1 / aspect - down) / 2, across);
+  return [(1 - across) / 2, (1 / aspect - down) / 2, across];
 }

@@ -4,9 +4,10 @@ import { expect, test, vi } from "vitest";
 import { picture, pngOf } from "../../src/files/files.ts";
 import { fileOf } from "../../src/files/formats.ts";
 import { pictureOf } from "../../src/files/picture.ts";
+import { annotate } from "../../src/player/annotator.ts";
 import { differing, pixelsOf } from "../core.ts";
 import { engine, memory } from "../steer.ts";
-import { loadTeller, loadWriter } from "../tell.ts";
+import { loadTeller, loadWriter, teller } from "../tell.ts";
 
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
@@ -129,7 +130,7 @@ test("a sheet of paper lies as the map does, shows all of it in the middle, and 
     [1, 707, 500],
     [0.6, 500, 707],
   ] as const) {
-    const link = `seed=kauri&attractors=300&land=island&style=atlas&labels=none&aspect=${aspect}`;
+    const link = `seed=kauri&attractors=300&land=island&style=atlas&labels=some&aspect=${aspect}`;
     const order = { kind: "picture", link, longerSide: 707, shorterSide: 500, dpi: 300, isTransparent: false } as const;
     const sheet = await pictureOf(order, core, { tell: () => {}, pause: () => Promise.resolve() });
     const picture = decode(await sheet.arrayBuffer(), { checkCrc: true });
@@ -138,10 +139,12 @@ test("a sheet of paper lies as the map does, shows all of it in the middle, and 
     while (river.advance(1000));
     river.resize(width, height);
     const across = Math.max(1, width / height / aspect);
-    river.frame([(1 - across) / 2, (1 / aspect - across / (width / height)) / 2, across]);
+    const frame = [(1 - across) / 2, (1 / aspect - across / (width / height)) / 2, across] as const;
+    river.frame([...frame]);
+    annotate(river, teller, 1, frame);
     while (river.paint());
     const framed = pixelsOf(river).filter((_, i) => i % 4 !== 3);
-    // The map lies where it should to a small part of a pixel.
+    // Map and labels lie where they should, to a small part of a pixel.
     const apart = framed.filter((value, i) => Math.abs(value - (picture.data[i] ?? 0)) > 8).length;
     expect(apart / framed.length, link).toBeLessThan(0.001);
     // The corners are sea, as is the map's own edge.
