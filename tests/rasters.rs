@@ -335,13 +335,54 @@ fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_
         let asked = Rasters::with_size(&session.map().unwrap(), own).unwrap();
         assert!(asked == usual, "{aspect}");
         assert!(Layer::ALL.into_iter().all(|layer| file(&asked, layer) == file(&usual, layer)), "{aspect}");
-        for size in [0, own - 1, 4097, u32::MAX] {
+        for size in [0, own - 1, 4098, u32::MAX] {
             let refused = Rasters::with_size(&session.map().unwrap(), size).unwrap_err();
-            assert_eq!(refused, ExportError::RasterSize { size, least: own, most: 4096 });
-            let text = format!("rasters of this map are from {own} to 4096 pixels long, not {size}");
+            assert_eq!(refused, ExportError::RasterSize { size, least: own, most: 4097 });
+            let text = format!("rasters of this map are from {own} to 4097 pixels long, not {size}");
             assert_eq!(refused.to_string(), text);
         }
     }
+}
+
+#[test]
+fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
+    for (aspect, part) in [("2", [0..708, 177..531]), ("0.5", [177..531, 0..708])] {
+        // Land runs to the map's edges.
+        let session = finished(&format!("seed=kea&attractors=300&land=rectangle&aspect={aspect}"));
+        let own = Rasters::new(&session.map().unwrap()).unwrap();
+        let square = own.clone().into_squares().unwrap();
+        assert_eq!((square.columns, square.rows, own.part()), (708, 708, None), "{aspect}");
+        assert_eq!(square.part(), Some(part.clone()), "{aspect}");
+        let [columns, rows] = part;
+        let numbers = |rasters: &Rasters, layer| match rasters.values(layer) {
+            Values::Bytes(bytes) => bytes.into_iter().map(u16::from).collect(),
+            Values::Words(words) => words,
+        };
+        for layer in Layer::ALL {
+            let (small, large) = (numbers(&own, layer), numbers(&square, layer));
+            assert_eq!(large.len(), 708 * 708);
+            for (i, &value) in large.iter().enumerate() {
+                let (column, row) = (i % 708, i / 708);
+                if columns.contains(&column) && rows.contains(&row) {
+                    assert_eq!(value, small[(row - rows.start) * own.columns + column - columns.start]);
+                } else if layer == Layer::Heights {
+                    assert!(value <= own.scale.sea_level, "no land beyond the map: {value}");
+                } else {
+                    assert_eq!(value, 0, "{layer:?}");
+                }
+            }
+        }
+        let readme = pack::readme(&square);
+        let from = format!("from column {} and row {}", columns.start, rows.start);
+        assert!(readme.contains("A raster has 708 x 708 pixels") && readme.contains(&from), "{readme}");
+        assert!(!pack::readme(&own).contains("from column"));
+        let texts = square.texts(Layer::Land);
+        let place = format!("{} x {} from {}, {}", own.columns, own.rows, columns.start, rows.start);
+        assert!(texts.contains(&("map-pixels", place)), "{texts:?}");
+    }
+    let square = finished("seed=kea&attractors=300&aspect=1");
+    let own = Rasters::new(&square.map().unwrap()).unwrap();
+    assert!(own.clone().into_squares().unwrap() == own, "a square map stays as it is");
 }
 
 #[test]

@@ -123,7 +123,7 @@ class Map:
 
         Args:
             layer: One of `riverseed.LAYERS`, such as ``"heights"``.
-            raster_size: The longer side in pixels: at most 4096; at least, and unless given, a pixel for 2 units of the
+            raster_size: The longer side in pixels: at most 4097; at least, and unless given, a pixel for 2 units of the
                 map, which is 500 on a square map.
 
         Raises:
@@ -237,7 +237,7 @@ class Map:
         """Return the relief on smaller cells. It is made anew, and not kept.
 
         Args:
-            raster_size: The longer side of the arrays: at least that of `relief`, and at most 4096.
+            raster_size: The longer side of the arrays: at least that of `relief`, and at most 4097.
 
         Raises:
             ValueError: `raster_size` is out of its range.

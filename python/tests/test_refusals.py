@@ -62,7 +62,7 @@ def test_what_is_no_text_is_refused() -> None:
 
 
 def test_options_are_refused_in_words_that_help(small: riverseed.Map) -> None:
-    raster_range = "raster_size: rasters of this map are from 633 to 4096 pixels long, not 3"
+    raster_range = "raster_size: rasters of this map are from 633 to 4097 pixels long, not 3"
     refused: list[tuple[Callable[..., object], dict[str, Any], str]] = [
         (small.raster, {"layer": "gif"}, "layer: 'gif' is not one of heights, land, rivers, flow, basins"),
         (small.raster, {"layer": "x" * 1000}, "layer: 'x{40}' is not one of heights, "),
@@ -75,7 +75,7 @@ def test_options_are_refused_in_words_that_help(small: riverseed.Map) -> None:
         (small.save, {"path": "a.png", "text": True}, "text does not go with form 'png'"),
         (small.png, {"ratio": 0.6}, "ratio: 0.6 is not from 0.5 to 4, in quarters"),
         (small.png, {"ratio": float("nan")}, "ratio: NaN is not from 0.5 to 4, in quarters"),
-        (small.zip, {"raster_size": 5000}, "raster_size: 5000 is not between 1 and 4096"),
+        (small.zip, {"raster_size": 5000}, "raster_size: 5000 is not between 1 and 4097"),
         (small.zip, {"raster_size": 3}, raster_range),
         (small.raster, {"layer": "flow", "raster_size": 3}, raster_range),
         (small.finer_relief, {"raster_size": 3}, raster_range),

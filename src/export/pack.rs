@@ -2,6 +2,7 @@
 
 #[cfg(feature = "pack")]
 use std::io::{Error, Result, Write};
+use std::ops::Range;
 
 #[cfg(feature = "pack")]
 use flate2::{Compression, write::DeflateEncoder};
@@ -32,7 +33,7 @@ pub fn readme(rasters: &Rasters) -> String {
     let mut text = format!(
         "A map by Riverseed. This draws it again:\n  {link}\n\n\
          SCALE\n\
-         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} x {pixel} units.\n\
+         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} x {pixel} units.\n{part}\
          A unit of height is {unit} m. On the ground a unit is what you like; GeoJSON takes a hundredth of a degree, 1113 m.\n\
          Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m.\n\
          One step is {step} m: metres = (value - {sea}) * {step}\n\n\
@@ -41,6 +42,7 @@ pub fn readme(rasters: &Rasters) -> String {
         columns = rasters.columns,
         rows = rasters.rows,
         pixel = shortest(rasters.cell_size.into(), 6),
+        part = rasters.part().map(|part| words_of(&part)).unwrap_or_default(),
         unit = decimal(METRES.into(), 0),
         deepest = decimal(scale.metres(0), 1),
         highest = decimal(scale.metres(u16::MAX), 1),
@@ -54,6 +56,17 @@ pub fn readme(rasters: &Rasters) -> String {
     text += &format!("{PICTURE}\n  The picture in the style of the recipe.\n");
     text += "\nEvery river falls all along its way, no land is a pit, and flow directions lead from all land to the sea or off the map.\n";
     text
+}
+
+/// Says where the map lies in rasters that it does not fill.
+fn words_of([columns, rows]: &[Range<usize>; 2]) -> String {
+    format!(
+        "The map takes {} x {} of them, from column {} and row {}, counted from 0; around it is sea.\n",
+        columns.len(),
+        rows.len(),
+        columns.start,
+        rows.start
+    )
 }
 
 /// Writes the archive in the ZIP format, with the rasters and the picture of the map. A recipe always gives the same

@@ -1,6 +1,7 @@
 //! Rasters: values of each cell of the relief, for programs that make landscapes from them.
 
 use std::num::NonZero;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::Vec2;
@@ -8,6 +9,7 @@ use glam::Vec2;
 use super::levels::Levels;
 pub use super::levels::Scale;
 use super::{ExportError, rivers};
+use crate::base::memory;
 use crate::domain::Domain;
 use crate::map::Map;
 use crate::network::Network;
@@ -24,7 +26,7 @@ pub const LINK_KEYWORD: &str = "riverseed";
 pub struct Rasters {
     /// The link of the recipe.
     pub link: String,
-    /// Number of cells in a row. The last one may reach beyond the map's border.
+    /// Number of cells in a row. The last one of the map may reach beyond its border.
     pub columns: usize,
     /// Number of rows of cells.
     pub rows: usize,
@@ -36,6 +38,8 @@ pub struct Rasters {
     pub scale: Scale,
     relief: Arc<Relief>,
     flow: Flow,
+    /// The columns west of the map and the rows north of it.
+    before: (usize, usize),
     /// The height of each cell in steps of the scale.
     steps: Vec<u16>,
     /// The width of the river in each cell, in units; 0 if there is none.
@@ -159,11 +163,59 @@ impl Rasters {
             widths: widths(&relief, &flow, network),
             relief,
             flow,
+            before: (0, 0),
         })
+    }
+
+    /// Widens the rasters to squares, with the map in the middle and sea around it.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn into_squares(self) -> Result<Self, ExportError> {
+        let side = self.columns.max(self.rows);
+        // A raster is made, and copied by whoever writes it.
+        let bytes = 2 * size_of::<u16>() * side * side;
+        if !memory::can_allocate(bytes) {
+            return Err(out_of_memory(bytes));
+        }
+        let before = ((side - self.columns) / 2, (side - self.rows) / 2);
+        Ok(Self { columns: side, rows: side, before, ..self })
+    }
+
+    /// The columns and rows of the map itself; `None` if it fills the rasters.
+    pub fn part(&self) -> Option<[Range<usize>; 2]> {
+        let (columns, rows) = (self.relief.columns(), self.relief.rows());
+        let (west, north) = self.before;
+        ((columns, rows) != (self.columns, self.rows)).then_some([west..west + columns, north..north + rows])
     }
 
     /// The values of a raster.
     pub fn values(&self, layer: Layer) -> Values {
+        match (self.values_of_map(layer), layer) {
+            (values, _) if self.part().is_none() => values,
+            // The floor of the sea goes on, and land ends at the sea's surface.
+            (Values::Words(steps), Layer::Heights) => {
+                Values::Words(self.widened(&steps, |nearest| nearest.min(self.scale.sea_level)))
+            }
+            (Values::Words(words), _) => Values::Words(self.widened(&words, |_| 0)),
+            (Values::Bytes(bytes), _) => Values::Bytes(self.widened(&bytes, |_| 0)),
+        }
+    }
+
+    /// Puts values of the map into the raster; `beyond` makes a value outside of the map from the nearest one inside.
+    fn widened<T: Copy>(&self, values: &[T], beyond: impl Fn(T) -> T) -> Vec<T> {
+        let (west, north) = self.before;
+        let (columns, rows) = (self.relief.columns(), self.relief.rows());
+        let cells = (0..self.rows).flat_map(|row| (0..self.columns).map(move |column| (column, row)));
+        let value = |(column, row): (usize, usize)| {
+            let inside = (column.saturating_sub(west).min(columns - 1), row.saturating_sub(north).min(rows - 1));
+            let nearest = values[inside.1 * columns + inside.0];
+            if (column, row) == (inside.0 + west, inside.1 + north) { nearest } else { beyond(nearest) }
+        };
+        cells.map(value).collect()
+    }
+
+    fn values_of_map(&self, layer: Layer) -> Values {
         match layer {
             Layer::Heights => Values::Words(self.steps.clone()),
             Layer::Land => {
@@ -206,6 +258,12 @@ impl Rasters {
             ("units-a-pixel", shortest(self.cell_size.into(), 6)),
             ("map-units", format!("{} x {}", decimal(self.size.x.into(), 4), decimal(self.size.y.into(), 4))),
         ];
+        if let Some([columns, rows]) = self.part() {
+            texts.push((
+                "map-pixels",
+                format!("{} x {} from {}, {}", columns.len(), rows.len(), columns.start, rows.start),
+            ));
+        }
         if layer == Layer::Heights {
             texts.push(("metres-a-step", decimal(self.scale.metres_a_step, 6)));
             texts.push(("sea-level", self.scale.sea_level.to_string()));
@@ -316,7 +374,9 @@ mod tests {
         // A finer relief than the existing one has to be made.
         let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&map, 2048)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 100), "{refused}");
-        assert!(Rasters::with_size(&map, 700).is_ok());
+        let wide = Rasters::with_size(&map, 700).unwrap();
+        let refused = with_lists_up_to(1_000_000, || wide.into_squares()).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { .. }), "{refused}");
     }
 
     #[test]

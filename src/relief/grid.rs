@@ -26,8 +26,8 @@ impl Grid {
 }
 
 impl Grid {
-    /// The most cells that a grid has on its longer side.
-    pub const MOST: u32 = 4096;
+    /// The most cells that a grid has on its longer side: as many as game engines take, which want a power of two and one.
+    pub const MOST: u32 = 4097;
 
     /// How many cells the grids of a map have on its longer side: from its own to [`Grid::MOST`].
     pub fn sizes(domain: &Domain) -> RangeInclusive<u32> {
@@ -66,7 +66,7 @@ mod tests {
     fn grids_fill_the_longer_side_and_cover_the_other() {
         for aspect in [0.25, 0.3, 0.5, 1.0, 1.28, 1.5, 2.0, 3.7, 4.0] {
             let domain = Domain::with_aspect(aspect);
-            for cells in Grid::sizes(&domain).skip(1).step_by(97).chain([1024, 1025, 2049, 4096]) {
+            for cells in Grid::sizes(&domain).skip(1).step_by(97).chain([1024, 1025, 2049, 4096, 4097]) {
                 let grid = Grid::with_longer_side(&domain, cells).unwrap();
                 assert_eq!(grid.longer_side(), cells);
                 let (width, height) = (grid.cell_size * grid.columns as f32, grid.cell_size * grid.rows as f32);
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn grids_are_as_fine_as_the_map_s_own_or_finer() {
         let domain = Domain::with_aspect(1.5);
-        assert_eq!(Grid::sizes(&domain), 613..=4096);
+        assert_eq!(Grid::sizes(&domain), 613..=4097);
         assert_eq!(Grid::with_longer_side(&domain, 613), Some(Grid::of(&domain)));
         assert_eq!((Grid::of(&domain).columns, Grid::of(&domain).rows), (613, 409));
         let refused = [0, 612, 4097, u32::MAX].map(|cells| Grid::with_longer_side(&domain, cells));

@@ -59,7 +59,7 @@ fn render_command() -> Command {
             Arg::new("raster-size")
                 .long("raster-size")
                 .value_name("PIXELS")
-                .help("The longer side of rasters, alone or in a ZIP, up to 4096. The minimum and default is one pixel for 2 units of the map: 500 on a square map")
+                .help("The longer side of rasters, alone or in a ZIP, up to 4097. The minimum and default is one pixel for 2 units of the map: 500 on a square map")
                 .value_parser(value_parser!(u32)),
         )
         .arg(

@@ -136,7 +136,7 @@ fn rasters_have_the_size_asked_for_alone_and_in_a_pack() {
     let refused = |size: &str, out: &str| refusal(&["render", LINK, "--raster-size", size, "-o", out]);
     for size in ["707", "4097"] {
         let text =
-            format!("riverseed: --raster-size: rasters of this map are from 708 to 4096 pixels long, not {size}\n");
+            format!("riverseed: --raster-size: rasters of this map are from 708 to 4097 pixels long, not {size}\n");
         assert_eq!(refused(size, "x.heights.png"), (2, text.clone()));
         assert_eq!(refused(size, "x.zip"), (2, text));
     }

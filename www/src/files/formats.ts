@@ -6,14 +6,14 @@
 import type { SteerCore } from "../engine/steer.ts";
 import type { River } from "../engine/types.ts";
 import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from "./files.ts";
-import type { Format } from "./format-names.ts";
+import type { Format, RasterOrder } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 import { written } from "./means.ts";
 
 /** An engine, with the loaders of teller and writer. */
 export type FileCore = SteerCore & Painting;
 
-const FORMATS: Record<Format, (river: River, core: FileCore) => Promise<Blob>> = {
+const FORMATS: Record<Format, (river: River, core: FileCore, rasters?: RasterOrder) => Promise<Blob>> = {
   svg: svgOf,
   geojson: (river, core) =>
     raised(river, async () => text(await written(river, core, (map) => map.geojson()), "application/geo+json")),
@@ -22,15 +22,18 @@ const FORMATS: Record<Format, (river: River, core: FileCore) => Promise<Blob>> =
   zip: packOf,
 };
 
-/** Grows a river to its end and makes a file of it. Takes over the river, and frees it afterwards. */
-export function fileOf(river: River, core: FileCore, format: Format): Promise<Blob> {
-  return FORMATS[format](river, core);
+/**
+ * Grows a river to its end and makes a file of it. Takes over the river, and frees it afterwards. `rasters` is for a game
+ * pack; without it, they have the map's own cells.
+ */
+export function fileOf(river: River, core: FileCore, format: Format, rasters?: RasterOrder): Promise<Blob> {
+  return FORMATS[format](river, core, rasters);
 }
 
 /** Packs the picture and the other files that games need. */
-async function packOf(river: River, core: FileCore): Promise<Blob> {
+async function packOf(river: River, core: FileCore, rasters?: RasterOrder): Promise<Blob> {
   const [contents, map] = await raised(river, async () => {
-    const contents = await written(river, core, contentsOf);
+    const contents = await written(river, core, (map) => contentsOf(map, rasters));
     return [contents, await picture(river, core, LONG_SIDE_PX)] as const;
   });
   core.holdOn();

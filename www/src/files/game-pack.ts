@@ -3,6 +3,7 @@
 import { strToU8, zipSync } from "fflate";
 import type { MapFiles } from "../engine/types.ts";
 import { SILENT } from "./files.ts";
+import type { RasterOrder } from "./format-names.ts";
 import { pngOf } from "./png.ts";
 
 /** The contents of an archive, copied out of the engine's memory. */
@@ -20,8 +21,8 @@ interface Raster {
   texts: Record<string, string>;
 }
 
-export function contentsOf(map: MapFiles): Contents {
-  const cells = map.cells();
+export function contentsOf(map: MapFiles, order?: RasterOrder): Contents {
+  const cells = map.cells(order?.longerSide, order?.isSquare);
   try {
     const { columns, rows } = cells;
     const rasters = cells.names().flatMap((name, number) => {

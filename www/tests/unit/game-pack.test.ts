@@ -17,7 +17,10 @@ function finished(): engine.River {
 }
 
 async function unpacked(): Promise<Record<string, Uint8Array>> {
-  const archive = await packed(written(finished(), contentsOf), new Blob(["a picture"]));
+  const archive = await packed(
+    written(finished(), (map) => contentsOf(map)),
+    new Blob(["a picture"]),
+  );
   return unzipSync(new Uint8Array(await archive.arrayBuffer()));
 }
 
@@ -37,7 +40,7 @@ test("the archive holds every file, and the picture as it came", async () => {
 });
 
 test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
-  const [files, { columns, rows, rasters }] = [await unpacked(), written(finished(), contentsOf)];
+  const [files, { columns, rows, rasters }] = [await unpacked(), written(finished(), (map) => contentsOf(map))];
   const depths = rasters.map(({ name, values, texts }) => {
     const picture = decode(files[`${name}.png`] ?? new Uint8Array());
     expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
@@ -50,12 +53,43 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
   expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.\d{6}$/);
 });
 
+test("rasters have the size and the shape that were asked for, and the text says the scale and where the map lies", () => {
+  const whole = written(finished(), (map) => contentsOf(map, { longerSide: 1025, isSquare: false }));
+  expect([whole.columns, whole.rows]).toEqual([1025, 641]);
+  expect(whole.readme).toContain("A raster has 1025 x 641 pixels");
+  expect(whole.readme).not.toContain("around it is sea");
+  const square = written(finished(), (map) => contentsOf(map, { longerSide: 1025, isSquare: true }));
+  expect([square.columns, square.rows]).toEqual([1025, 1025]);
+  expect(square.readme).toContain("The map takes 1025 x 641 of them, from column 0 and row 192, counted from 0");
+  const unit = /A pixel is (\S+) x/.exec(square.readme)?.[1];
+  expect(unit).toBe(/A pixel is (\S+) x/.exec(whole.readme)?.[1]);
+  for (const [i, { values, texts }] of square.rasters.entries()) {
+    const part = values.subarray(192 * 1025, (192 + 641) * 1025);
+    expect(Buffer.compare(bytesOf(part), bytesOf(whole.rasters[i]?.values ?? new Uint8Array()))).toBe(0);
+    expect(texts).toMatchObject({ "units-a-pixel": unit, "map-pixels": "1025 x 641 from 0, 192" });
+  }
+});
+
+test("rasters of no possible size are refused in words", () => {
+  for (const longerSide of [0, 400, 4098, 2 ** 32 - 1])
+    expect(() => written(finished(), (map) => map.cells(longerSide))).toThrow(
+      `rasters of this map are from 633 to 4097 pixels long, not ${longerSide}`,
+    );
+});
+
 test("a growing river has no rasters", () => {
-  expect(() => written(new engine.River(LINK), contentsOf)).toThrow("no map");
+  expect(() => written(new engine.River(LINK), (map) => contentsOf(map))).toThrow("no map");
 });
 
 test("a river always gives the same archive", async () => {
   const made = async () =>
-    Buffer.from(await (await packed(written(finished(), contentsOf), new Blob(["x"]))).arrayBuffer());
+    Buffer.from(
+      await (
+        await packed(
+          written(finished(), (map) => contentsOf(map)),
+          new Blob(["x"]),
+        )
+      ).arrayBuffer(),
+    );
   expect((await made()).equals(await made())).toBe(true);
 });

@@ -11,7 +11,15 @@ function keeper(first?: string) {
   };
 }
 
-const FIRST = { kind: "png", size: "screen", ownSize: 3000, isTransparent: false, hasNames: true };
+const FIRST = {
+  kind: "png",
+  size: "screen",
+  ownSize: 3000,
+  isTransparent: false,
+  hasNames: true,
+  rasterSize: 1025,
+  isSquare: false,
+};
 
 test("what was chosen is there the next time", () => {
   const browser = keeper();
@@ -46,6 +54,7 @@ test.each([
   '{"kind":"exe","size":"huge","ownSize":9999,"isTransparent":"yes","hasNames":1}',
   '{"ownSize":null,"kind":{"a":1}}',
   '{"ownSize":"300"}',
+  '{"rasterSize":1024,"isSquare":"square"}',
 ])("what others wrote there is no choice: %s", (kept) => {
   expect(new SaveChoices(() => keeper(kept)).now).toEqual(FIRST);
 });

@@ -44,9 +44,19 @@ impl MapFiles {
         json::network(&self.0, None).map_err(|error| too_large(&error)).and_then(|file| to_js(&file))
     }
 
-    /// Makes the rasters of the map.
-    pub fn cells(&self) -> Result<Cells, JsValue> {
-        Rasters::new(&self.0).map(Cells).map_err(|error| too_large(&error))
+    /// Makes the rasters of the map, with `longerSide` cells on the longer side, or else on the map's own grid; if
+    /// `isSquare`, with sea around the map. Throws an Error if rasters of this map cannot have that size.
+    pub fn cells(
+        &self,
+        #[wasm_bindgen(js_name = longerSide)] longer_side: Option<u32>,
+        #[wasm_bindgen(js_name = isSquare)] is_square: Option<bool>,
+    ) -> Result<Cells, JsValue> {
+        let rasters = longer_side.map_or_else(|| Rasters::new(&self.0), |side| Rasters::with_size(&self.0, side));
+        let shaped = if is_square == Some(true) { rasters.and_then(Rasters::into_squares) } else { rasters };
+        shaped.map(Cells).map_err(|error| match error {
+            ExportError::RasterSize { .. } => coded("bad-params", &error.to_string()),
+            _ => too_large(&error),
+        })
     }
 
     /// Returns the digest of the map, which proves that two browsers draw and write the same. It takes the map's picture,

@@ -27,8 +27,8 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
     async answer(question, playerOf) {
       switch (question.about) {
         case "file": {
-          const { of, link, format } = question;
-          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...maker, holdOn }, format);
+          const { of, link, format, rasters } = question;
+          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...maker, holdOn }, format, rasters);
         }
         case "names":
           return namesOn(playerIn(question.of, playerOf), question.count);

@@ -1,7 +1,7 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
 import type { Measure, RiverFacts } from "../../engine/types.ts";
-import type { Format } from "../../files/format-names.ts";
+import type { Format, RasterOrder } from "../../files/format-names.ts";
 import type { Thumbnail } from "../../player/thumbnails.ts";
 
 /** The names on a map, as the engine lists them, three texts each. */
@@ -65,8 +65,11 @@ export interface Overlay {
 }
 
 interface Questions {
-  /** Makes a file of a link's finished rivers, starting from the river of `of`, if there is one. */
-  file: { of: number | undefined; link: string; format: Format };
+  /**
+   * Makes a file of a link's finished rivers, starting from the river of `of`, if there is one. `rasters` is for a game
+   * pack; without it, they have the map's own cells.
+   */
+  file: { of: number | undefined; link: string; format: Format; rasters?: RasterOrder | undefined };
   /** Asks for the greatest names of a river's finished map; none while it is not finished. */
   names: { of: number | undefined; count: number };
   /** Asks for the parameter `names` with another name for something, or its usual one. */

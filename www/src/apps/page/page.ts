@@ -181,7 +181,7 @@ class Page {
   #listen(): void {
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     const downloads = new Downloads(this.#recipe, this.#country, {
-      make: (link, format) => this.#viewport.file(link, format),
+      make: (link, format, rasters) => this.#viewport.file(link, format, rasters),
       failed: (error) => this.#failBeside(error),
     });
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);

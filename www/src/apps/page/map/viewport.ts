@@ -7,7 +7,7 @@
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../../../browser/canvas.ts";
 import { isRecoverable, named, PageError } from "../../../engine/errors.ts";
 import type { Measure, Phase, Summary } from "../../../engine/types.ts";
-import type { Format } from "../../../files/format-names.ts";
+import type { Format, RasterOrder } from "../../../files/format-names.ts";
 import type { Report } from "../../../host/protocol.ts";
 import type { State } from "../../../player/frame-loop.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
@@ -180,8 +180,8 @@ export class RiverViewport {
   }
 
   /** Makes a file of a link's finished rivers, starting from the river on show. */
-  file(link: string, format: Format): Promise<Blob> {
-    return this.#ask({ about: "file", of: this.#id, link, format });
+  file(link: string, format: Format, rasters?: RasterOrder): Promise<Blob> {
+    return this.#ask({ about: "file", of: this.#id, link, format, rasters });
   }
 
   /**

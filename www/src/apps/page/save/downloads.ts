@@ -2,7 +2,7 @@
 
 import { named, PageError } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
-import type { Format } from "../../../files/format-names.ts";
+import type { Format, RasterOrder } from "../../../files/format-names.ts";
 import { withoutNames } from "../../../files/order.ts";
 import type { CountryName } from "../country-name.ts";
 import { save } from "../share/share.ts";
@@ -11,8 +11,8 @@ import { type Making, making } from "./making.ts";
 import { type Choices, type FileChoices, type FileKind, longerSideOf, paperOf } from "./save-choices.ts";
 
 export interface DownloadEvents {
-  /** Makes a file of a link's finished rivers. */
-  make(link: string, format: Format): Promise<Blob>;
+  /** Makes a file of a link's finished rivers; `rasters` is for a game pack. */
+  make(link: string, format: Format, rasters?: RasterOrder): Promise<Blob>;
   /** Called when the engine has stopped. */
   failed(error: PageError): void;
 }
@@ -114,16 +114,18 @@ export class Downloads {
         return making({ kind, link: shown }, tell);
       case "svg":
         return this.#inRenderer(link, kind);
+      case "zip":
+        return this.#inRenderer(shown, kind, { longerSide: choices.rasterSize, isSquare: choices.isSquare });
       default:
         return this.#inRenderer(shown, kind);
     }
   }
 
   /** Makes a file in the renderer, from the rivers on show. It takes only a moment, since they need not grow again. */
-  #inRenderer(link: string, format: Format): Making {
+  #inRenderer(link: string, format: Format, rasters?: RasterOrder): Making {
     const control = new AbortController();
     const cancelled = new Promise<undefined>((done) => control.signal.addEventListener("abort", () => done(undefined)));
-    const made = this.events.make(link, format).catch((thrown: unknown) => {
+    const made = this.events.make(link, format, rasters).catch((thrown: unknown) => {
       const error = named(thrown);
       if (error.code === "panic") this.events.failed(error);
       throw error;

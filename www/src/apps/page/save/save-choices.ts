@@ -20,15 +20,30 @@ export interface Choices {
   ownSize: number;
   isTransparent: boolean;
   hasNames: boolean;
+  /** The longer side of a game pack's rasters, in pixels. */
+  rasterSize: number;
+  /** True if those rasters are squares. */
+  isSquare: boolean;
 }
 
 /** The choices for a file, which may be of a kind that the dialog does not offer. */
 export type FileChoices = Omit<Choices, "kind"> & { kind: FileKind };
 
+/** The sizes of rasters: a power of two and one, as game engines ask for. */
+export const RASTER_SIZES: readonly number[] = [1025, 2049, 4097];
+
 const KEPT_AS = "riverseed-save";
 
 /** The choices at first. */
-export const FIRST: Choices = { kind: "png", size: "screen", ownSize: 3000, isTransparent: false, hasNames: true };
+export const FIRST: Choices = {
+  kind: "png",
+  size: "screen",
+  ownSize: 3000,
+  isTransparent: false,
+  hasNames: true,
+  rasterSize: 1025,
+  isSquare: false,
+};
 
 export class SaveChoices {
   #now: Choices;
@@ -61,7 +76,8 @@ export class SaveChoices {
   }
 }
 
-function choicesOf({ kind, size, ownSize, isTransparent, hasNames }: Record<keyof Choices, unknown>): Partial<Choices> {
+function choicesOf(kept: Record<keyof Choices, unknown>): Partial<Choices> {
+  const { kind, size, ownSize, isTransparent, hasNames, rasterSize, isSquare } = kept;
   const known = <Value>(value: unknown, all: readonly Value[]): Value | undefined => all.find((one) => one === value);
   const own = typeof ownSize === "number" ? ownSizeOf(String(ownSize)) : undefined;
   const read = {
@@ -70,6 +86,8 @@ function choicesOf({ kind, size, ownSize, isTransparent, hasNames }: Record<keyo
     ownSize: own,
     isTransparent: known(isTransparent, [true, false]),
     hasNames: known(hasNames, [true, false]),
+    rasterSize: known(rasterSize, RASTER_SIZES),
+    isSquare: known(isSquare, [true, false]),
   };
   return Object.fromEntries(Object.entries(read).filter(([, value]) => value !== undefined));
 }

@@ -5,7 +5,7 @@ import type { Keeper } from "../../../controls/disclosure.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import { OWN_SIZES, SHEETS, SIZES } from "../../../files/order.ts";
 import type { Asker, Downloads } from "./downloads.ts";
-import { KINDS, type Kind, ownSizeOf, SaveChoices, SIZE_NAMES, type SizeName } from "./save-choices.ts";
+import { KINDS, type Kind, ownSizeOf, RASTER_SIZES, SaveChoices, SIZE_NAMES, type SizeName } from "./save-choices.ts";
 
 export interface SaveElements {
   dialog: HTMLDialogElement;
@@ -55,6 +55,9 @@ const TRANSPARENT_HELP =
 const WITH_NAMES: readonly Kind[] = ["png", "svg"];
 const WITH_SIZE: readonly Kind[] = ["png"];
 
+const RASTER_HELP =
+  "Pixels of heights, masks and flow. A square has the map in its middle and sea around it. The largest may take a minute.";
+
 export class SaveDialog {
   readonly #choices: SaveChoices;
   readonly #kinds = radios(
@@ -75,6 +78,22 @@ export class SaveDialog {
     ["paper", "Paper", ""],
     ["transparent", "Transparent", ""],
   ]);
+  readonly #rasterSize = radios(
+    "save-raster",
+    "Longer side",
+    RASTER_SIZES.map((size) => [String(size), String(size), ""]),
+  );
+  readonly #rasterShape = radios("save-shape", "Shape", [
+    ["map", "The map’s", ""],
+    ["square", "Square", ""],
+  ]);
+  readonly #rastered = el(
+    "div",
+    { class: "save-options" },
+    this.#rasterSize.element,
+    this.#rasterShape.element,
+    el("p", { class: "help" }, RASTER_HELP),
+  );
   readonly #names = el("input", { id: "save-names", type: "checkbox", "aria-describedby": "save-names-help" });
   readonly #namesHelp = el("span", { class: "help", id: "save-names-help" });
   readonly #sized: HTMLElement;
@@ -107,6 +126,7 @@ export class SaveDialog {
     elements.form.replaceChildren(
       this.#kinds.element,
       this.#sized,
+      this.#rastered,
       this.#named,
       el("div", { class: "save-end" }, this.#save, this.#cancel, this.#progress, this.#percent),
     );
@@ -133,7 +153,7 @@ export class SaveDialog {
 
   /** Shows the choices. */
   #show(): void {
-    const { kind, size, ownSize, isTransparent, hasNames } = this.#choices.now;
+    const { kind, size, ownSize, isTransparent, hasNames, rasterSize, isSquare } = this.#choices.now;
     this.#kinds.value = kind;
     // A remembered choice may be refused now.
     if (this.#kinds.value === "") {
@@ -143,6 +163,8 @@ export class SaveDialog {
     this.#size.value = size;
     this.#own.value = String(ownSize);
     this.#ground.value = isTransparent ? "transparent" : "paper";
+    this.#rasterSize.value = String(rasterSize);
+    this.#rasterShape.value = isSquare ? "square" : "map";
     this.#names.disabled = !this.#isNamed;
     this.#names.checked = hasNames && this.#isNamed;
     this.#namesHelp.textContent = this.#isNamed ? "" : "This map shows none. Labels, under Shape, adds them.";
@@ -153,6 +175,7 @@ export class SaveDialog {
   #suit(): void {
     const { kind, size } = this.#choices.now;
     this.#sized.hidden = !WITH_SIZE.includes(kind);
+    this.#rastered.hidden = kind !== "zip";
     this.#named.hidden = !WITH_NAMES.includes(kind);
     this.#ownRow.hidden = size !== "own";
   }
@@ -173,6 +196,8 @@ export class SaveDialog {
       size: SIZE_NAMES.find((name) => name === this.#size.value) ?? "screen",
       ...(ownSize === undefined ? {} : { ownSize }),
       isTransparent: this.#ground.value === "transparent",
+      rasterSize: Number(this.#rasterSize.value),
+      isSquare: this.#rasterShape.value === "square",
       ...(this.#names.disabled ? {} : { hasNames: this.#names.checked }),
     });
     this.#suit();
