@@ -88,7 +88,7 @@ mod tests {
         assert_eq!(Grid::sizes(&domain), 613..=4097);
         assert_eq!(Grid::with_longer_side(&domain, 613), Some(Grid::of(&domain)));
         assert_eq!((Grid::of(&domain).columns, Grid::of(&domain).rows), (613, 409));
-        let refused = [0, 612, 4097, u32::MAX].map(|cells| Grid::with_longer_side(&domain, cells));
+        let refused = [0, 612, 4098, u32::MAX].map(|cells| Grid::with_longer_side(&domain, cells));
         assert_eq!(refused, [None; 4]);
     }
 }
