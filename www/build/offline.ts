@@ -26,6 +26,9 @@ const ICONS = [
   { file: "icon-maskable-512.png", size: 512, purpose: "maskable" },
 ] as const;
 
+/** A page that is kept besides, with all that it needs: the game. */
+const GAME = "real-or-grown.html";
+
 export function offline(page: string): Plugin {
   return {
     name: "offline",
@@ -51,7 +54,9 @@ export function offline(page: string): Plugin {
               .png()
               .toBuffer(),
           );
-        const files = [...mentionedFrom(page, bundle), ...Object.keys(bundle).filter((name) => BESIDES.test(name))];
+        const mentioned = [page, GAME].flatMap((first) => mentionedFrom(first, bundle));
+        const besides = Object.keys(bundle).filter((name) => BESIDES.test(name));
+        const files = [...new Set([...mentioned, ...besides])];
         emit(WORKER, await workerWith(files.map((url) => ({ url, revision: revisionOf(url, bundle) }))));
       },
     },

@@ -27,10 +27,10 @@ function unreachedOf({ growth, attractors, unreached }: Summary): string {
   return `; ${count(unreached)} of ${counted(attractors, name, `${name}s`, count)} unreached`;
 }
 
-/** Says how many nodes growth made, and how much it did not reach. */
-export function remainderOf(summary: Summary): string {
+/** Gives the numbers of a finished map: its size, how many nodes growth made, and how much it did not reach. */
+export function numbersOf(summary: Summary): string {
   const nodes = counted(summary.nodes, "node", "nodes", count);
-  return `${nodes}${unreachedOf(summary)}.`;
+  return `${sizeOf(summary, count)}, ${nodes}${unreachedOf(summary)}.`;
 }
 
 /** The sentence of the finished state. */
@@ -51,21 +51,12 @@ function doing(phase: Phase): string {
   return phase === "meandering" ? "meandering" : "growing";
 }
 
-/**
- * Returns the two lines under the picture. There are always two, so that nothing jumps when growth ends; the second may
- * be empty, for the caller to fill.
- */
-export function caption(state: State, phase: Phase, summary: Summary): [string, string] {
-  if (state === "finished") return [sizeOf(summary, count), summary.stopped ?? ""];
-  return [state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase)), progressOf(phase, summary)];
+/** Returns the line under the map's title. That of a finished map may be empty, for the caller to fill. */
+export function caption(state: State, phase: Phase, summary: Summary): string {
+  if (state === "finished") return summary.stopped ?? "";
+  return state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase));
 }
 
 function headed(word: string): string {
   return word.charAt(0).toUpperCase() + word.slice(1);
-}
-
-function progressOf(phase: Phase, summary: Summary): string {
-  if (phase !== "meandering" && phase !== "relief") return `${counted(summary.nodes, "node", "nodes", count)} so far`;
-  const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, count)}`;
-  return `${counted(summary.rounds, "round", "rounds", count)} so far${oxbows}`;
 }

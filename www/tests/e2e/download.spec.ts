@@ -5,7 +5,7 @@ import { pictureOf } from "../core.ts";
 import { engine } from "../steer.ts";
 import { written } from "../tell.ts";
 import { complaints, countCalls, openBegun, openFinished, ownClock, stopClock } from "./riverpage.ts";
-import { bytesOf, choose, download, saveButton } from "./saving.ts";
+import { bytesOf, choose, download, saveButton, saved, saving } from "./saving.ts";
 import { core } from "./tiers.ts";
 
 const LINK = "seed=puriri&attractors=300";
@@ -123,6 +123,24 @@ test("the game pack holds rasters, rivers, the picture and a text @core", async 
   expect(decode(files["map.png"] ?? new Uint8Array()).width).toBe(3000);
   expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toContain("seed=puriri");
   expect(said).toEqual([]);
+});
+
+test("a game pack has rasters of the size and shape that were chosen, by five clicks from the map", async ({
+  page,
+}) => {
+  await openFinished(page, LINK);
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await saving(page)
+    .getByRole("radio", { name: /^Game pack/ })
+    .click();
+  await saving(page).getByRole("radio", { name: "2049" }).click();
+  await saving(page).getByRole("radio", { name: "Square" }).click();
+  const files = unzipSync(new Uint8Array((await saved(page)).bytes));
+  for (const name of ["heights", "land", "rivers", "flow", "basins"]) {
+    const raster = decode(files[`${name}.png`] ?? new Uint8Array());
+    expect([raster.width, raster.height], name).toEqual([2049, 2049]);
+  }
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toContain("A raster has 2049 x 2049 pixels");
 });
 
 test("a file can be had before the picture is finished, and is of the finished rivers", async ({ page }) => {

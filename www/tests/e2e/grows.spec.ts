@@ -12,9 +12,9 @@ import {
   stopClock,
 } from "./riverpage.ts";
 
-async function nodes(page: Page): Promise<number> {
-  const text = (await page.locator("#caption").textContent()) ?? "";
-  return Number(/([\d,]+) nodes?/.exec(text)?.[1]?.replaceAll(",", "") ?? Number.NaN);
+/** The moment in its making that the line of time tells. */
+function moment(page: Page): Promise<string | null> {
+  return page.getByRole("slider", { name: "The making of the map" }).getAttribute("aria-valuetext");
 }
 
 /** Opens a link and lets its river grow for a second, with time to grow on: the page's clock then stands still. */
@@ -30,14 +30,19 @@ test("a visitor sees a finished map, may see it grow again, and then its counts 
   const states = await recordStates(page);
   await openStopped(page);
   await page.clock.runFor(100);
-  await expect(page.locator("#caption")).toContainText("Growing");
+  await expect(page.locator("#caption")).toHaveText("Growing");
   await runUntil(page, "meandering");
-  await expect(page.locator("#caption")).toContainText("Meandering");
+  await expect(page.locator("#caption")).toHaveText("Meandering");
   await page.clock.resume();
   await finished(page);
   expect(await states()).toEqual(["settling", "finished", "growing", "finished"]);
   const { summary } = pictureOf("", 16, 16);
-  await expect(page.locator("#caption")).toContainText(`${summary.mouths} rivers, ${summary.sources} sources`);
+  const counts = `${summary.mouths} rivers, ${summary.sources} sources`;
+  await expect(page.getByRole("img", { name: counts })).toBeVisible();
+  await expect(page.locator("#caption")).toHaveText(/^Greatest river: \D+$/);
+  await page.getByRole("button", { name: "Shape…" }).click();
+  await page.getByText("How river-like?").click();
+  await expect(page.locator(".measured")).toContainText(counts);
   expect(said).toEqual([]);
 });
 
@@ -63,10 +68,10 @@ test("pause holds the river, play goes on to the same end @core", async ({ page 
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.runFor(100);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
-  const held = await nodes(page);
+  const held = await moment(page);
   const before = await shown(page);
   await page.clock.runFor(2000);
-  expect(await nodes(page)).toBe(held);
+  expect(await moment(page)).toBe(held);
   expect((await shown(page)).sha256).toBe(before.sha256);
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.clock.resume();

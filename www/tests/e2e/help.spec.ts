@@ -104,3 +104,17 @@ test("the bar has the kind of land, and shows a drawn one only where there is on
   await page.goto("./?land=drawn&outline=.MzMzzMMzzMzM&attractors=300");
   await expect(land).toHaveValue("drawn");
 });
+
+test("a teacher comes to the six ways by two clicks, and is told what to do there", async ({ page }) => {
+  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  await page.getByRole("button", { name: "Help and keys" }).click();
+  const sheet = page.getByRole("dialog", { name: "Riverseed" });
+  await expect(sheet).toContainText("Play and pause them together");
+  await sheet.getByRole("button", { name: "teach" }).click();
+  await expect(sheet).toBeHidden();
+  const six = page.getByRole("dialog", { name: "Six ways to grow" });
+  await expect(six).toBeVisible();
+  expect(address(page).get("view")).toBe("six");
+  await page.keyboard.press("Escape");
+  await expect(six).toBeHidden();
+});

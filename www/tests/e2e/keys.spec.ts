@@ -1,7 +1,7 @@
 /** Keys of the whole page: where they mean something else, and what Escape takes back. */
 
 import { expect, type Page, test } from "@playwright/test";
-import { address, expectAddress, finished, openFinished, openPanel } from "./riverpage.ts";
+import { address, expectAddress, finished, openFinished, openPanel, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
 
@@ -105,4 +105,77 @@ test("Escape ends drawing, and leaves what is laid over the map; then that goes,
   await expect(page.locator("html")).toHaveAttribute("data-map-alone");
   await page.keyboard.press("Escape");
   await expect(page.locator("html")).not.toHaveAttribute("data-map-alone");
+});
+
+/** Types with this time between two keys, wherever the focus is. The page's clock is stopped. */
+async function type(page: Page, text: string, everyMs: number): Promise<void> {
+  for (const key of text) {
+    await page.keyboard.press(key);
+    await page.clock.runFor(everyMs);
+  }
+}
+
+test("no letter of a sentence that is typed with no focus is a key, and one alone is @core", async ({ page }) => {
+  await ownClock(page);
+  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  await stopClock(page);
+  const before = page.url();
+  for (const sentence of ["draw a country", "a book, please.", "llama", "What? A word."]) {
+    await type(page, sentence, 300);
+    await page.clock.runFor(2000);
+  }
+  expect(page.url()).toBe(before);
+  await expect(overlayCard(page)).toBeHidden();
+  await expect(page.locator("html")).not.toHaveAttribute("data-map-alone");
+  await expect(page.locator("dialog[open]")).toHaveCount(0);
+  await expect(page.locator("#panel")).toBeHidden();
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
+  // Nor does a space press the button that was pressed last.
+  await page.locator("#shape").focus();
+  await type(page, "on the shape", 300);
+  await page.clock.runFor(2000);
+  await expect(page.locator("#panel")).toBeHidden();
+  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  await page.keyboard.press("a");
+  await page.clock.runFor(400);
+  await expect(overlayCard(page)).toBeHidden();
+  await page.clock.runFor(200);
+  await expect(overlayCard(page)).toContainText("Attractors");
+  // The same again acts at once.
+  await page.keyboard.press("a");
+  await expect(overlayCard(page)).toBeHidden();
+});
+
+test("keys of a single character can be switched off for good, and all others go on @core", async ({ page }) => {
+  await ownClock(page);
+  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  const open = page.getByRole("button", { name: "Help and keys" });
+  const sheet = page.getByRole("dialog", { name: "Riverseed" });
+  const box = sheet.getByRole("checkbox", { name: "Single letters and signs are keys" });
+  await open.click();
+  await expect(box).toBeChecked();
+  await box.uncheck();
+  await page.keyboard.press("Escape");
+  await page.reload();
+  await finished(page);
+  await stopClock(page);
+  const before = page.url();
+  await page.locator("#frame").focus();
+  for (const key of ["r", "o", "w", "p", "s", "l", "?", ",", "["]) {
+    await page.keyboard.press(key);
+    await page.clock.runFor(600);
+  }
+  await page.clock.resume();
+  expect(page.url()).toBe(before);
+  await expect(overlayCard(page)).toBeHidden();
+  await expect(page.locator("dialog[open]")).toHaveCount(0);
+  await expect(page.locator("#panel")).toBeHidden();
+  await page.keyboard.press(" ");
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  await finished(page);
+  await open.click();
+  await box.check();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("o");
+  await expect(overlayCard(page)).toContainText("Orders");
 });

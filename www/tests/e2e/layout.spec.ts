@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { neverFullScreen, openFinished, resize } from "./riverpage.ts";
+import { neverFullScreen, openFinished, openPanel, openUnfolded, resize } from "./riverpage.ts";
 import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
 import { core } from "./tiers.ts";
 
@@ -98,6 +98,75 @@ for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
     for (const [state, open] of Object.entries(OPENED)) {
       await open(page);
       await inEach(page, WINDOWS, async (size) => expect(await outside(page), `${state}, ${size}`).toEqual([]));
+    }
+  });
+}
+
+test("the bar is in one row on a desk, with the panel and without", async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await openFinished(page, "attractors=300&style=ink&labels=none");
+  const height = async (): Promise<number> => (await page.locator(".bar").boundingBox())?.height ?? 0;
+  for (const [width, isOpen] of [
+    [1000, false],
+    [1024, false],
+    [1280, false],
+    [1440, false],
+    [1440, true],
+    [1680, true],
+  ] as const) {
+    await page.setViewportSize({ width, height: 768 });
+    if (isOpen) await openPanel(page);
+    expect(await height(), `${width}, ${isOpen}`).toBeLessThan(60);
+    for (const name of ["Draw", "Replay"]) await expect(page.getByRole("button", { name, exact: true })).toBeVisible();
+  }
+});
+
+test("nothing slides over the panel's head", async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await openUnfolded(page, "attractors=300&style=ink&labels=none");
+  const covered = await page.evaluate(async () => {
+    const panel = document.querySelector("#panel");
+    const close = document.querySelector("#panel-close");
+    if (!panel || !close) throw new Error("no panel");
+    const { x, y, width, height } = close.getBoundingClientRect();
+    const over = new Set<string>();
+    for (let at = 0; at < panel.scrollHeight; at += 7) {
+      panel.scrollTop = at;
+      const top = document.elementFromPoint(x + width / 2, y + height / 2);
+      if (top?.closest("#panel-close") === null) over.add(top.className);
+    }
+    return [...over];
+  });
+  expect(covered).toEqual([]);
+});
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [768, 1024],
+  [390, 844],
+  [320, 568],
+] as const) {
+  test(`the map's title lies beside the map, not over its land or its scale: ${width} by ${height}`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    await openFinished(page, "seed=Ardenmoor&attractors=600&style=atlas&labels=some");
+    const caption = await page.locator(".caption").boundingBox();
+    const map = await page.locator("#map-place").boundingBox();
+    if (!caption || !map) throw new Error("no map");
+    const isBeside = caption.y + caption.height <= map.y + 0.5 || caption.y >= map.y + map.height - 0.5;
+    expect(isBeside, JSON.stringify({ caption, map })).toBe(true);
+    const others = await page.locator(".masthead h1, .gallery-link, .zoom, .styles").all();
+    for (const other of others) {
+      const box = await other.boundingBox();
+      if (!box) continue;
+      const isClear =
+        caption.x + caption.width <= box.x ||
+        box.x + box.width <= caption.x ||
+        caption.y + caption.height <= box.y ||
+        box.y + box.height <= caption.y + 1;
+      expect(isClear, JSON.stringify({ caption, box })).toBe(true);
     }
   });
 }

@@ -23,10 +23,29 @@ test("each key lays something over the map, with a sentence, and takes it away @
   expect(said).toEqual([]);
 });
 
-test("the legend of orders counts streams as the caption counts sources", async ({ page }) => {
+test("on a map that is not finished an overlay of finished maps says so, and comes when it is @core", async ({
+  page,
+}) => {
+  await openFinished(page, LINK);
+  for (let i = 0; i < 3; i++) await page.keyboard.press(",");
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
+  for (const [key, name] of [
+    ["o", "Orders"],
+    ["b", "Basins"],
+  ] as const) {
+    await page.keyboard.press(key);
+    await expect(card(page)).toContainText(`${name}This is known once the map is finished`);
+    await expect(page.locator(".inside path")).toHaveCount(0);
+  }
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await expect(page.locator('.inside[data-look="basins"] g path').first()).toBeAttached();
+  await expect(card(page)).not.toContainText("finished");
+});
+
+test("the legend of orders counts streams as the picture's alternative counts sources", async ({ page }) => {
   await openFinished(page, LINK);
   await page.keyboard.press("o");
-  const sources = /([\d,]+) sources/.exec((await page.locator("#caption").textContent()) ?? "")?.[1];
+  const sources = /([\d,]+) sources/.exec((await page.locator("#canvas").getAttribute("aria-label")) ?? "")?.[1];
   await expect(card(page)).toContainText(`Order 1: ${sources} streams`);
 });
 
@@ -82,6 +101,7 @@ for (const colorScheme of ["light", "dark"] as const) {
       await page.setViewportSize({ width, height: 850 });
       await openFinished(page, LINK);
       await page.keyboard.press("o");
+      await expect(card(page)).toBeVisible();
       await page.locator("#frame").focus();
       await page.keyboard.press("n");
       await expect(page.locator(".river-card")).toBeVisible();

@@ -88,6 +88,30 @@ test("buttons zoom, and say when there is no farther @core", async ({ page }) =>
   await expect.poll(() => framing(page)).toEqual(first);
 });
 
+test("another word begins with all of its map, however close the last one was seen; another style does not", async ({
+  page,
+}) => {
+  await openFinished(page, `${LINK}&labels=none`);
+  const whole = await framing(page);
+  const all = page.getByRole("button", { name: "Show all of the map" });
+  const closer = page.getByRole("button", { name: "Zoom in" });
+  for (const other of [
+    () => page.getByRole("button", { name: "A new seed by chance" }).click(),
+    () => page.getByRole("textbox", { name: "Seed" }).fill("another word"),
+  ]) {
+    for (let i = 0; i < 5; i++) await closer.click();
+    await painted(page, whole);
+    await page.getByRole("button", { name: "Survey" }).click();
+    await expectAddress(page, "style", "survey");
+    await expectPictureOfAddress(page);
+    expect((await framing(page))[2]).toBeLessThan(whole[2] / 5);
+    await other();
+    await expect(all).toBeDisabled();
+    await expectPictureOfAddress(page);
+    expect(await framing(page)).toEqual(whole);
+  }
+});
+
 test("a part of the map has labels of its own, as the engine places them @core", async ({ page }) => {
   await openFinished(page, `${LINK}&labels=many`);
   const first = await framing(page);
@@ -167,7 +191,7 @@ test("seeds thrown in quick succession are undone one by one", async ({ page }) 
   const before = await page.evaluate(() => history.length);
   const seeds = ["rimu"];
   for (let i = 0; i < 4; i++) {
-    await page.keyboard.press("r");
+    await page.getByRole("button", { name: "A new seed by chance" }).click();
     seeds.push(await page.locator("#seed").inputValue());
   }
   await expectAddress(page, "seed", seeds.at(-1) ?? "");

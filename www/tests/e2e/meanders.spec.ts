@@ -30,7 +30,7 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   await openStopped(page, LINK);
   const began = (await phases()).lastIndexOf("growing");
   const first = await paused(page, "meandering");
-  await expect(page.locator("#caption")).toContainText(/Paused while meandering ?\d+ rounds? so far/);
+  await expect(page.locator("#caption")).toHaveText("Paused while meandering");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.clock.runFor(1000);
   const second = await paused(page, "meandering");
@@ -103,7 +103,6 @@ test("oxbow lakes are counted in words", async ({ page }) => {
   const { summary } = pictureOf(link, 16, 16);
   expect(summary.oxbows).toBeGreaterThan(1);
   await openFinished(page, link);
-  await expect(page.locator("#caption")).toContainText(
-    `Strahler order ${summary.order}, ${summary.oxbows} oxbow lakes`,
-  );
+  const counts = `Strahler order ${summary.order}, ${summary.oxbows} oxbow lakes`;
+  await expect(page.getByRole("img", { name: counts })).toBeVisible();
 });

@@ -89,6 +89,37 @@ test("of the gallery there is what has been seen", async ({ page, context }) => 
   await expect(page.goto("./gallery/skye.html")).rejects.toThrow();
 });
 
+test("without a connection the game is there, and there is a link to the gallery only once it has been seen", async ({
+  page,
+  context,
+}) => {
+  await visit(page, "./?attractors=300");
+  await page.reload();
+  await finished(page);
+  const gallery = page.getByRole("link", { name: "Gallery" });
+  await expect(gallery).toBeVisible();
+  await context.setOffline(true);
+  await expect(gallery).toBeHidden();
+  await page.reload();
+  await finished(page);
+  await expect(gallery).toBeHidden();
+  await page.getByRole("button", { name: "Help and keys" }).click();
+  await page.getByRole("link", { name: "real or grown?" }).click();
+  await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Real", exact: true })).toBeEnabled();
+  await context.setOffline(false);
+  await page.goto("./gallery/");
+  await page.goto("./?attractors=300");
+  await finished(page);
+  await expect(gallery).toBeVisible();
+  await context.setOffline(true);
+  await page.reload();
+  await finished(page);
+  await expect(gallery).toBeVisible();
+  await gallery.click();
+  await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+});
+
 test("the element's files and the page for iframes go by untouched", async ({ page }) => {
   await visit(page, "./?attractors=300");
   const answers = new Map<string, boolean>();

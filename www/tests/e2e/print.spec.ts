@@ -1,4 +1,5 @@
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
+import { type DecodedPng, decode } from "fast-png";
 import { openFinished } from "./riverpage.ts";
 import { LONG_SEEDS, OPENED } from "./states.ts";
 import { core } from "./tiers.ts";
@@ -46,4 +47,28 @@ for (const colorScheme of ["light", "dark"] as const) {
       ).toHaveLength(1);
     });
   }
+}
+
+test("paper shows the whole map though a part of it is on the screen, with no sea around it", async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await openFinished(page, "seed=kauri&attractors=300&land=island&style=atlas&labels=none&aspect=1.25");
+  await page.emulateMedia({ media: "print" });
+  const whole = await pixelsIn(page);
+  await page.emulateMedia({ media: "screen" });
+  for (let i = 0; i < 4; i++) await page.getByRole("button", { name: "Zoom in" }).click();
+  await expect(page.locator("#frame")).not.toHaveAttribute("data-moving");
+  await page.emulateMedia({ media: "print" });
+  const zoomed = await pixelsIn(page);
+  expect(zoomed.width / zoomed.height).toBeCloseTo(1.25, 1);
+  expect([zoomed.width, zoomed.height]).toEqual([whole.width, whole.height]);
+  // The same map, but for how it is scaled to the page.
+  const apart = [...whole.data].reduce((sum, value, i) => sum + Math.abs(value - (zoomed.data[i] ?? 0)), 0);
+  expect(apart / whole.data.length).toBeLessThan(4);
+  const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  expect(background).toBe("rgb(255, 255, 255)");
+});
+
+/** The map as it is on paper. */
+async function pixelsIn(page: Page): Promise<DecodedPng> {
+  return decode(await page.locator("#frame").screenshot());
 }

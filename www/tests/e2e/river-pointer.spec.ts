@@ -62,6 +62,31 @@ test("it goes with the map", async ({ page }) => {
   await expect(card(page)).toBeVisible();
 });
 
+test("while the map is painted anew in another place, no line lies beside its river", async ({ page }) => {
+  await openFinished(page, LINK);
+  const { x, y } = await greatest(page);
+  await page.mouse.move(x, y);
+  await expect(card(page)).toBeVisible();
+  const way = page.locator(".river-pointer .way");
+  await expect(way).toBeVisible();
+  const seen = await page.evaluate(async () => {
+    const frame = document.querySelector<HTMLElement>("#frame");
+    const lines = document.querySelector(".river-pointer");
+    if (!frame || !lines) throw new Error("no map");
+    const before = frame.dataset["framing"];
+    document.querySelector<HTMLButtonElement>("#zoom-in")?.click();
+    const seen: [isPainted: boolean, areLinesSeen: boolean][] = [];
+    do {
+      seen.push([frame.dataset["framing"] !== before, getComputedStyle(lines).visibility === "visible"]);
+      await new Promise(requestAnimationFrame);
+    } while (seen.at(-1)?.[1] === false);
+    return seen;
+  });
+  expect(seen.length).toBeGreaterThan(1);
+  for (const [isPainted, areLinesSeen] of seen) expect(isPainted || !areLinesSeen).toBe(true);
+  expect(seen.at(-1)).toEqual([true, true]);
+});
+
 test("a tap shows a river, and a tap elsewhere hides it @core", async ({ browser }) => {
   const context = await browser.newContext({ hasTouch: true, viewport: { width: 820, height: 900 } });
   const page = await context.newPage();

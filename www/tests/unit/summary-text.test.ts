@@ -3,7 +3,7 @@ import { linesOf } from "../../src/apps/digest/lines.ts";
 import { speedName } from "../../src/apps/page/timeline/transport.ts";
 import { backingSize } from "../../src/browser/canvas.ts";
 import { count } from "../../src/browser/count.ts";
-import { alternative, caption, remainderOf, sentence } from "../../src/player/summary-text.ts";
+import { alternative, caption, numbersOf, sentence } from "../../src/player/summary-text.ts";
 import { engine } from "../core.ts";
 
 const summary = {
@@ -26,19 +26,21 @@ test("the finished state is a sentence with its counts", () => {
 });
 
 test("what growth left is counted", () => {
-  expect(remainderOf(summary)).toBe("12,345 nodes; 18 of 4,000 attractors unreached.");
+  expect(numbersOf(summary)).toBe(
+    "1 river, 210 sources, Strahler order 5, 12,345 nodes; 18 of 4,000 attractors unreached.",
+  );
 });
 
 test("drainage has parcels, not attractors", () => {
-  expect(remainderOf({ ...summary, growth: "drainage" })).toMatch(/; 18 of 4,000 parcels unreached\.$/);
-  expect(remainderOf({ ...summary, growth: "drainage", attractors: 1 })).toMatch(/ of 1 parcel unreached\.$/);
+  expect(numbersOf({ ...summary, growth: "drainage" })).toMatch(/; 18 of 4,000 parcels unreached\.$/);
+  expect(numbersOf({ ...summary, growth: "drainage", attractors: 1 })).toMatch(/ of 1 parcel unreached\.$/);
 });
 
 test("a river of the engine says whether it has attractors or parcels", () => {
   const summaryOf = (growth: string) => {
     const river = new engine.River(`growth=${growth}&attractors=100`);
     while (river.advance(100));
-    return remainderOf(river.summary());
+    return numbersOf(river.summary());
   };
   expect(summaryOf("colonize")).toMatch(/ attractors unreached/);
   expect(summaryOf("drainage")).toMatch(/ parcels unreached/);
@@ -47,7 +49,7 @@ test("a river of the engine says whether it has attractors or parcels", () => {
 
 test("where there are no attractors none are counted", () => {
   const brownian = { ...summary, growth: "brownian", attractors: 0, unreached: 0 };
-  expect(remainderOf(brownian)).toBe("12,345 nodes.");
+  expect(numbersOf(brownian)).toBe("1 river, 210 sources, Strahler order 5, 12,345 nodes.");
 });
 
 test("oxbow lakes are counted where there are any", () => {
@@ -72,16 +74,14 @@ test("a picture that grows or meanders says so", () => {
   expect(alternative("kauri", "meandering", summary, count)).toBe(`${start} meandering.`);
 });
 
-test("the caption has two lines in every state", () => {
-  const oxbows = { ...summary, oxbows: 2 };
-  expect(caption("growing", "growing", summary)).toEqual(["Growing", "12,345 nodes so far"]);
-  expect(caption("growing", "shaping", summary)).toEqual(["Growing", "12,345 nodes so far"]);
-  expect(caption("growing", "meandering", summary)).toEqual(["Meandering", "40 rounds so far"]);
-  expect(caption("settling", "meandering", oxbows)).toEqual(["Meandering", "40 rounds so far, 2 oxbow lakes"]);
-  expect(caption("paused", "growing", summary)).toEqual(["Paused while growing", "12,345 nodes so far"]);
-  expect(caption("paused", "meandering", oxbows)[0]).toBe("Paused while meandering");
-  expect(caption("finished", "finished", summary)).toEqual(["1 river, 210 sources, Strahler order 5", ""]);
-  expect(caption("finished", "finished", { ...summary, stopped: "Too wide." })[1]).toBe("Too wide.");
+test("the caption says what is going on in words, and counts nothing", () => {
+  expect(caption("growing", "growing", { ...summary, nodes: 0 })).toBe("Growing");
+  expect(caption("growing", "shaping", summary)).toBe("Growing");
+  expect(caption("settling", "meandering", { ...summary, oxbows: 2 })).toBe("Meandering");
+  expect(caption("paused", "growing", summary)).toBe("Paused while growing");
+  expect(caption("paused", "meandering", summary)).toBe("Paused while meandering");
+  expect(caption("finished", "finished", summary)).toBe("");
+  expect(caption("finished", "finished", { ...summary, stopped: "Too wide." })).toBe("Too wide.");
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {

@@ -13,6 +13,7 @@ export const elements = {
   failure: find("#failure", HTMLElement),
   notices: find("#notices", HTMLElement),
   title: find("#title", HTMLElement),
+  titling: find(".caption", HTMLElement),
   caption: find("#caption", HTMLElement),
   announcement: find("#announcement", HTMLElement),
   seedForm: find("#seed-form", HTMLFormElement),
@@ -97,6 +98,7 @@ export const elements = {
     open: find("#help", HTMLButtonElement),
     close: find("#helping-close", HTMLButtonElement),
     list: find("#keys", HTMLElement),
+    teach: find("#teach", HTMLButtonElement),
   },
   six: {
     dialog: find("#six", HTMLDialogElement),

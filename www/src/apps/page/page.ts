@@ -14,10 +14,11 @@ import { loadTable, type Preset, type Table } from "../../engine/table.ts";
 import type { Phase, Summary } from "../../engine/types.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
-import { remainderOf } from "../../player/summary-text.ts";
+import { numbersOf } from "../../player/summary-text.ts";
 import { type Engines, openEngines, type PageRenderHost } from "./backend.ts";
 import { CountryName } from "./country-name.ts";
 import { elements } from "./elements.ts";
+import { CharacterSwitch } from "./help/character-switch.ts";
 import { HelpSheet } from "./help/help.ts";
 import { shortcuts } from "./help/shortcuts.ts";
 import { OwnLand } from "./land/own-land.ts";
@@ -28,7 +29,7 @@ import { covered } from "./map/covered.ts";
 import { MapAlone } from "./map/map-alone.ts";
 import { MapWords } from "./map/map-words.ts";
 import { type MapLink, RiverViewport } from "./map/viewport.ts";
-import { keepForOffline } from "./offline.ts";
+import { hideWhatIsAway, keepForOffline } from "./offline.ts";
 import { Choices } from "./panel/choices.ts";
 import { MapNames } from "./panel/map-names.ts";
 import { MeasuresView } from "./panel/measures.ts";
@@ -146,7 +147,7 @@ class Page {
       () => sessionStorage,
       (word) => this.#grow(word),
     );
-    new HelpSheet(elements.help, shortcuts());
+    new HelpSheet(elements.help, shortcuts(), new CharacterSwitch(() => localStorage), () => this.#six.open());
     const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
     answerEscape([this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
@@ -196,6 +197,7 @@ class Page {
     // Without hashchange, which follows the popstate of another fragment: the link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
     prefersDark.addEventListener("change", () => this.#followScheme());
+    hideWhatIsAway(document.querySelectorAll<HTMLAnchorElement>(".gallery-link"));
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
@@ -327,7 +329,7 @@ class Page {
   async #finished(phase: Phase, summary: Summary): Promise<void> {
     // Their failure is only logged: nobody asked for them, and the map is complete without them.
     this.#refreshThumbnails().catch(warn);
-    void this.#measures.refresh(remainderOf(summary));
+    void this.#measures.refresh(numbersOf(summary));
     void keepForOffline();
     const { seed } = this.#recipe;
     const names = await this.#names.refresh();

@@ -5,6 +5,8 @@ import { isTaken } from "../../browser/keys.ts";
 
 /** Changes of the same values belong to one step until the hand has rested this long. */
 const REST_MS = 1000;
+/** Values that are looked through: their changes belong to one step, however long each is looked at. */
+const LOOKED_THROUGH: readonly string[] = ["style"];
 
 /** The state of an entry of the browser's history. */
 interface Entry {
@@ -50,7 +52,8 @@ export class Undo {
     const before = this.#changed;
     const at = performance.now();
     this.#changed = what === undefined ? undefined : { what, at };
-    return before === undefined || before.what !== what || at - before.at > REST_MS;
+    if (before === undefined || before.what !== what) return true;
+    return at - before.at > REST_MS && !LOOKED_THROUGH.includes(before.what);
   }
 
   /** Writes the link on show into the address: a step as a new entry, anything else in place of the current one. */

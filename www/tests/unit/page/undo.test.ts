@@ -131,6 +131,16 @@ test("steps in quick succession are each an entry of the history", () => {
   expect(links()).toEqual(["one", "two", "three", "four", "five"].map((seed) => `seed=${seed}`));
 });
 
+test("looking through styles is one step, however long each is looked at", () => {
+  for (const style of ["night", "survey", "parchment"]) {
+    address.show(`style=${style}`, undo.isStep("style"));
+    vi.advanceTimersByTime(20_000);
+  }
+  expect(links()).toEqual(["seed=one", "style=parchment"]);
+  expect(undo.isStep("sea")).toBe(true);
+  expect(undo.isStep("style")).toBe(true);
+});
+
 test("what one slider changes is one step until the hand rests, and another thing's change ends it", () => {
   expect(undo.isStep("sea")).toBe(true);
   vi.advanceTimersByTime(500);

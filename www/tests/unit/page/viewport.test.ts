@@ -81,8 +81,10 @@ function shapeOf({ style }: Element): number {
 }
 
 beforeEach(() => {
-  vi.stubGlobal("window", { devicePixelRatio: 2 });
-  vi.stubGlobal("document", { hidden: false, addEventListener: () => {} });
+  vi.stubGlobal("window", { devicePixelRatio: 2, matchMedia: () => ({ matches: false }) });
+  vi.stubGlobal("requestAnimationFrame", (draw: () => void) => queueMicrotask(draw));
+  const canvas = { setAttribute: () => {}, append: () => {}, getContext: () => null };
+  vi.stubGlobal("document", { hidden: false, addEventListener: () => {}, createElement: () => canvas });
   vi.stubGlobal(
     "ResizeObserver",
     class {

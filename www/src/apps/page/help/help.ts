@@ -2,12 +2,15 @@
 
 import { el } from "../../../browser/dom.ts";
 import { isCombined, isTaken } from "../../../browser/keys.ts";
+import type { CharacterSwitch } from "./character-switch.ts";
 
 export interface HelpElements {
   dialog: HTMLDialogElement;
   open: HTMLButtonElement;
   close: HTMLButtonElement;
   list: HTMLElement;
+  /** Opens the six ways to grow. */
+  teach: HTMLButtonElement;
 }
 
 /** A key that presses a button. */
@@ -39,8 +42,15 @@ export class HelpSheet {
   constructor(
     private readonly elements: HelpElements,
     private readonly shortcuts: readonly Shortcut[],
+    characters: CharacterSwitch,
+    teach: () => void,
   ) {
     const { dialog, open, close, list } = elements;
+    list.before(characters.element);
+    elements.teach.addEventListener("click", () => {
+      dialog.close();
+      teach();
+    });
     open.addEventListener("click", () => dialog.showModal());
     close.addEventListener("click", () => dialog.close());
     const rows = [...shortcuts.map(({ key, says }) => [key, says] as const), ...OTHERS, ["?", "this sheet"] as const];

@@ -27,6 +27,8 @@ export interface InsideEvents {
   failed(error: unknown): void;
 }
 
+const UNFINISHED = "This is known once the map is finished: press Play, or go to the end of the line of time.";
+
 export class LookInside {
   readonly #svg = mapLayer("inside");
   readonly #name = el("p", { class: "inside-name" });
@@ -132,7 +134,10 @@ export class LookInside {
     if (this.#isAsking) return;
     const look = this.#meant;
     if (look !== this.#shown) this.#clear();
-    if (!look) return;
+    if (!look) {
+      this.#excuse();
+      return;
+    }
     this.#isAsking = true;
     const overlay = await this.events.overlay(look.name).catch((error) => {
       this.events.failed(error);
@@ -149,6 +154,15 @@ export class LookInside {
     this.#shown = look;
     this.#draw(look, overlay);
     this.#describe(look, overlay);
+  }
+
+  /** Says why an overlay that was asked for is not there yet. */
+  #excuse(): void {
+    if (!this.#look || this.#isFinished) return;
+    setText(this.#name, this.#look.label);
+    setText(this.#sentence, UNFINISHED);
+    this.#legend.replaceChildren();
+    this.#card.hidden = false;
   }
 
   #clear(): void {

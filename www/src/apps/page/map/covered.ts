@@ -6,14 +6,14 @@ import type { Insets } from "./camera.ts";
 /** The margin around the map, in CSS pixels. */
 const MARGIN_PX = 16;
 
-/** Measures the parts that the page's name, the bar, the styles and the panel cover. */
+/** Measures the parts that the page's name, the map's title, the bar, the styles and the panel cover. */
 export function covered(): Insets {
-  const { bar, styles, panel, masthead } = elements;
+  const { bar, styles, panel, masthead, titling } = elements;
   const edge = (element: HTMLElement): DOMRect | undefined =>
     element.hidden || element.getClientRects().length === 0 ? undefined : element.getBoundingClientRect();
   const insets = {
     left: MARGIN_PX,
-    top: masthead.offsetTop + masthead.offsetHeight,
+    top: Math.max(masthead.offsetTop + masthead.offsetHeight, edge(titling)?.bottom ?? 0),
     right: MARGIN_PX,
     bottom: MARGIN_PX,
   };

@@ -34,9 +34,8 @@ export class MapWords {
   /** Follows a change of the map or its state. */
   follow(seed: string, state: State, phase: Phase, summary: Summary): void {
     if (state !== "finished") this.#greatest = "";
-    caption(state, phase, summary).forEach((line, i) => {
-      setText(this.elements.caption.children[i], line === "" ? this.#greatest : line);
-    });
+    setText(this.elements.caption, caption(state, phase, summary) || this.#greatest);
+    this.elements.caption.toggleAttribute("data-warns", Boolean(summary.stopped));
     this.elements.canvas.setAttribute("aria-label", alternative(seed, phase, summary, count));
     if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
@@ -46,8 +45,8 @@ export class MapWords {
   tell(names: readonly Named[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;
-    this.#greatest = `Greatest: ${rivers[0]?.name}`;
-    if (!summary.stopped) setText(this.elements.caption.children[1], this.#greatest);
+    this.#greatest = `Greatest river: ${rivers[0]?.name}`;
+    if (!summary.stopped) setText(this.elements.caption, this.#greatest);
     const greatest = rivers.map(({ name }) => name).join(", ");
     const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
     this.elements.canvas.setAttribute("aria-label", told);

@@ -29,6 +29,7 @@ import type { PageRenderHost } from "../backend.ts";
 import { Camera, type Insets, type Point, type Stage, transformBetween } from "./camera.ts";
 import { Gestures, KEY_ZOOM } from "./gestures.ts";
 import { LastPicture } from "./last-picture.ts";
+import { WholeMap } from "./whole-map.ts";
 
 export interface ViewportElements {
   /** The picture's place. */
@@ -69,6 +70,9 @@ interface Shown extends MapLink {
   state: State;
 }
 
+/** Paper has another size, and nobody waits there for another picture. */
+const isOnPaper = (): boolean => window.matchMedia("print").matches;
+
 type SceneReport = Exclude<Report<Answer>, { is: "answer" }>;
 
 export class RiverViewport {
@@ -90,6 +94,9 @@ export class RiverViewport {
   #isCovered = false;
   readonly #camera = new Camera();
   readonly #lastPicture: LastPicture;
+  readonly #wholeMap = new WholeMap();
+  /** The number of times the map was moved. While its picture is not painted in its new place, the frame is `moving`. */
+  #moves = 0;
   /** The part of the map that the picture shows. */
   #framing: Framing | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
@@ -149,6 +156,9 @@ export class RiverViewport {
   }
 
   show({ link, aspect }: MapLink, how: ShowMode): void {
+    // Another word is another country, of which nobody knows where to look.
+    if (seedOf(link) !== seedOf(this.#wanted.link)) this.#camera.reset();
+    this.#wholeMap.forget();
     this.#wanted = { link, aspect, how, number: this.#wanted.number, framing: this.#wanted.framing };
     this.#asked = undefined;
     if (this.#id === undefined) return;
@@ -329,6 +339,7 @@ export class RiverViewport {
   #listenToHand(): void {
     const { frame, zoom } = this.elements;
     const follow = (move: (stage: Stage) => void): void => {
+      this.#keepWhole();
       move(this.#stage());
       this.#lastPicture.drop();
       this.#followCamera();
@@ -345,15 +356,26 @@ export class RiverViewport {
     zoom.all.addEventListener("click", all);
   }
 
+  /** Keeps the picture of the whole map before the hand moves into it. */
+  #keepWhole(): void {
+    if (!this.#camera.showsAll || this.state !== "finished") return;
+    const stage = this.#stage();
+    const isPainted = `${this.#camera.framingOn(stage)}` === `${this.#framing}`;
+    if (isPainted) this.#wholeMap.keep(this.elements.canvas, this.#camera.boxOn(stage), stage);
+  }
+
   /** Returns the picture's place for the map that was requested last. */
   #stage(): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
     return { width, height, insets: this.covered(), aspect: this.#wanted.aspect };
   }
 
-  /** Moves the picture at once, and has it painted again when the hand rests. */
+  /** Moves the picture at once, and has it painted again when the hand rests. On paper it stays as it is. */
   #followCamera(): void {
+    if (isOnPaper()) return;
     const stage = this.#stage();
+    this.#moves++;
+    this.elements.frame.dataset["moving"] = "";
     this.#placeMap(stage);
     this.#movePicture(stage);
     this.#resizeSoon();
@@ -362,6 +384,10 @@ export class RiverViewport {
   #placeMap(stage: Stage): void {
     const { x, y, width, height } = this.#camera.boxOn(stage);
     const { mapPlace, frame, zoom } = this.elements;
+    if (this.#camera.showsAll) delete frame.dataset["zoomed"];
+    else frame.dataset["zoomed"] = "";
+    const shares = { across: width / stage.width, left: x / width, top: y / width, aspect: stage.aspect };
+    for (const [name, share] of Object.entries(shares)) frame.style.setProperty(`--map-${name}`, String(share));
     frame.style.setProperty("--window", String(stage.width / stage.height));
     Object.assign(mapPlace.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
     zoom.closer.disabled = this.#camera.isClosest;
@@ -394,19 +420,26 @@ export class RiverViewport {
 
   #resizeSoon(): void {
     clearTimeout(this.#resizing);
+    if (isOnPaper()) return;
     this.#resizing = setTimeout(() => void this.#resize(), RESIZE_PAUSE_MS);
   }
 
   async #resize(): Promise<void> {
-    const of = this.#id;
+    const [of, moves] = [this.#id, this.#moves];
     const size = this.#size();
-    if (of === undefined || size.width === 0) return;
+    if (of === undefined || size.width === 0) {
+      delete this.elements.frame.dataset["moving"];
+      return;
+    }
     // The map that was requested last and is still on its way is painted at this size, too.
     if (this.#wanted.framing) this.#wanted.framing = size.framing;
     this.#send({ do: "resize", size });
     // The answer comes when the resizing is done.
     await this.#ask({ about: "now", of }).catch(() => {});
     if (!this.#wanted.framing) this.#becomeFramed(size.framing);
+    // The new picture comes from a worker, and may be shown later than what the page itself draws.
+    await twoFrames();
+    if (moves === this.#moves) delete this.elements.frame.dataset["moving"];
   }
 
   get #isUnseen(): boolean {
@@ -416,4 +449,13 @@ export class RiverViewport {
   #rest(): void {
     this.#send({ do: this.#isUnseen ? "rest" : "wake" });
   }
+}
+
+function seedOf(link: string): string | null {
+  return new URLSearchParams(link).get("seed");
+}
+
+/** Waits until the browser has shown a frame. */
+function twoFrames(): Promise<void> {
+  return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())));
 }
