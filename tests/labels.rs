@@ -386,7 +386,8 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(titles, names.map(|label| label.text).collect::<Vec<_>>());
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
     assert!(by_id("halo").unwrap().descendants().count() > titles.len());
-    let titled = finished("land=island&attractors=500&style=atlas&labels=none&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
+    let titled =
+        finished("land=island&attractors=500&style=atlas&labels=none&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
     let text = riverseed::export::svg::svg(&titled.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();

@@ -25,11 +25,11 @@ impl AnnotationBuilder {
     /// Makes all of an annotation at once, for a picture with `ratio` pixels to a CSS pixel, rounded to quarters from 0.5
     /// to 4.
     pub fn whole(map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
-        Self::whole_in(&mut Places::default(), map, view, ratio)
+        Self::whole_in(&mut Places::default(), map, view, ratio).0
     }
 
-    /// The same, with labels in the places that have been chosen for other pictures of the map.
-    pub fn whole_in(places: &mut Places, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
+    /// The same, with labels in the places that have been chosen for other pictures of the map. Also returns these labels.
+    pub fn whole_in(places: &mut Places, map: &Map, view: &View, ratio: f32) -> (AnnotationMasks, Vec<Label>) {
         Self::with(labels_of(places, map, view, ratio), map, view, ratio)
     }
 
@@ -42,15 +42,15 @@ impl AnnotationBuilder {
         labels.retain(|label| !label.kind.is_block() && label.text != names.title);
         let within = within.map(|corner| view.point(corner));
         labels.extend(heading(&names.title, &names.subtitle, within, LEAST_EM * ratio / view.scale));
-        Self::with(labels, map, view, ratio)
+        Self::with(labels, map, view, ratio).0
     }
 
-    /// Makes the rest of an annotation with its labels at once.
-    fn with(labels: Vec<Label>, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
+    /// Makes the rest of an annotation with its labels at once, and returns both.
+    fn with(labels: Vec<Label>, map: &Map, view: &View, ratio: f32) -> (AnnotationMasks, Vec<Label>) {
         let mut this = Self { labels: Some(labels), ..Self::default() };
         loop {
             if let Some(masks) = this.advance(map, view, ratio) {
-                return masks;
+                return (masks, this.labels.unwrap_or_default());
             }
         }
     }

@@ -24,7 +24,8 @@ impl Names {
     }
 
     /// The same, with the region of each place.
-    pub(crate) fn with_regions(map: &Map) -> (Self, Vec<Region>) {
+    #[doc(hidden)]
+    pub fn with_regions(map: &Map) -> (Self, Vec<Region>) {
         let (network, all_reaches) = (map.network(), map.reaches());
         let namer = Namer::new(map.recipe());
         let (rivers, great) = namer.rivers(network, map.tree(), map.grown().total_discharge);

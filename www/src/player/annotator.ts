@@ -3,7 +3,7 @@
 import type { Framing } from "../browser/canvas.ts";
 import { missing, type PageError } from "../engine/errors.ts";
 import type { Teller } from "../engine/tell.ts";
-import type { River } from "../engine/types.ts";
+import type { LabelFacts, River } from "../engine/types.ts";
 import { askMap, type LoadTeller } from "./asking.ts";
 
 /** The part of a river that its map is handed over by, and labels are laid over. */
@@ -21,6 +21,7 @@ export class Annotator {
   #askedFor: string | undefined;
   #isAsking = false;
   #fetching: Promise<void> | undefined;
+  #labels: readonly LabelFacts[] = [];
 
   /** True while the teller is fetched. */
   get isAsking(): boolean {
@@ -37,6 +38,11 @@ export class Annotator {
     this.#fetch().catch(() => {});
   }
 
+  /** The names that were laid last. */
+  get labels(): readonly LabelFacts[] {
+    return this.#labels;
+  }
+
   /**
    * Lays labels and scenery over a picture that wants them, if the teller has arrived; `ratio` is device pixels per CSS
    * pixel. Returns whether it did: then the picture is to be painted again.
@@ -50,10 +56,11 @@ export class Annotator {
 
   #lay(river: FinishedRiver, teller: Teller, ratio: number, framing: Framing | undefined): boolean {
     try {
-      annotate(river, teller, ratio, framing);
+      this.#labels = annotate(river, teller, ratio, framing);
     } catch (error) {
       // None, so that it is not tried again and again.
       river.takeAnnotation(new Uint8Array());
+      this.#labels = [];
       this.events.failed(unlabelled(error));
     }
     return true;
@@ -86,10 +93,13 @@ export class Annotator {
   }
 }
 
-/** Lays labels and scenery over the picture of a finished map. */
-export function annotate(river: FinishedRiver, teller: Teller, ratio = 1, framing?: Framing): void {
+/** Lays labels and scenery over the picture of a finished map. Returns the names among them. */
+export function annotate(river: FinishedRiver, teller: Teller, ratio = 1, framing?: Framing): LabelFacts[] {
   const shown = new Float32Array(framing ?? []);
-  river.takeAnnotation(askMap(river, teller, (map) => map.masks(river.width, river.height, ratio, shown)));
+  return askMap(river, teller, (map) => {
+    river.takeAnnotation(map.masks(river.width, river.height, ratio, shown));
+    return map.labels();
+  });
 }
 
 function unlabelled(error: unknown): PageError {

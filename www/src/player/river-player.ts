@@ -4,7 +4,7 @@
  */
 
 import type { CanvasSize } from "../browser/canvas.ts";
-import type { Phase, ReadOptions, River } from "../engine/types.ts";
+import type { LabelFacts, Phase, ReadOptions, River } from "../engine/types.ts";
 import { Annotator } from "./annotator.ts";
 import type { LoadTeller } from "./asking.ts";
 import { Blitter } from "./blit.ts";
@@ -122,6 +122,11 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
 
   get state(): State {
     return this.#loop.state;
+  }
+
+  /** The names that were laid over the picture last. */
+  get labels(): readonly LabelFacts[] {
+    return this.#annotator.labels;
   }
 
   set speed(speed: number) {

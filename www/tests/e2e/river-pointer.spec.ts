@@ -119,7 +119,7 @@ test("keys walk through the greatest rivers, and each is announced", async ({ pa
 test("a name that has the focus in the panel shows its river", async ({ page }) => {
   await openWithPanel(page, `${LINK}&labels=some`);
   await page.getByRole("heading", { name: "Names" }).click();
-  const field = page.getByLabel("River 2", { exact: true });
+  const field = page.getByLabel("2nd greatest river", { exact: true });
   await field.focus();
   await expect(page.locator(".river-name")).toHaveText(await field.inputValue());
   await page.getByLabel("Map", { exact: true }).and(page.locator("input")).focus();

@@ -5,6 +5,7 @@ use js_sys::{Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use super::FinishedMap;
+use super::places::Named;
 use crate::objects::object;
 use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
 use riverseed::export::svg::overlay;
@@ -43,10 +44,12 @@ export interface RiverFacts {
 pub struct Inspector {
     rivers: Rivers,
     /// Width and height of the map, in units.
-    size: Vec2,
+    pub(super) size: Vec2,
     courses: CourseShape,
     /// The kind of water that rivers run into.
     ends_in: &'static str,
+    /// What has a name besides rivers.
+    pub(super) named: Named,
     /// The last river that was queried, with its basin: a pointer stays on one river for a while.
     last: (u32, String),
 }
@@ -58,7 +61,8 @@ impl FinishedMap {
         let rivers = Rivers::new(&self.map)?;
         let (size, recipe) = (self.map.domain().size, self.map.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
-        Some(Inspector { rivers, size, courses: recipe.get(), ends_in, last: (NONE, String::new()) })
+        let named = Named::of(&self.map);
+        Some(Inspector { rivers, size, courses: recipe.get(), ends_in, named, last: (NONE, String::new()) })
     }
 }
 

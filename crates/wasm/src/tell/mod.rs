@@ -3,6 +3,7 @@
 
 mod inspector;
 mod measures;
+mod places;
 
 use std::cell::RefCell;
 
@@ -14,7 +15,7 @@ use crate::wire::map_of;
 use riverseed::Map;
 use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
-use riverseed::annotate::place::Places;
+use riverseed::annotate::place::{Label, Places};
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
 
@@ -24,6 +25,8 @@ pub struct FinishedMap {
     map: Map,
     /// The labels' places, as far as pictures have asked for them.
     places: RefCell<Places>,
+    /// Those of the last masks.
+    labels: RefCell<Vec<Label>>,
 }
 
 #[wasm_bindgen]
@@ -31,7 +34,7 @@ impl FinishedMap {
     /// Reads the map from the `mapData` of a river. Throws an Error if the data is not a map.
     #[wasm_bindgen(constructor)]
     pub fn new(data: &[u32]) -> Result<Self, JsValue> {
-        Ok(Self { map: map_of(data)?, places: RefCell::default() })
+        Ok(Self { map: map_of(data)?, places: RefCell::default(), labels: RefCell::default() })
     }
 
     /// Returns names: the map's, those of the `rivers` greatest rivers, the user's own, and those of everything that is
@@ -69,7 +72,9 @@ impl FinishedMap {
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
         let view = self.view(width_px, height_px, framing)?;
         let mut places = self.places.borrow_mut();
-        Ok(AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio).to_bytes())
+        let (masks, labels) = AnnotationBuilder::whole_in(&mut places, &self.map, &view, ratio);
+        self.labels.replace(labels);
+        Ok(masks.to_bytes())
     }
 
     /// Returns the same with the map's title as a heading: as large as it fits into `within`, a box's left, top, right and

@@ -9,12 +9,19 @@ import type { Teller } from "../../engine/tell.ts";
 import type { FinishedMap, Inspector } from "../../engine/types.ts";
 import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
-import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
+import { nameablesAt, type Placed, placedOn } from "./nameables.ts";
+import type {
+  LiveOverlayName,
+  NameablePlace,
+  Nameables,
+  Overlay,
+  OverlayName,
+  PointedRiver,
+  RiverPlace,
+} from "./protocol.ts";
 
 type Player = RiverPlayer<SteeredRiver>;
 
-/** A limit above any number of rivers. */
-const ALL_RIVERS = 0xffff_ffff;
 /** The time after a failed download before the next. */
 export const PATIENCE_MS = 5000;
 /** The time for making a relief before other messages are handled. */
@@ -27,6 +34,7 @@ interface Inspected {
   size: readonly [width: number, height: number];
   /** Names by mark. */
   names: ReadonlyMap<string, string>;
+  places: readonly Placed[];
 }
 
 interface Kept {
@@ -60,6 +68,16 @@ export class Inspections {
     // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
     return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
+  }
+
+  /** Returns what has a name, or could have one, at a place of a player's map; none if it is not finished or has changed. */
+  async nameables(player: Player | undefined, place: NameablePlace): Promise<Nameables | undefined> {
+    if (player?.state !== "finished") return;
+    const kept = this.#keptFor(player);
+    const inspected = await kept.made;
+    if (!inspected || this.#kept !== kept || player.link !== kept.link) return;
+    const { link } = kept;
+    return { link, size: inspected.size, things: nameablesAt(place, inspected, player.labels) };
   }
 
   /** Returns an overlay of a player's map, if there is one of this name. */
@@ -192,13 +210,13 @@ function riseFor(river: SteeredRiver | undefined, milliseconds: number): boolean
 }
 
 function inspected(map: FinishedMap, size: Inspected["size"]): Inspected | undefined {
-  const names = namesOn(map);
-  // The inspector comes last, so that no failure leaves it behind.
   const inspector = map.inspector();
-  return inspector && { inspector, size, names };
+  if (!inspector) return;
+  const names = namesOf(inspector);
+  return { inspector, size, names, places: placedOn(inspector, names) };
 }
 
-function namesOn(map: FinishedMap): Map<string, string> {
-  const texts = map.greatest(ALL_RIVERS);
-  return new Map(texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
+function namesOf(inspector: Inspector): Map<string, string> {
+  const texts = inspector.names();
+  return new Map(texts.flatMap((mark, i) => (i % 2 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
 }

@@ -43,6 +43,8 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
           return measuresOf(playerIn(question.of, playerOf));
         case "river":
           return inspections.river(playerIn(question.of, playerOf), question.place);
+        case "nameables":
+          return inspections.nameables(playerIn(question.of, playerOf), question.place);
         case "overlay":
           return inspections.overlay(playerIn(question.of, playerOf), question.name);
         case "making":

@@ -28,6 +28,32 @@ export interface PointedRiver extends Omit<RiverFacts, "mark" | "into"> {
   into: readonly string[];
 }
 
+/** The kinds of things that have names or could have one. */
+export type Kind = "map" | "river" | "reach" | "sea" | "lake" | "land" | "island" | "bay" | "cape" | "strait" | "range";
+
+/** Something on the map that has a name or could have one. */
+export interface Nameable {
+  /** The mark by which links know it. */
+  mark: string;
+  kind: Kind;
+  /** Empty if it has none. */
+  name: string;
+  /** The line along which it lies, or its name: x and y in turn, in shares of the map's sides. */
+  line: ArrayLike<number>;
+}
+
+/** A place that was clicked, or the mark of one thing. Letters count only if they are shown. */
+export type NameablePlace = { x: number; y: number; reach: number; hasLabels: boolean } | { mark: string };
+
+/** What has a name at a place, the nearest first. */
+export interface Nameables {
+  /** The link of the map. */
+  link: string;
+  /** Width and height of the map, in units. */
+  size: readonly [width: number, height: number];
+  things: readonly Nameable[];
+}
+
 /** A moment in the making of a map: a tick of growth, a round of meandering, or its end, whose step is 0. */
 export interface Moment {
   part: "growth" | "bends" | "map";
@@ -83,6 +109,8 @@ interface Questions {
   measures: { of: number | undefined };
   /** Asks for the river at a place of a finished map; none where there is none, and while it is not finished. */
   river: { of: number | undefined; place: RiverPlace };
+  /** Asks what has a name, or could have one, at a place of a finished map; none while it is not finished. */
+  nameables: { of: number | undefined; place: NameablePlace };
   /** Asks for an overlay of a river's map. Most have none while the map is not finished. */
   overlay: { of: number | undefined; name: OverlayName };
   /**
@@ -101,6 +129,7 @@ export interface Answers {
   thumbnails: readonly Thumbnail[] | undefined;
   measures: readonly Measure[] | undefined;
   river: PointedRiver | undefined;
+  nameables: Nameables | undefined;
   overlay: Overlay | undefined;
   making: Making | undefined;
   now: undefined;

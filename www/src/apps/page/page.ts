@@ -29,6 +29,8 @@ import { covered } from "./map/covered.ts";
 import { MapAlone } from "./map/map-alone.ts";
 import { MapWords } from "./map/map-words.ts";
 import { type MapLink, RiverViewport } from "./map/viewport.ts";
+import { Naming } from "./naming/naming.ts";
+import { withoutForeignNames } from "./naming/own-names.ts";
 import { hideWhatIsAway, keepForOffline } from "./offline.ts";
 import { Choices } from "./panel/choices.ts";
 import { MapNames } from "./panel/map-names.ts";
@@ -72,6 +74,13 @@ class Page {
       failed: (error) => this.#miss(error),
     },
   );
+  readonly #naming = new Naming({ ...elements, stage: elements.drawing.stage }, this.#riverPointer, {
+    nameables: (place) => this.#viewport.nameables(place),
+    hasLabels: () => hasLetters(this.#recipe.values),
+    isOwn: (mark) => this.#names.isOwn(mark),
+    rename: (mark, name) => this.#names.rename(mark, name),
+    failed: (error) => this.#miss(error),
+  });
   readonly #inside = new LookInside(elements, {
     overlay: (name) => this.#viewport.overlay(name),
     middle: () => middleOf(covered()),
@@ -150,7 +159,7 @@ class Page {
     new HelpSheet(elements.help, shortcuts(), new CharacterSwitch(() => localStorage), () => this.#six.open());
     const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
-    answerEscape([this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
+    answerEscape([this.#naming, this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
     this.#listen();
   }
 
@@ -227,7 +236,7 @@ class Page {
     this.#attempt(() => {
       const changes = [...values];
       this.#presetNote.forget();
-      this.#recipe.set(changes);
+      this.#recipe.set(withoutForeignNames(changes, this.#recipe.values));
       if (changes.some(([key]) => key === "seed")) this.#welcome.leave();
       this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
@@ -236,7 +245,7 @@ class Page {
   /** Grows a country from a word that was not typed into the seed's own box. */
   #grow(word: string): void {
     this.#choices.replaceSeed(word);
-    this.#set([["seed", word]], "watch");
+    this.#set([["seed", word]], "still");
   }
 
   /**
@@ -317,7 +326,8 @@ class Page {
     elements.facade.hidden = true;
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
-    this.#riverPointer.follow(state);
+    this.#riverPointer.follow(state, this.#viewport.link);
+    this.#naming.follow();
     this.#inside.follow(state, summary.growth);
     void this.#track.follow();
     elements.frame.dataset["phase"] = phase;
@@ -402,6 +412,11 @@ function middleOf({ left, top, right, bottom }: Insets): Point {
 /** Returns the map that a recipe shows. */
 function mapOf({ shown, aspect }: Recipe): MapLink {
   return { link: shown, aspect };
+}
+
+/** Returns whether names or a title are shown. An automatic title comes with names. */
+function hasLetters(values: ReadonlyMap<string, string>): boolean {
+  return values.get("labels") !== "none" || !/^(none|auto)$/.test(values.get("cartouche") ?? "none");
 }
 
 function forTheCurious(): HTMLElement {

@@ -34,7 +34,7 @@ const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ["W", "the map alone, over the whole screen, as a double tap on it does; again, or Esc, to go back"],
   ["Ctrl Z", "undo; with Shift, redo; while drawing, remove the last line"],
   ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
-  ["Enter", "in the seed box: grow at once"],
+  ["Enter", "in the seed box: grow at once; on the map: name the river that is shown, as a click names anything"],
   ["Esc", "close what is open, one thing at a time; while drawing: done"],
 ];
 

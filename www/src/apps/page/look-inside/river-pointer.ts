@@ -1,12 +1,16 @@
 /**
  * Shows a river: its way to the sea in bold, its basin highlighted, and a card that describes it. The river is pointed
- * at with a mouse, tapped, reached with keys on the map, or has its name focused in the panel.
+ * at with a mouse or reached with keys on the map. Whatever is pinned stays on show instead: it is being named, or its
+ * name in the panel is pointed at or has the focus.
  */
 
-import { el, mapLayer, setText, svg } from "../../../browser/dom.ts";
-import type { PointedRiver, RiverPlace } from "../../page-worker/protocol.ts";
-import type { Insets, Point } from "../map/camera.ts";
+import { el } from "../../../browser/dom.ts";
+import type { Nameable, Nameables, PointedRiver, RiverPlace } from "../../page-worker/protocol.ts";
+import type { Insets } from "../map/camera.ts";
 import { isOnMap } from "../map/gestures.ts";
+import { titleOfPlace } from "../naming/words.ts";
+import { Lines } from "./lines.ts";
+import { Card } from "./river-card.ts";
 import { courseOf, measuresOf, titleOf } from "./river-words.ts";
 
 export interface RiverPointerElements {
@@ -28,26 +32,26 @@ export interface RiverPointerEvents {
 }
 
 /** The distance in CSS pixels at which a river is hit; larger for a finger. */
-const REACH_PX = { mouse: 9, touch: 22 };
-/** The limits of a tap in movement and time. */
-const TAP_PX = 10;
-const TAP_MS = 600;
-/** The gap between the card and its place; below, the width under which the card avoids the whole highlighted part. */
-const CARD_GAP_PX = 16;
-const NARROW_PX = 600;
+export const REACH_PX = { mouse: 9, touch: 22 };
 
 type How = "pointer" | "key";
+
+/** A place of the map, in shares of its sides. */
+type Spot = Pick<PointedRiver, "x" | "y">;
 
 export class RiverPointer {
   readonly #card = new Card();
   readonly #lines = new Lines();
   readonly #announcement = el("p", { class: "unseen", role: "status" });
   #isFinished = false;
+  /** The link of the map that it follows. */
+  #link = "";
   #wanted: { place: RiverPlace; how: How } | undefined;
   #frameHandle: number | undefined;
   #isAsking = false;
-  #shown: { river: PointedRiver; how: How } | undefined;
-  #tap: { x: number; y: number; at: number } | undefined;
+  #shown: { at: Spot; how: How | "pin" } | undefined;
+  /** Counts what was pinned: a late answer about a former one is dropped. */
+  #pins = 0;
   #walkedTo = -1;
 
   constructor(
@@ -60,22 +64,88 @@ export class RiverPointer {
     stage.append(this.#announcement);
     frame.addEventListener("pointermove", (event) => this.#onMove(event));
     frame.addEventListener("pointerleave", () => this.#leave());
-    frame.addEventListener("pointerdown", (event) => this.#onDown(event));
-    frame.addEventListener("pointerup", (event) => this.#onUp(event));
     frame.addEventListener("keydown", (event) => void this.#onFrameKey(event));
-    this.#listenToNames();
     // The card follows its place, however that is moved.
     new MutationObserver(() => this.#placeCard()).observe(mapPlace, { attributeFilter: ["style"] });
   }
 
-  /** Follows the map's state. A river is shown only on a finished map. */
-  follow(state: string): void {
+  /**
+   * Follows the map's state. A river is shown only on a finished map, and stays when that is only painted again, with
+   * its names or in another size.
+   */
+  follow(state: string, link: string): void {
+    const wasThere = this.#isFinished && this.#link === link;
+    this.#link = link;
     this.#isFinished = state === "finished";
+    if (this.#isFinished && wasThere) return;
     this.#walkedTo = -1;
     this.hide();
   }
 
-  /** Hides the river that is shown. */
+  get isFinished(): boolean {
+    return this.#isFinished;
+  }
+
+  /** True while something stays on show until `hide`. */
+  get isPinned(): boolean {
+    return this.#shown?.how === "pin";
+  }
+
+  /** The mark of the river that was reached with keys, if it is on show. */
+  get walkedTo(): string | undefined {
+    return this.#shown?.how === "key" ? this.elements.frame.dataset["river"] : undefined;
+  }
+
+  /** The card, where more can be asked about what is pinned. */
+  get card(): Card {
+    return this.#card;
+  }
+
+  /**
+   * Keeps something on show, whatever is pointed at. Returns whether it is, and not something else meanwhile. `asked`
+   * goes into the card below its description.
+   */
+  async pin(thing: Nameable, { size }: Nameables, asked: readonly HTMLElement[] = []): Promise<boolean> {
+    const pin = ++this.#pins;
+    const river = thing.kind === "river" ? await this.#riverOf(thing) : undefined;
+    if (pin !== this.#pins) return false;
+    this.#wanted = undefined;
+    const [x = 0.5, y = 0.5] = middleOf(thing.line);
+    this.#shown = { at: river ?? { x, y }, how: "pin" };
+    if (river) this.#lay(river);
+    else {
+      delete this.elements.frame.dataset["river"];
+      this.#lines.mark(thing.line, size);
+      this.#card.describe(...titleOfPlace(thing));
+    }
+    this.#card.hold(asked);
+    this.#placeCard();
+    return true;
+  }
+
+  /** Has screen readers say something about what was shown. */
+  say(text: string): void {
+    this.#announcement.textContent = text;
+  }
+
+  /** Places the card again, after it has become larger or smaller. */
+  refit(): void {
+    this.#placeCard();
+  }
+
+  /** Returns a river from where it was clicked, or from its source. */
+  async #riverOf({ mark, line }: Nameable): Promise<PointedRiver | undefined> {
+    const [x = 0, y = 0] = Array.from(line);
+    try {
+      const there = await this.events.river({ x, y, reach: HERE });
+      return there?.mark === mark ? there : await this.events.river({ mark });
+    } catch (error) {
+      this.events.failed(error);
+      return undefined;
+    }
+  }
+
+  /** Hides what is shown. */
   escape(): boolean {
     const wasShown = this.#shown !== undefined;
     this.hide();
@@ -84,6 +154,7 @@ export class RiverPointer {
 
   hide(): void {
     this.#wanted = undefined;
+    this.#pins++;
     if (!this.#shown) return;
     this.#shown = undefined;
     this.#card.hide();
@@ -106,22 +177,8 @@ export class RiverPointer {
     if (this.#shown?.how === "pointer") this.hide();
   }
 
-  #onDown(event: PointerEvent): void {
-    const isTap = event.pointerType === "touch" && event.isPrimary && isOnMap(event);
-    this.#tap = isTap ? { x: event.clientX, y: event.clientY, at: event.timeStamp } : undefined;
-  }
-
-  #onUp(event: PointerEvent): void {
-    const tap = this.#tap;
-    this.#tap = undefined;
-    if (!tap || !event.isPrimary || event.timeStamp - tap.at > TAP_MS) return;
-    if (Math.hypot(event.clientX - tap.x, event.clientY - tap.y) > TAP_PX) return;
-    this.#ask(this.#placeOf(event, REACH_PX.touch), "key");
-  }
-
   #placeOf({ clientX, clientY }: PointerEvent, reachPx: number): RiverPlace {
-    const { left, top, width, height } = this.elements.mapPlace.getBoundingClientRect();
-    return { x: (clientX - left) / width, y: (clientY - top) / height, reach: reachPx / width };
+    return placeOn(this.elements.mapPlace, clientX, clientY, reachPx);
   }
 
   // ---- keys
@@ -141,23 +198,10 @@ export class RiverPointer {
     if (mark !== undefined) this.#ask({ mark }, "key");
   }
 
-  /** Shows a river while its name in the panel has the focus. */
-  #listenToNames(): void {
-    const markOf = ({ target }: Event): string | undefined =>
-      target instanceof Element ? target.closest<HTMLElement>(".names [data-mark]")?.dataset["mark"] : undefined;
-    document.addEventListener("focusin", (event) => {
-      const mark = markOf(event);
-      if (mark !== undefined && isRiver(mark)) this.#ask({ mark }, "key");
-    });
-    document.addEventListener("focusout", (event) => {
-      if (markOf(event) !== undefined) this.hide();
-    });
-  }
-
   // ---- questions, at most one per frame, for the last place only
 
   #ask(place: RiverPlace, how: How): void {
-    if (!this.#isFinished || this.elements.stage.hasAttribute("data-drawing")) return;
+    if (!this.#isFinished || this.isPinned || this.elements.stage.hasAttribute("data-drawing")) return;
     this.#wanted = { place, how };
     this.#frameHandle ??= requestAnimationFrame(() => {
       this.#frameHandle = undefined;
@@ -167,7 +211,7 @@ export class RiverPointer {
 
   async #answer(): Promise<void> {
     const wanted = this.#wanted;
-    if (this.#isAsking || !wanted) return;
+    if (this.#isAsking || !wanted || this.isPinned) return;
     this.#isAsking = true;
     const river = await this.events.river(wanted.place).catch((error) => {
       this.events.failed(error);
@@ -183,100 +227,57 @@ export class RiverPointer {
       this.hide();
       return;
     }
-    this.#shown = { river, how };
-    this.elements.frame.dataset["river"] = river.mark;
-    this.#lines.show(river);
-    this.#card.show(river);
+    this.#shown = { at: river, how };
+    this.#lay(river);
+    this.#card.hold([]);
     this.#placeCard();
     // Rivers under a moving mouse are not read aloud.
     if (how === "key") this.#announcement.textContent = this.#card.text;
   }
 
+  #lay(river: PointedRiver): void {
+    this.elements.frame.dataset["river"] = river.mark;
+    this.#lines.show(river);
+    this.#card.describe(titleOf(river), measuresOf(river), courseOf(river));
+  }
+
   #placeCard(): void {
     if (!this.#shown) return;
     const { frame, mapPlace } = this.elements;
-    const { x, y } = this.#shown.river;
+    const { x, y } = this.#shown.at;
     const map = mapPlace.getBoundingClientRect();
     const place = frame.getBoundingClientRect();
     const { left, top, right, bottom } = this.events.covered();
-    const free = { left, top, right: place.width - right, bottom: place.height - bottom };
+    const free = { left, top, right: place.width - right, bottom: Math.min(place.height - bottom, seenBelow()) };
     const spot = { x: map.left - place.left + x * map.width, y: map.top - place.top + y * map.height };
-    this.#card.place(spot, this.#lines.extent, free);
+    this.#card.place(spot, this.#lines.extent(!this.isPinned), free);
   }
 }
 
-/** The edges of a part of the page, in CSS pixels. */
-type Edges = Insets;
+/** Less than rivers are apart, as a share of the map's width. */
+const HERE = 1e-4;
 
-/** The drawing of the way to the sea and of the basin. */
-class Lines {
-  readonly element = mapLayer("river-pointer");
-  readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => svg("path", { class: name }));
-
-  constructor() {
-    this.element.append(...this.#paths);
-  }
-
-  show({ basin, way, x, y, size: [width, height] }: PointedRiver): void {
-    this.element.removeAttribute("hidden");
-    this.element.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const spot = `M${x * width} ${y * height}h0`;
-    for (const [i, data] of [basin, way, way, spot, spot].entries()) {
-      if (this.#paths[i]?.getAttribute("d") !== data) this.#paths[i]?.setAttribute("d", data);
-    }
-  }
-
-  hide(): void {
-    this.element.setAttribute("hidden", "");
-  }
-
-  /** Its top and bottom on the page. */
-  get extent(): { top: number; bottom: number } {
-    const [basin, way] = this.#paths.map((path) => path.getBoundingClientRect());
-    if (!basin || !way) return { top: 0, bottom: 0 };
-    // The basin of a river may be empty.
-    const boxes = basin.height > 0 ? [basin, way] : [way];
-    return { top: Math.min(...boxes.map(({ top }) => top)), bottom: Math.max(...boxes.map(({ bottom }) => bottom)) };
-  }
+/** Returns a place of the map under a point of the page. */
+export function placeOn(
+  mapPlace: HTMLElement,
+  clientX: number,
+  clientY: number,
+  reachPx: number,
+): { x: number; y: number; reach: number } {
+  const { left, top, width, height } = mapPlace.getBoundingClientRect();
+  return { x: (clientX - left) / width, y: (clientY - top) / height, reach: reachPx / width };
 }
 
-/** The card that describes a river in words. */
-class Card {
-  readonly #title = el("p", { class: "river-name", dir: "auto" });
-  readonly #measures = el("p");
-  readonly #course = el("p");
-  readonly element = el("div", { class: "river-card", hidden: true }, this.#title, this.#measures, this.#course);
+/** Returns how far down the window is seen: a phone's keyboard may cover the rest. */
+function seenBelow(): number {
+  const { offsetTop = 0, height = innerHeight } = window.visualViewport ?? {};
+  return offsetTop + height;
+}
 
-  get text(): string {
-    return [this.#title, this.#measures, this.#course].map(({ textContent }) => `${textContent}.`).join(" ");
-  }
-
-  show(river: PointedRiver): void {
-    setText(this.#title, titleOf(river));
-    setText(this.#measures, measuresOf(river));
-    setText(this.#course, courseOf(river));
-    this.element.hidden = false;
-  }
-
-  hide(): void {
-    this.element.hidden = true;
-  }
-
-  /**
-   * Puts the card beside a spot if there is room. On narrow screens, where it would cover half the map, it goes below
-   * or above the highlighted part.
-   */
-  place(spot: Point, lit: Pick<Edges, "top" | "bottom">, free: Edges): void {
-    const { offsetWidth: width, offsetHeight: height } = this.element;
-    const isNarrow = free.right - free.left < NARROW_PX;
-    const beside = (before: number, after: number, length: number, from: number, to: number): number => {
-      const wanted = after + CARD_GAP_PX + length <= to ? after + CARD_GAP_PX : before - CARD_GAP_PX - length;
-      return Math.max(from, Math.min(wanted, to - length));
-    };
-    const down = isNarrow ? lit : { top: spot.y, bottom: spot.y };
-    this.element.style.left = `${beside(spot.x, spot.x, width, free.left, free.right)}px`;
-    this.element.style.top = `${beside(down.top, down.bottom, height, free.top, free.bottom)}px`;
-  }
+/** Returns the point in the middle of a line; nothing of an empty one. */
+function middleOf(line: ArrayLike<number>): (number | undefined)[] {
+  const i = 2 * Math.floor(line.length / 4);
+  return [line[i], line[i + 1]];
 }
 
 /** Returns whether a mark is a river's. Marks of seas, lakes, islands, meanders and the map begin with a letter. */

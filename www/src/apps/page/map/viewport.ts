@@ -18,6 +18,8 @@ import type {
   Answers,
   Making,
   Moment,
+  NameablePlace,
+  Nameables,
   Overlay,
   OverlayName,
   PointedRiver,
@@ -207,6 +209,12 @@ export class RiverViewport {
   async river(place: RiverPlace): Promise<PointedRiver | undefined> {
     const river = await this.#ask({ about: "river", of: this.#id, place });
     return river?.link === this.#wanted.link ? river : undefined;
+  }
+
+  /** Returns what has a name, or could have one, at a place of the finished map, if it is the one that was shown last. */
+  async nameables(place: NameablePlace): Promise<Nameables | undefined> {
+    const found = await this.#ask({ about: "nameables", of: this.#id, place });
+    return found?.link === this.#wanted.link ? found : undefined;
   }
 
   /**

@@ -4,7 +4,8 @@ import { named } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
 import { isRiver } from "../look-inside/river-pointer.ts";
 import type { RiverViewport } from "../map/viewport.ts";
-import { type Named, NameList, namedOf } from "./name-list.ts";
+import { isOwnName } from "../naming/own-names.ts";
+import { NAMED_RIVERS, type Named, NameList, namedOf } from "./name-list.ts";
 
 export interface MapNamesEvents {
   /** Called with the parameter `names` when the visitor has renamed something. */
@@ -13,13 +14,10 @@ export interface MapNamesEvents {
   refused(message: string): void;
 }
 
-/** The number of rivers in the panel's list. */
-const NAMED_RIVERS = 12;
-
 export class MapNames {
   readonly list = new NameList({
     names: () => this.#all(),
-    rename: (mark, name) => void this.#rename(mark, name),
+    rename: (mark, name) => void this.#renameInList(mark, name),
   });
 
   constructor(
@@ -58,10 +56,24 @@ export class MapNames {
     }
   }
 
-  /** Gives something on the map another name, or its usual one. */
-  async #rename(mark: string, name: string | undefined): Promise<void> {
+  /** Returns whether the visitor gave something its name. */
+  isOwn(mark: string): boolean {
+    return isOwnName(this.#own, mark);
+  }
+
+  /** Gives something on the map another name, or its usual one. Rejects if that is not possible. */
+  async rename(mark: string, name: string | undefined): Promise<void> {
+    this.events.changed(await this.viewport.renamed(() => this.#own, mark, name));
+  }
+
+  /** The names that the visitor gave, as a link has them. */
+  get #own(): string {
+    return this.recipe.values.get("names") ?? "";
+  }
+
+  async #renameInList(mark: string, name: string | undefined): Promise<void> {
     try {
-      this.events.changed(await this.viewport.renamed(() => this.recipe.values.get("names") ?? "", mark, name));
+      await this.rename(mark, name);
     } catch (thrown) {
       this.events.refused(named(thrown).message);
       this.list.restore();

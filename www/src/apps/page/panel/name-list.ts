@@ -17,16 +17,19 @@ export interface NameListEvents {
   rename(mark: string, name: string | undefined): void;
 }
 
+/** The number of rivers in the list, besides those with names of the visitor's. */
+export const NAMED_RIVERS = 12;
+
 const KINDS: Record<string, string> = {
-  t: "Map",
-  m: "Meanders",
-  s: "Sea",
-  l: "Lake",
-  i: "Island",
-  b: "Bay",
-  c: "Cape",
-  n: "Strait",
-  h: "Range",
+  t: "map",
+  m: "winding stretch",
+  s: "sea",
+  l: "lake",
+  i: "island",
+  b: "bay",
+  c: "cape",
+  n: "strait",
+  h: "range",
 };
 const HELP = "help-names";
 
@@ -81,7 +84,7 @@ export class NameList implements Control {
     names.forEach((named, i) => {
       const row = this.#rows.get(named.mark) ?? this.#row(named.mark);
       this.#rows.set(named.mark, row);
-      row.show(named, kindOf(named.mark) ?? `River ${++rivers}`);
+      row.show(named, kindOf(named.mark) ?? riverOf(++rivers));
       // Moved only if necessary, since moving takes the focus.
       if (this.#list.children[i] !== row.element) this.#list.insertBefore(row.element, this.#list.children[i] ?? null);
     });
@@ -122,7 +125,8 @@ export class NameList implements Control {
       field.focus();
     });
     return {
-      element: el("li", { "data-mark": mark }, kind, field, reset),
+      // As in "Silverrun, the greatest river".
+      element: el("li", { "data-mark": mark }, field, kind, reset),
       field,
       restore,
       show(named, word) {
@@ -130,7 +134,7 @@ export class NameList implements Control {
         name = named.name;
         if (!isTyping) restore();
         field.readOnly = false;
-        field.setAttribute("aria-label", word);
+        field.setAttribute("aria-label", word.charAt(0).toUpperCase() + word.slice(1));
         kind.textContent = word;
         reset.hidden = !named.isOwn;
         reset.setAttribute("aria-label", `Reset ${name === "" ? word : name}`);
@@ -141,7 +145,14 @@ export class NameList implements Control {
 
 /** The word for what a mark stands for; none for a river's. */
 function kindOf(mark: string): string | undefined {
-  return mark === "i0" ? "Land" : KINDS[mark.charAt(0)];
+  return mark === "i0" ? "land" : KINDS[mark.charAt(0)];
+}
+
+/** Returns the word for a river by its rank. Those after the greatest are listed for their own names, whatever their rank. */
+function riverOf(rank: number): string {
+  if (rank === 1) return "the greatest river";
+  if (rank > NAMED_RIVERS) return "smaller river";
+  return `${rank}${rank === 2 ? "nd" : rank === 3 ? "rd" : "th"} greatest river`;
 }
 
 /** Reads the engine's list of names, three texts each. */

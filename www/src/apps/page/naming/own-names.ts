@@ -1,0 +1,22 @@
+/** Names of one's own: which of them a change of the recipe lets go. */
+
+type Values = ReadonlyMap<string, string>;
+type Changes = readonly (readonly [key: string, value: string])[];
+
+/** The keys that decide where rivers, coasts and islands are at all. Others move them at most. */
+const COUNTRY: readonly string[] = ["seed", "land"];
+
+/**
+ * Returns the changes of a recipe, and with them that of its own names: they belong to seed and land, and would name
+ * nothing of another country. Changes that bring names keep those.
+ */
+export function withoutForeignNames(changes: Changes, values: Values): Changes {
+  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && values.get(key) !== value);
+  const bringsNames = changes.some(([key]) => key === "names");
+  return isOther && !bringsNames && values.get("names") ? [...changes, ["names", ""]] : changes;
+}
+
+/** Returns whether the parameter `names` gives something a name. */
+export function isOwnName(names: string, mark: string): boolean {
+  return names.split("_").some((one) => one.startsWith(`${mark}.`));
+}
