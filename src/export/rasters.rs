@@ -38,7 +38,7 @@ pub struct Rasters {
     pub scale: Scale,
     relief: Arc<Relief>,
     flow: Flow,
-    /// The columns west of the map and the rows north of it.
+    /// The number of columns west of the map and of rows north of it.
     before: (usize, usize),
     /// The height of each cell in steps of the scale.
     steps: Vec<u16>,
