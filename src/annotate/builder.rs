@@ -46,6 +46,8 @@ impl AnnotationBuilder {
     }
 
     /// Makes the rest of an annotation with its labels at once, and returns both.
+    // Once in a module, for all that call it.
+    #[inline(never)]
     fn with(labels: Vec<Label>, map: &Map, view: &View, ratio: f32) -> (AnnotationMasks, Vec<Label>) {
         let mut this = Self { labels: Some(labels), ..Self::default() };
         loop {
@@ -81,6 +83,8 @@ impl AnnotationBuilder {
     }
 }
 
+// Once in a module, for all that call it.
+#[inline(never)]
 fn labels_of(places: &mut Places, map: &Map, view: &View, ratio: f32) -> Vec<Label> {
     let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
     labels_in(places, map, view.uncovered(), view.scale / ratio)
