@@ -4,7 +4,7 @@ import type { Point } from "./camera.ts";
 
 /** The limits of a tap in time and movement, and of the second tap after the first, in ms and CSS pixels. */
 const TAP_MS = 300;
-const PAUSE_MS = 350;
+export const PAUSE_MS = 350;
 const TAP_PX = 12;
 const APART_PX = 40;
 
