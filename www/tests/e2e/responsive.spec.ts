@@ -125,7 +125,9 @@ test("the screen shows the picture's own pixels, not a stretched copy, in window
 }) => {
   await openFinished(page, "land=island&attractors=300");
   await page.evaluate(() => {
-    for (const over of document.querySelectorAll<HTMLElement>(".masthead, .caption, .zoom, .bar, .styles, .notices"))
+    for (const over of document.querySelectorAll<HTMLElement>(
+      ".masthead, .caption, .zoom, .bar, .styles, .notices, .welcome",
+    ))
       over.style.visibility = "hidden";
   });
   const different = async (): Promise<number> => {
