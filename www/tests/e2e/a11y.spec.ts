@@ -57,7 +57,7 @@ test("axe finds nothing in forced colours, and the sliders are the system's", as
 });
 
 test("the picture is one image with a name, and growth can be paused @core", async ({ page }) => {
-  await openStopped(page, "seed=rimu&attractors=300");
+  await openStopped(page, "seed=rimu&attractors=300&style=ink&labels=none");
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
   await page.clock.resume();
   await finished(page);

@@ -19,10 +19,10 @@ import {
 import { core } from "./tiers.ts";
 
 /** Few attractors: these tests are about controls. */
-const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1";
+const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1&style=ink&labels=none";
 
 /** As rivers grow unless a link says otherwise; with fewer parcels they hardly capture one another. */
-const DRAINED = "seed=kauri&attractors=3000&edition=1";
+const DRAINED = "seed=kauri&attractors=3000&edition=1&style=ink&labels=none";
 
 /** By the names that they have in the panel. */
 const adjustable = table.parameters

@@ -5,7 +5,7 @@ import { violations } from "./axe.ts";
 import { address, complaints, expectAddress, finished, openFinished, openPanel, openWithPanel } from "./riverpage.ts";
 
 /** A map that somebody has made, unlike any country of the page. */
-const MADE = "seed=rimu&land=island&attractors=300&meander-rounds=4";
+const MADE = "seed=rimu&land=island&attractors=300&meander-rounds=4&style=ink&labels=none";
 
 test("every kind of country has a picture on its button, which is not fetched before the panel opens", async ({
   page,

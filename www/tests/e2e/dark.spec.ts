@@ -2,7 +2,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 import { expectAddress, finished, openFinished, openUnfolded, shown } from "./riverpage.ts";
 
-const LINK = "seed=rimu&attractors=300";
+const LINK = "seed=rimu&attractors=300&labels=none";
 
 /** Waits until the page shows what the core draws of a link. */
 async function expectPicture(page: Page, link: string): Promise<void> {

@@ -8,7 +8,7 @@ import { complaints, countCalls, openBegun, openFinished, ownClock, stopClock } 
 import { bytesOf, choose, download, saveButton, saved, saving } from "./saving.ts";
 import { core } from "./tiers.ts";
 
-const LINK = "seed=puriri&attractors=300";
+const LINK = "seed=puriri&attractors=300&style=ink&labels=none";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
 const PLAIN = `${LINK}&land=rectangle&aspect=1.5&sides=s&great-rivers=9&meander-elsewhere=1&meander-rounds=120&meander-strength=1`;
 

@@ -13,7 +13,7 @@ import {
   shown,
 } from "./riverpage.ts";
 
-const SMALL = "seed=kauri&attractors=300";
+const SMALL = "seed=kauri&attractors=300&style=ink&labels=none";
 const BLOB = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map((i) => {
   const angle = (i / 12) * 2 * Math.PI;
   const radius = 0.3 + 0.06 * Math.sin(3 * angle);

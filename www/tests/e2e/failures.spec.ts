@@ -29,7 +29,7 @@ test("the engine's file is missing: the site has changed, and a new load finds i
 
 test("the worker's script and what stands in for it are missing: the site has changed", async ({ page }) => {
   await missing(page, /\/page-(worker|backend)-[^/]*\.js$/);
-  await page.goto("./?attractors=300");
+  await page.goto("./?attractors=300&style=ink&labels=none");
   await expectFailure(page, "file-missing", /Load the page again/);
   await expect(page.getByRole("alert")).toHaveCount(1);
 });
@@ -46,7 +46,7 @@ for (const [what, files] of [
       if (request.isNavigationRequest()) loads++;
     });
     await missing(page, files);
-    await page.goto("./?attractors=300#here");
+    await page.goto("./?attractors=300&style=ink&labels=none#here");
     await expect(page.getByRole("alert")).toContainText("This site has just changed");
     await expect(page.getByText("Preparing the rivers")).toBeHidden();
     await expect(page.getByText("may have been blocked")).toBeHidden();
@@ -93,7 +93,7 @@ test("the right bytes under the wrong type still grow", async ({ page }) => {
     const response = await route.fetch();
     await route.fulfill({ contentType: "application/octet-stream", body: await response.body() });
   });
-  await page.goto("./?attractors=300");
+  await page.goto("./?attractors=300&style=ink&labels=none");
   await finished(page);
 });
 
@@ -110,7 +110,7 @@ async function runUntil(page: Page, isSeen: () => Promise<boolean>): Promise<voi
 test("an engine that never comes is given up by name, and a new load finds it @core", async ({ page }) => {
   await page.clock.install();
   await page.route("**/*.wasm", () => {});
-  await page.goto("./?attractors=300");
+  await page.goto("./?attractors=300&style=ink&labels=none");
   await expect(page.getByText("Preparing the rivers")).toBeVisible();
   await runUntil(page, () => page.getByRole("alert").isVisible());
   await expectFailure(page, "wasm-timeout", /Check the connection/);
@@ -134,7 +134,7 @@ test("a browser without WebAssembly, which asks for nothing again @core", async 
     return route.continue();
   });
   await page.addInitScript(() => Reflect.deleteProperty(globalThis, "WebAssembly"));
-  await page.goto("./?attractors=300");
+  await page.goto("./?attractors=300&style=ink&labels=none");
   await expectFailure(page, "wasm-unsupported", /Update the browser/);
   // With a link the page has asked for the engine before it could look.
   expect(downloads).toBe(1);
@@ -215,7 +215,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
 
 async function panicOnASlider(page: Page): Promise<void> {
   await trapOn(page, "river_adoptDraft");
-  await page.goto("./?growth=colonize&attractors=300");
+  await page.goto("./?growth=colonize&attractors=300&style=ink&labels=none");
   await finished(page);
   await unfold(page);
   await trap(page);
@@ -237,7 +237,7 @@ test("after a panic the rivers can still be had as a file", async ({ page }) => 
 
 test("a panic while a link is read leaves advice, not a dead page", async ({ page }) => {
   await trapOn(page, "readLink");
-  await page.goto("./?attractors=300");
+  await page.goto("./?attractors=300&style=ink&labels=none");
   await finished(page);
   await trap(page);
   await page.getByRole("button", { name: "A new seed by chance" }).click();
@@ -246,7 +246,7 @@ test("a panic while a link is read leaves advice, not a dead page", async ({ pag
 
 test("a river too large for this device is refused and the last one stays", async ({ page }) => {
   await trapOn(page, "river_adoptDraft", "too-large");
-  await page.goto("./?growth=colonize&attractors=300");
+  await page.goto("./?growth=colonize&attractors=300&style=ink&labels=none");
   await finished(page);
   await unfold(page);
   await trap(page);
@@ -264,7 +264,7 @@ for (const code of ["no-memory", "too-large", undefined]) {
       if (message.text().startsWith("riverseed:")) warnings.push(message.text());
     });
     await trapOn(page, "river_copy", code);
-    await page.goto("./?seed=rimu&growth=colonize&attractors=300");
+    await page.goto("./?seed=rimu&growth=colonize&attractors=300&style=ink&labels=none");
     await finished(page);
     await trap(page);
     await page.getByLabel("Seed", { exact: true }).fill("como");
@@ -283,7 +283,7 @@ for (const code of ["no-memory", "too-large", undefined]) {
 
 test("dice that cannot be thrown say so, and the map stays", async ({ page }) => {
   await trapOn(page, "freshSeed", "no-randomness");
-  await page.goto("./?seed=rimu&growth=colonize&attractors=300");
+  await page.goto("./?seed=rimu&growth=colonize&attractors=300&style=ink&labels=none");
   await finished(page);
   await trap(page);
   await page.getByRole("button", { name: "A new seed by chance" }).click();

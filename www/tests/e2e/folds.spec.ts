@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { openWithPanel } from "./riverpage.ts";
 
-const SMALL = "seed=kauri&growth=colonize&attractors=300";
+const SMALL = "seed=kauri&growth=colonize&attractors=300&style=ink&labels=none";
 
 function group(page: Page, heading: string): Locator {
   return page.locator(".group").filter({ has: page.getByRole("heading", { name: heading, exact: true }) });

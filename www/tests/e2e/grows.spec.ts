@@ -47,7 +47,7 @@ test("a visitor sees a finished map, may see it grow again, and then its counts 
 });
 
 test("the finished river is announced once, and is the picture's alternative @core", async ({ page }) => {
-  await openStopped(page, "seed=rimu&attractors=300");
+  await openStopped(page, "seed=rimu&attractors=300&style=ink&labels=none");
   await expect(page.locator("#canvas")).toHaveAttribute("aria-label", /still growing/);
   await page.clock.resume();
   await finished(page);
@@ -56,15 +56,15 @@ test("the finished river is announced once, and is the picture's alternative @co
 });
 
 test("the animated river ends as the one that is drawn at once @core", async ({ page }) => {
-  await openStopped(page, "seed=totara&attractors=800");
+  await openStopped(page, "seed=totara&attractors=800&style=ink&labels=none");
   await page.clock.resume();
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=totara&attractors=800", width, height, framing).sha256);
+  expect(sha256).toBe(pictureOf("seed=totara&attractors=800&style=ink&labels=none", width, height, framing).sha256);
 });
 
 test("pause holds the river, play goes on to the same end @core", async ({ page }) => {
-  await growSome(page, "seed=matai&attractors=800");
+  await growSome(page, "seed=matai&attractors=800&style=ink&labels=none");
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.runFor(100);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
@@ -77,13 +77,13 @@ test("pause holds the river, play goes on to the same end @core", async ({ page 
   await page.clock.resume();
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=matai&attractors=800", width, height, framing).sha256);
+  expect(sha256).toBe(pictureOf("seed=matai&attractors=800&style=ink&labels=none", width, height, framing).sha256);
 });
 
 test("replay grows the same river again", async ({ page }) => {
   const states = await recordStates(page);
   await ownClock(page);
-  await openFinished(page, "seed=rata&attractors=300");
+  await openFinished(page, "seed=rata&attractors=300&style=ink&labels=none");
   const first = await shown(page);
   await stopClock(page);
   await page.getByRole("button", { name: "Replay" }).click();
@@ -95,7 +95,7 @@ test("replay grows the same river again", async ({ page }) => {
 });
 
 test("speed goes up to instant, by keys", async ({ page }) => {
-  await page.goto("./?seed=hinau&attractors=300");
+  await page.goto("./?seed=hinau&attractors=300&style=ink&labels=none");
   const speed = page.getByRole("slider", { name: "Speed" });
   // Until the page is ready, it takes no focus.
   await expect(speed).toBeEnabled();
@@ -106,18 +106,18 @@ test("speed goes up to instant, by keys", async ({ page }) => {
 });
 
 test("another window size shows the same river, drawn for that size", async ({ page }) => {
-  await openFinished(page, "seed=tawa&attractors=500");
+  await openFinished(page, "seed=tawa&attractors=500&style=ink&labels=none");
   const before = await shown(page);
   await page.setViewportSize({ width: 700, height: 900 });
   await expect.poll(async () => (await shown(page)).width).not.toBe(before.width);
   const after = await shown(page);
-  expect(after.sha256).toBe(pictureOf("seed=tawa&attractors=500", after.width, after.height, after.framing).sha256);
+  expect(after.sha256).toBe(pictureOf("seed=tawa&attractors=500&style=ink&labels=none", after.width, after.height, after.framing).sha256);
   const { x, width } = (await page.locator("#canvas").boundingBox()) ?? { x: 0, width: 0 };
   expect(Math.round(x + width) - Math.round(x)).toBe(after.width);
 });
 
 test("a hidden tab does not draw, and goes on when it is seen", async ({ page }) => {
-  await growSome(page, "seed=miro&attractors=2000");
+  await growSome(page, "seed=miro&attractors=2000&style=ink&labels=none");
   const hide = (hidden: boolean) =>
     page.evaluate((value) => {
       Object.defineProperty(document, "hidden", { configurable: true, value });

@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { address, expectAddress, openFinished, openUnfolded, openWithPanel } from "./riverpage.ts";
 
-const LINK = "seed=kauri&attractors=1000";
+const LINK = "seed=kauri&attractors=1000&style=ink&labels=none";
 
 function seed(page: Page): string | null {
   return address(page).get("seed");

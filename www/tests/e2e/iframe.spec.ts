@@ -4,7 +4,7 @@ import { type Elsewhere, openElsewhere, showsRiver } from "./elsewhere.ts";
 import { complaints, openFinished } from "./riverpage.ts";
 import { expect, test } from "./widget/hosts.ts";
 
-const LINK = "seed=kowhai&attractors=300&curl=0.6";
+const LINK = "seed=kowhai&attractors=300&curl=0.6&style=ink&labels=none";
 
 test.use({ reducedMotion: "reduce", permissions: ["clipboard-read", "clipboard-write"] });
 

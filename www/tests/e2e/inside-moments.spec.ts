@@ -7,8 +7,8 @@ import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
-const COLONIZED = "seed=kauri&land=island&growth=colonize&valleys=0&attractors=900&meander-rounds=4&style=ink";
-const DRAINED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=4&style=ink";
+const COLONIZED = "seed=kauri&land=island&growth=colonize&valleys=0&attractors=900&meander-rounds=4&style=ink&labels=none";
+const DRAINED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=4&style=ink&labels=none";
 
 function card(page: Page) {
   return page.locator(".inside-card");

@@ -3,7 +3,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { address, expectAddress, finished, openFinished, openPanel, ownClock, stopClock } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 
 function overlayCard(page: Page) {
   return page.locator(".inside-card");

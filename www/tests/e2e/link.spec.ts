@@ -52,7 +52,7 @@ test("a slider that is dragged makes one entry of the history, and writes at a b
     }
   });
   await ownClock(page);
-  await openUnfolded(page, "seed=kauri&growth=colonize&attractors=200");
+  await openUnfolded(page, "seed=kauri&growth=colonize&attractors=200&style=ink&labels=none");
   await stopClock(page);
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "How much sea" }).focus();
@@ -134,10 +134,10 @@ function smallest(): string {
 }
 
 test("a link in the fragment, and going back, change the picture without a reload @core", async ({ page }) => {
-  await openFinished(page, "seed=first&attractors=300");
+  await openFinished(page, "seed=first&attractors=300&style=ink&labels=none");
   const first = await shown(page);
   await page.evaluate(() => {
-    location.hash = "seed=second&attractors=300";
+    location.hash = "seed=second&attractors=300&style=ink&labels=none";
   });
   await expect(page.locator("#title")).toHaveText("second");
   await finished(page);
@@ -187,7 +187,7 @@ test("a link in the fragment is opened once, however soon after another change",
 
 test("Copy link gives the whole address of what is shown, at once", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await openUnfolded(page, "seed=kowhai&attractors=300");
+  await openUnfolded(page, "seed=kowhai&attractors=300&style=ink&labels=none");
   await page.getByRole("button", { name: "Momentum", exact: true }).click();
   await page.getByRole("button", { name: "Copy link" }).click();
   await expect(page.locator("#shared")).toHaveText("Link copied.");
@@ -200,7 +200,7 @@ test("where copying is refused the link is shown instead", async ({ page }) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, "clipboard", { value: undefined });
   });
-  await openFinished(page, "seed=kowhai&attractors=300");
+  await openFinished(page, "seed=kowhai&attractors=300&style=ink&labels=none");
   await page.getByRole("button", { name: "Copy link" }).click();
   await expect(page.locator("#shared")).toContainText("seed=kowhai");
 });

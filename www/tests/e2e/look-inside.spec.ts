@@ -2,7 +2,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 const KEYS = { a: "attractors", t: "sources", o: "orders", b: "basins", d: "flow", f: "held", x: "captures" };
 
 function card(page: Page) {

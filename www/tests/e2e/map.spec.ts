@@ -5,7 +5,7 @@ import type { Framing } from "../../src/browser/canvas.ts";
 import { pictureOf } from "../core.ts";
 import { expectAddress, expectPictureOfAddress, finished, framing, openFinished, shown } from "./riverpage.ts";
 
-const LINK = "seed=rimu&attractors=900&style=atlas";
+const LINK = "seed=rimu&attractors=900&style=atlas&labels=none";
 
 /** Waits until the picture is painted for what it shows, and returns that. */
 async function painted(page: Page, before: Framing): Promise<Framing> {
@@ -174,7 +174,7 @@ test("a link that is pasted over the address can be undone, and redone", async (
   const undo = page.getByRole("button", { name: "Undo", exact: true });
   const redo = page.getByRole("button", { name: "Redo", exact: true });
   await page.evaluate(() => {
-    location.hash = "seed=como&attractors=300";
+    location.hash = "seed=como&attractors=300&style=ink&labels=none";
   });
   await expectAddress(page, "seed", "como");
   await expect(redo).toBeDisabled();

@@ -12,7 +12,7 @@ import {
   unfold,
 } from "./riverpage.ts";
 
-const LINK = "seed=kauri&attractors=600&meander-rounds=400";
+const LINK = "seed=kauri&attractors=600&meander-rounds=400&style=ink&labels=none";
 
 /** Pauses as soon as the river is in a phase; the picture that is then shown. The page's clock is stopped. */
 async function paused(page: Page, phase: string): Promise<string> {
@@ -63,7 +63,7 @@ test("replay grows and meanders again", async ({ page }) => {
 });
 
 test("a change of meanders while rivers grow does not disturb them, and counts in the end", async ({ page }) => {
-  await openStopped(page, "seed=kauri&attractors=3000");
+  await openStopped(page, "seed=kauri&attractors=3000&style=ink&labels=none");
   await paused(page, "growing");
   await unfold(page);
   await page.getByLabel("Strength, exact value").fill("0.9");
@@ -75,7 +75,7 @@ test("a change of meanders while rivers grow does not disturb them, and counts i
   await page.clock.resume();
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9", width, height, framing).sha256);
+  expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9&style=ink&labels=none", width, height, framing).sha256);
 });
 
 test("a change of meanders while rivers meander shows what comes of it", async ({ page }) => {
@@ -91,10 +91,10 @@ test("a change of meanders while rivers meander shows what comes of it", async (
 });
 
 test("rivers without meanders are finished when they are made", async ({ page }) => {
-  await page.goto("./?seed=kauri&attractors=300&meander=none");
+  await page.goto("./?seed=kauri&attractors=300&meander=none&style=ink&labels=none");
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=300&meander=none", width, height, framing).sha256);
+  expect(sha256).toBe(pictureOf("seed=kauri&attractors=300&meander=none&style=ink&labels=none", width, height, framing).sha256);
 });
 
 test("oxbow lakes are counted in words", async ({ page }) => {

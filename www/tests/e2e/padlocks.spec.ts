@@ -2,7 +2,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { expectAddress, finished, openWithPanel } from "./riverpage.ts";
 
-const LINK = "seed=rimu&land=valley&attractors=1500&meander-rounds=4&aspect=1.2";
+const LINK = "seed=rimu&land=valley&attractors=1500&meander-rounds=4&aspect=1.2&style=ink&labels=none";
 
 function padlock(page: Page, name: string) {
   return page.getByRole("button", { name: `Keep ${name}`, exact: true });

@@ -3,7 +3,7 @@ import { violations } from "./axe.ts";
 import { complaints, expectPictureOfAddress, finished, openFinished } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5";
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

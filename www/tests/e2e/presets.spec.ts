@@ -4,7 +4,7 @@ import { violations } from "./axe.ts";
 import { address, expectAddress, finished, openUnfolded } from "./riverpage.ts";
 
 /** A map that somebody has chosen: what presets do not speak of, and what they change unasked. */
-const CHOSEN = "seed=kauri&land=island&attractors=300&simplify=12&meander=flow&curl=0.3";
+const CHOSEN = "seed=kauri&land=island&attractors=300&simplify=12&meander=flow&curl=0.3&style=ink&labels=none";
 
 function press(page: Page, name: string): Promise<void> {
   return page.getByRole("button", { name, exact: true }).click();

@@ -3,7 +3,7 @@ import { PATIENCE_MS } from "../../src/apps/page-worker/inspections.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openBegun, openFinished, openPanel, openWithPanel } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 
 /** A place on the greatest river, in the page's pixels: where it is shown from by keys. */
 async function greatest(page: Page): Promise<{ x: number; y: number; name: string }> {

@@ -20,7 +20,7 @@ import {
   saving,
 } from "./saving.ts";
 
-const LINK = "seed=puriri&attractors=300&land=island&style=atlas";
+const LINK = "seed=puriri&attractors=300&land=island&style=atlas&labels=none";
 const NAMED = `${LINK}&labels=some`;
 
 /** RGBA, whatever a picture has. */

@@ -3,7 +3,7 @@ import { violations } from "./axe.ts";
 import { pixelsOf } from "./pixels.ts";
 import { address, complaints, expectAddress, finished, openFinished, openPanel } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&attractors=400&style=ink";
+const LINK = "seed=kauri&land=island&attractors=400&style=ink&labels=none";
 const NAMES = ["Original", "Momentum", "Curl", "Trimmed original", "Trimmed momentum", "Trimmed curl"];
 
 function sheet(page: Page) {

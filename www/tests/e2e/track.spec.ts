@@ -8,7 +8,7 @@ import { complaints, expectPictureOfAddress, finished, openBegun, openFinished, 
 import { download } from "./saving.ts";
 
 // A style with a relief, so that the last round is not the end.
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=9&style=survey";
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=9&style=survey&labels=none";
 const PARTS = ["growth", "bends", "map"];
 
 function track(page: Page) {

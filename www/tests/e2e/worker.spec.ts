@@ -149,7 +149,7 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
 });
 
 test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
-  await page.goto("./?seed=miro&attractors=4000&meander-rounds=400");
+  await page.goto("./?seed=miro&attractors=4000&meander-rounds=400&style=ink&labels=none");
   await finished(page);
   await page.getByRole("slider", { name: "Speed" }).press("Home");
   await page.getByRole("button", { name: "Replay" }).click();
@@ -177,7 +177,7 @@ test("what is said of the picture is of the river that was asked for last", asyn
       if (said.includes("Strahler")) seen.push([document.querySelector("#title")?.textContent ?? "", said]);
     }).observe(document, { subtree: true, childList: true, characterData: true, attributes: true });
   });
-  await openFinished(page, "seed=one&attractors=9000");
+  await openFinished(page, "seed=one&attractors=9000&style=ink&labels=none");
   // The second is on its way when the others are asked for, at once.
   await page.evaluate(async () => {
     const form = document.querySelector<HTMLFormElement>("#seed-form");
@@ -192,7 +192,7 @@ test("what is said of the picture is of the river that was asked for last", asyn
   const said = await page.evaluate(() => (globalThis as unknown as { said_: string[][] }).said_);
   const { summary } = pictureOf("seed=four&attractors=9000", 16, 16);
   expect(said.at(-1)?.[1]).toContain(`${summary.mouths} rivers`);
-  const first = pictureOf("seed=one&attractors=9000", 16, 16).summary;
+  const first = pictureOf("seed=one&attractors=9000&style=ink&labels=none", 16, 16).summary;
   const counts = said.filter(([title]) => title === "four").map(([, caption = ""]) => caption.split(",")[0]);
   // Until there is word of it, what was said before stays: of the first, never of those between.
   for (const count of counts) expect([`${first.mouths} rivers`, `${summary.mouths} rivers`]).toContain(count);

@@ -12,7 +12,7 @@ import { loadTeller, loadWriter, teller } from "../tell.ts";
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
-const LINK = "seed=kauri&attractors=300&meander-rounds=5";
+const LINK = "seed=kauri&attractors=300&meander-rounds=5&style=ink&labels=none";
 const core = { engine, memory, loadTeller, loadWriter, holdOn: () => {} };
 
 function grown(steps: number): engine.River {

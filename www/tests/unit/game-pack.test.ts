@@ -8,7 +8,7 @@ import { written } from "../tell.ts";
 // An archive takes seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
-const LINK = "seed=kauri&attractors=300&land=valley";
+const LINK = "seed=kauri&attractors=300&land=valley&style=ink&labels=none";
 
 function finished(): engine.River {
   const river = new engine.River(LINK);

@@ -15,7 +15,7 @@ vi.mock("../../../src/engine/write.ts", async () => {
   return { loadWriter };
 });
 
-const LINK = "seed=kauri&attractors=300&meander-rounds=5";
+const LINK = "seed=kauri&attractors=300&meander-rounds=5&style=ink&labels=none";
 
 /** As much of a player as is asked: its river, and how that stands. */
 function player(river: engine.River): RiverPlayer<engine.River> {
