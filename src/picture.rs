@@ -456,10 +456,14 @@ mod tests {
     #[test]
     fn a_map_is_painted_as_its_session_is_whatever_was_shown_before() {
         let mut picture = Picture::new(100, 80).unwrap();
-        for change in
-            ["style=ink", "style=atlas&labels=many&woods=1&hills=1", "land=island&style=night", "style=past-courses"]
-        {
-            let session = finished(&format!("{SMALL}&{change}"));
+        let labelled = SMALL.replace("labels=none", "labels=many");
+        for (small, change) in [
+            (SMALL, "style=ink"),
+            (&labelled, "style=atlas&woods=1&hills=1"),
+            (SMALL, "land=island&style=night"),
+            (SMALL, "style=past-courses"),
+        ] {
+            let session = finished(&format!("{small}&{change}"));
             let map = session.map().unwrap();
             assert!(picture.paint_map(&map).is_some(), "{change}");
             assert!(picture.pixmap().data() == painted(&session), "{change}");

@@ -104,8 +104,8 @@ def test_a_size_of_numpy_is_a_size(small: riverseed.Map) -> None:
 def test_too_little_memory_is_a_memory_error() -> None:
     program = """
 import resource, riverseed
-small = riverseed.grow("attractors=300")
-dense = riverseed.grow("growth=brownian&sensitivity=8&trim=0&meander=none")
+small = riverseed.grow("attractors=300&style=ink&labels=none")
+dense = riverseed.grow("growth=brownian&sensitivity=8&trim=0&meander=none&style=ink&labels=none")
 pages = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 makers = {
     "nodes": (1, lambda: dense.nodes),

@@ -134,7 +134,7 @@ fn rasters_have_the_size_asked_for_alone_and_in_a_pack() {
     }
     assert!(land == alone);
     let refused = |size: &str, out: &str| refusal(&["render", LINK, "--raster-size", size, "-o", out]);
-    for size in ["707", "4097"] {
+    for size in ["707", "4098"] {
         let text =
             format!("riverseed: --raster-size: rasters of this map are from 708 to 4097 pixels long, not {size}\n");
         assert_eq!(refused(size, "x.heights.png"), (2, text.clone()));

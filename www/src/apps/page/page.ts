@@ -344,6 +344,7 @@ class Page {
     const { seed } = this.#recipe;
     const names = await this.#names.refresh();
     if (this.#country.learn(names)) this.#showName();
+    this.#welcome.meet();
     this.#words.tell(names, seed, phase, summary);
   }
 

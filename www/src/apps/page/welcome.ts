@@ -44,6 +44,9 @@ function isFromHere({ address, referrer }: Arrival): boolean {
 }
 
 export class Welcome {
+  #isMet: boolean;
+  #invitation = "";
+
   constructor(
     private readonly elements: WelcomeElements,
     arrival: Arrival,
@@ -51,7 +54,7 @@ export class Welcome {
     grow: (word: string) => void,
   ) {
     const { form, word, hide } = elements;
-    form.hidden = !isMet(arrival, keeper);
+    this.#isMet = isMet(arrival, keeper);
     // A link that this tab has made itself is loaded again.
     if (!isLinked(arrival)) this.#keep();
     form.addEventListener("submit", (event) => {
@@ -63,13 +66,22 @@ export class Welcome {
     hide.addEventListener("click", () => this.leave());
   }
 
-  /** Says whose country it is, once that is known. */
+  /** Takes the name of the country, and says it if the visitor has been met. */
   show(name: string, seed: string): void {
-    if (!this.elements.form.hidden) setText(this.elements.line, invitation(name, seed));
+    this.#invitation = invitation(name, seed);
+    if (!this.elements.form.hidden) setText(this.elements.line, this.#invitation);
+  }
+
+  /** Meets the visitor, who has seen the country by now: before that, nothing should lie over it or move. */
+  meet(): void {
+    if (!this.#isMet) return;
+    this.elements.form.hidden = false;
+    setText(this.elements.line, this.#invitation);
   }
 
   /** Goes for good. */
   leave(): void {
+    this.#isMet = false;
     this.elements.form.hidden = true;
     this.#keep();
   }

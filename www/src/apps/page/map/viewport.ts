@@ -214,7 +214,8 @@ export class RiverViewport {
   /** Returns what has a name, or could have one, at a place of the finished map, if it is the one that was shown last. */
   async nameables(place: NameablePlace): Promise<Nameables | undefined> {
     const found = await this.#ask({ about: "nameables", of: this.#id, place });
-    return found?.link === this.#wanted.link ? found : undefined;
+    // A map that is not on show yet would take away what is opened over the last one.
+    return found?.link === this.#wanted.link && found.link === this.link ? found : undefined;
   }
 
   /**
@@ -301,7 +302,7 @@ export class RiverViewport {
     if (report.is === "failed") this.#fail(report);
   }
 
-  #show({ reading, state, phase, summary }: Extract<SceneReport, { is: "shown" }>): void {
+  #show({ reading, state, phase, summary, isUnnamed }: Extract<SceneReport, { is: "shown" }>): void {
     this.#reveal();
     this.#shown = { link: reading.link, aspect: reading.aspect, state };
     this.#asked = undefined;
@@ -310,7 +311,8 @@ export class RiverViewport {
     delete this.elements.frame.dataset["pending"];
     this.#becomeFramed(this.#wanted.framing);
     this.#wanted.framing = undefined;
-    if (state === "finished") this.#lastPicture.fade();
+    // Without its names, a map is not yet what the last one was.
+    if (state === "finished" && !isUnnamed) this.#lastPicture.fade();
     this.#tell((events) => events.changed(state, phase, summary));
   }
 
@@ -326,6 +328,7 @@ export class RiverViewport {
       delete this.elements.frame.dataset["pending"];
       this.#lastPicture.drop();
     }
+    if (code === "no-labels") this.#lastPicture.fade();
     this.#tell((events) => events.failed(error));
   }
 

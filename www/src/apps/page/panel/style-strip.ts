@@ -57,13 +57,13 @@ export class StyleStrip {
         el("span", {}, nameOf(value)),
       );
       button.addEventListener("click", () => this.#choose(value));
-      // Browsers do not scroll to an element that is partly visible.
-      button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
+      scrollsOnFocus(button);
       this.#buttons.set(value, { button, canvas });
       place.append(button);
     }
     this.#best = countries.filter(({ style }) => style !== undefined).map((country) => this.#makeBest(country));
     this.#more.addEventListener("click", () => this.#showMore());
+    scrollsOnFocus(this.#more);
     place.append(this.#more);
   }
 
@@ -134,6 +134,11 @@ export class StyleStrip {
     const image = new ImageData(pixels, width, height);
     this.#buttons.get(style)?.canvas.getContext("2d")?.putImageData(image, 0, 0);
   }
+}
+
+/** Brings a button into sight when it gets the focus: browsers do not scroll to an element that is partly visible. */
+function scrollsOnFocus(button: HTMLElement): void {
+  button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
 }
 
 /** Returns a link without its style. */

@@ -100,7 +100,7 @@ export function ownSizeOf(text: string): number | undefined {
 }
 
 /** Returns the sheet of paper that the chosen picture fills, if any, and the dots per inch of pictures for print. */
-export function paperOf({ size }: Readonly<Choices>): Partial<Omit<Sheet, "paper">> {
+export function paperOf({ size }: Pick<Choices, "size">): Partial<Omit<Sheet, "paper">> {
   // A custom size is one that somebody needs for print; screens do not ask for dots per inch.
   if (size === "own") return { dpi: PRINT_DPI };
   const { shorterSide, dpi } = SHEETS[size] ?? {};
