@@ -301,7 +301,7 @@ for (const preset of table.presets) {
     await expect(button).toHaveAttribute("aria-pressed", "true");
     await expect(page.locator('#presets [aria-pressed="true"]')).toHaveCount(1);
     await expect(page.locator("#presets")).toContainText(preset.help);
-    const expected = engine.readLink(`seed=kauri&attractors=300&preset=${preset.name}`).link;
+    const expected = engine.readLink(`seed=kauri&attractors=300&style=ink&labels=none&preset=${preset.name}`).link;
     await expect.poll(() => new URL(page.url()).search).toBe(`?${expected}`);
     await expectPictureOfAddress(page);
   });
@@ -364,7 +364,7 @@ test("everything can be reached and used by keyboard alone @core", async ({ page
     if (name === "") break;
     order.push(name);
   }
-  for (const id of ["play", "speed", "seed", "dice", "download", "copy", "reset", "shape", "draw", "share", "zoom-in"])
+  for (const id of ["play", "pace", "seed", "dice", "download", "copy", "reset", "shape", "draw", "share", "zoom-in"])
     expect(order).toContain(id);
   for (const { label } of table.presets) expect(order).toContain(label);
   for (const { key, kind } of controlled) {

@@ -5,7 +5,8 @@ import { violations } from "./axe.ts";
 import { address, complaints, expectAddress, finished, openFinished, openPanel, openWithPanel } from "./riverpage.ts";
 
 /** A map that somebody has made, unlike any country of the page. */
-const MADE = "seed=rimu&land=island&attractors=300&meander-rounds=4&style=ink&labels=none";
+const MADE = "seed=rimu&land=island&attractors=300&meander-rounds=4&labels=none";
+const STYLED = MADE.replace("&labels", "&style=past-courses&labels");
 
 test("every kind of country has a picture on its button, which is not fetched before the panel opens", async ({
   page,
@@ -60,28 +61,29 @@ test("a style leaves the map as it is, and offers the country it is best on: one
 }) => {
   const country = table.countries.find(({ name }) => name === "old-river");
   await openFinished(page, MADE);
+  await page.getByRole("button", { name: "More styles" }).click();
   const [style, best] = [onStrip(page, "Past courses"), onStrip(page, "Best on: Old river")];
   await expect(best).toBeHidden();
   await style.click();
-  await expectLink(page, `${MADE}&style=past-courses`);
+  await expectLink(page, STYLED);
   await expect(best).toBeVisible();
   await finished(page);
   expect(await violations(page)).toEqual([]);
   await best.click();
   const values = new URLSearchParams(country?.values.map(([key, value]) => [key, value]));
-  await expectLink(page, `seed=rimu&style=past-courses&${values}`);
+  await expectLink(page, `seed=rimu&style=past-courses&labels=none&${values}`);
   await expect(best).toBeHidden();
   await expect(style).toBeFocused();
   await finished(page);
   await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await expectLink(page, `${MADE}&style=past-courses`);
+  await expectLink(page, STYLED);
   await expect(best).toBeVisible();
   await onStrip(page, "Atlas").click();
   await expect(best).toBeHidden();
 });
 
 test("the country that a style offers leaves alone what is kept, and is not offered twice", async ({ page }) => {
-  await openWithPanel(page, `${MADE}&style=past-courses`);
+  await openWithPanel(page, STYLED);
   await page.getByRole("button", { name: "Keep all of Land", exact: true }).click();
   const best = onStrip(page, "Best on: Old river");
   await best.click();
@@ -94,6 +96,7 @@ test("the country that a style offers leaves alone what is kept, and is not offe
 test("on a phone the country that a style offers comes into sight beside it", async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   await openFinished(page, MADE);
+  await page.getByRole("button", { name: "More styles" }).click();
   const [style, best] = [onStrip(page, "Past courses"), onStrip(page, "Best on: Old river")];
   // At the end of the row, so that what comes after it is out of sight.
   await style.evaluate((button) => button.scrollIntoView({ inline: "end" }));

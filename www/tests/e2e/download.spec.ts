@@ -20,7 +20,7 @@ interface Feature {
 for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
   test(`an SVG, shown by a browser, is the picture of the page: ${style}${core(style === "ink")}`, async ({ page }) => {
     const said = complaints(page);
-    await openFinished(page, `${LINK}&aspect=1.5&land=island&style=${style}`);
+    await openFinished(page, `${LINK.replace("style=ink", `style=${style}`)}&aspect=1.5&land=island`);
     const { name, bytes } = await download(page, "Drawing");
     expect(name).toBe(`puriri-${style}.svg`);
     const seen = await page.evaluate(async (source) => {

@@ -106,7 +106,7 @@ test("the bar has the kind of land, and shows a drawn one only where there is on
 });
 
 test("a teacher comes to the six ways by two clicks, and is told what to do there", async ({ page }) => {
-  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  await openFinished(page, LINK);
   await page.getByRole("button", { name: "Help and keys" }).click();
   const sheet = page.getByRole("dialog", { name: "Riverseed" });
   await expect(sheet).toContainText("Play and pause them together");

@@ -117,7 +117,7 @@ async function type(page: Page, text: string, everyMs: number): Promise<void> {
 
 test("no letter of a sentence that is typed with no focus is a key, and one alone is @core", async ({ page }) => {
   await ownClock(page);
-  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  await openFinished(page, LINK);
   await stopClock(page);
   const before = page.url();
   for (const sentence of ["draw a country", "a book, please.", "llama", "What? A word."]) {
@@ -148,7 +148,7 @@ test("no letter of a sentence that is typed with no focus is a key, and one alon
 
 test("keys of a single character can be switched off for good, and all others go on @core", async ({ page }) => {
   await ownClock(page);
-  await openFinished(page, `${LINK}&style=ink&labels=none`);
+  await openFinished(page, LINK);
   const open = page.getByRole("button", { name: "Help and keys" });
   const sheet = page.getByRole("dialog", { name: "Riverseed" });
   const box = sheet.getByRole("checkbox", { name: "Single letters and signs are keys" });

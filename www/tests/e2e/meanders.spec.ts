@@ -75,7 +75,9 @@ test("a change of meanders while rivers grow does not disturb them, and counts i
   await page.clock.resume();
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9&style=ink&labels=none", width, height, framing).sha256);
+  expect(sha256).toBe(
+    pictureOf("seed=kauri&attractors=3000&meander-strength=0.9&style=ink&labels=none", width, height, framing).sha256,
+  );
 });
 
 test("a change of meanders while rivers meander shows what comes of it", async ({ page }) => {
@@ -94,7 +96,9 @@ test("rivers without meanders are finished when they are made", async ({ page })
   await page.goto("./?seed=kauri&attractors=300&meander=none&style=ink&labels=none");
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=300&meander=none&style=ink&labels=none", width, height, framing).sha256);
+  expect(sha256).toBe(
+    pictureOf("seed=kauri&attractors=300&meander=none&style=ink&labels=none", width, height, framing).sha256,
+  );
 });
 
 test("oxbow lakes are counted in words", async ({ page }) => {

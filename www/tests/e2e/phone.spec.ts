@@ -116,7 +116,7 @@ test("the speed of growth is at hand on a phone", async ({ page }) => {
     await expect(pace).toHaveText(name);
   }
   await pace.tap();
-  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.setViewportSize({ width: 1440, height: 800 });
   await expect(pace).toBeHidden();
   await expect(page.locator("#speed")).toHaveAttribute("aria-valuetext", "2×");
   await finished(page);

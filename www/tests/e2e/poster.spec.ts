@@ -56,8 +56,11 @@ for (const colorScheme of ["light", "dark"] as const)
       const asked = posters(page);
       const said = complaints(page);
       await openFinished(page);
-      const link = POSTERS.find(({ file }) => file === asked[0])?.link ?? "";
-      await expect.poll(() => address(page).toString()).toBe(engine.readLink(link).link);
+      const values = new URLSearchParams(POSTERS.find(({ file }) => file === asked[0])?.link);
+      await expect(page.locator("html")).toHaveAttribute("data-style", values.get("style") ?? "atlas");
+      // The page itself chose the style, so the address does not name it.
+      values.delete("style");
+      await expect.poll(() => address(page).toString()).toBe(engine.readLink(values.toString()).link);
       expect(asked).toHaveLength(1);
       expect(said).toEqual([]);
     });

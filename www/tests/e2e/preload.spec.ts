@@ -68,7 +68,7 @@ test("an embedded river fetches the engine once: its worker could not use what t
   const said = complaints(page);
   const asked: string[] = [];
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
-  await page.goto("./embed.html?attractors=300");
+  await page.goto("./embed.html?attractors=300&labels=none");
   await expect(page.locator("html")).toHaveAttribute("data-state", "ready");
   expect(asked.filter((path) => path.endsWith(".wasm"))).toHaveLength(1);
   expect(said).toEqual([]);

@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { PATIENCE_MS } from "../../src/apps/page-worker/inspections.ts";
 import { violations } from "./axe.ts";
-import { complaints, finished, openBegun, openFinished, openPanel, openWithPanel } from "./riverpage.ts";
+import { complaints, finished, openFinished, openPanel, openStopped, openWithPanel } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 
@@ -117,7 +117,7 @@ test("keys walk through the greatest rivers, and each is announced", async ({ pa
 });
 
 test("a name that has the focus in the panel shows its river", async ({ page }) => {
-  await openWithPanel(page, `${LINK}&labels=some`);
+  await openWithPanel(page, LINK.replace("labels=none", "labels=some"));
   await page.getByRole("heading", { name: "Names" }).click();
   const field = page.getByLabel("2nd greatest river", { exact: true });
   await field.focus();
@@ -127,10 +127,10 @@ test("a name that has the focus in the panel shows its river", async ({ page }) 
 });
 
 test("of a river that grows nothing is shown", async ({ page }) => {
-  await openBegun(page, LINK);
+  await openStopped(page, LINK);
   await page.mouse.move(600, 400);
   await page.clock.runFor(200);
-  await expect(page.locator("#frame")).toHaveAttribute("data-state", "settling");
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   await expect(card(page)).toBeHidden();
 });
 

@@ -213,7 +213,7 @@ async function record(page: Page, what: "state" | "phase"): Promise<() => Promis
 }
 
 /** What Playwright itself says on a page that would be kept for offline. */
-const BLOCKED = "Service Worker registration blocked by Playwright";
+export const BLOCKED = "Service Worker registration blocked by Playwright";
 
 /** Collects what the page complains about. */
 export function complaints(page: Page): string[] {

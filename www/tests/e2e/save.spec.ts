@@ -21,7 +21,7 @@ import {
 } from "./saving.ts";
 
 const LINK = "seed=puriri&attractors=300&land=island&style=atlas&labels=none";
-const NAMED = `${LINK}&labels=some`;
+const NAMED = LINK.replace("labels=none", "labels=some");
 
 /** RGBA, whatever a picture has. */
 function pixelsOf({ data, channels, width, height }: DecodedPng): Uint8Array {

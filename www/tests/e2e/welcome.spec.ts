@@ -107,6 +107,7 @@ for (const [width, height] of [
   test(`it covers neither the title nor a control, ${width} by ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await openFinished(page, LINK);
+    await expect(welcome(page)).toBeVisible();
     const box = await welcome(page).boundingBox();
     if (!box) throw new Error("no line");
     expect(box.x).toBeGreaterThanOrEqual(0);
@@ -114,6 +115,7 @@ for (const [width, height] of [
     const covered = await page.evaluate(({ x, y, width, height }) => {
       const others = document.querySelectorAll("#title, .masthead h1, .masthead a, .zoom, .styles, .bar");
       return [...others].filter((other) => {
+        if (!other.checkVisibility({ visibilityProperty: true })) return false;
         const { left, top, right, bottom } = other.getBoundingClientRect();
         return right > left && left < x + width && right > x && top < y + height && bottom > y;
       }).length;

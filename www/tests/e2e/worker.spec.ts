@@ -149,6 +149,8 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
 });
 
 test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
+  // In narrower windows a button is in the slider's place.
+  await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto("./?seed=miro&attractors=4000&meander-rounds=400&style=ink&labels=none");
   await finished(page);
   await page.getByRole("slider", { name: "Speed" }).press("Home");

@@ -12,7 +12,7 @@ import { loadTeller, loadWriter, teller } from "../tell.ts";
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
-const LINK = "seed=kauri&attractors=300&meander-rounds=5&style=ink&labels=none";
+const LINK = "seed=kauri&attractors=300&meander-rounds=5&labels=none";
 const core = { engine, memory, loadTeller, loadWriter, holdOn: () => {} };
 
 function grown(steps: number): engine.River {
@@ -154,7 +154,7 @@ test("a sheet of paper lies as the map does, shows all of it in the middle, and 
 });
 
 test("a game pack's picture has exactly the core's pixels, and carries its link", async () => {
-  const link = "seed=kauri&attractors=300&land=valley&style=atlas";
+  const link = "seed=kauri&attractors=300&land=valley&style=atlas&labels=none";
   const pack = await (await fileOf(new engine.River(link), core, "zip")).arrayBuffer();
   const map = unzipSync(new Uint8Array(pack))["map.png"] ?? new Uint8Array();
   const { data, text } = decode(map, { checkCrc: true });

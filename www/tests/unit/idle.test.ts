@@ -7,7 +7,7 @@ import { outlineOf } from "../tracing.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
-  "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
+  "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink&labels=none";
 /** Long enough for some side branches to be about as long. */
 const COARSE = `${PLAIN.replace("trim=20", "trim=60")}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
 const OUTLINE = outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);

@@ -104,7 +104,9 @@ test("after 1.2 seconds more than half of what is drawn in the end is there", ()
   const banner = "land=rectangle&aspect=3&sides=e&mouths=1&attractors=2500";
   // Where the sea rises at the end, all coasts change once more.
   const links = ["drainage", "colonize"].flatMap((growth) =>
-    ["", "&seed=skye", "&aspect=0.7&style=dark", `&${banner}`].map((rest) => `growth=${growth}&drowning=0${rest}`),
+    ["", "&seed=skye", "&aspect=0.7&style=dark", `&${banner}`].map(
+      (rest) => `growth=${growth}&drowning=0&labels=none${rest}${rest.includes("style") ? "" : "&style=ink"}`,
+    ),
   );
   for (const link of links) {
     const seen: Uint8Array[] = [];

@@ -136,11 +136,11 @@ test("a style that was chosen on a light page is told by the link, and so it is 
   const recipe = fresh();
   recipe.open("seed=rimu");
   expect(recipe.link).toBe("seed=rimu&edition=1");
-  recipe.set([["style", "ink"]]);
-  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1&style=ink", "seed=rimu&edition=1"]);
+  recipe.set([["style", "atlas"]]);
+  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1&style=atlas", "seed=rimu&edition=1"]);
   const onDark = new Recipe(engine.readLink, "", () => true);
   onDark.open(recipe.link);
-  expect(onDark.values.get("style")).toBe("ink");
+  expect(onDark.values.get("style")).toBe("atlas");
 });
 
 test("when pages become dark, a style that was chosen stays, and where none was the dark one is the default", () => {
@@ -152,15 +152,15 @@ test("when pages become dark, a style that was chosen stays, and where none was 
   };
   const style = () => [recipe.values.get("style"), recipe.defaults.get("style")];
   recipe.open("seed=rimu");
-  expect(style()).toEqual(["ink", "ink"]);
+  expect(style()).toEqual(["atlas", "atlas"]);
   flip();
   expect(style()).toEqual(["night", "night"]);
   flip();
-  recipe.set([["style", "ink"]]);
+  recipe.set([["style", "atlas"]]);
   recipe.restore(recipe.shown);
   flip();
-  expect(style()).toEqual(["ink", "night"]);
-  expect(recipe.link).toBe("seed=rimu&edition=1&style=ink");
+  expect(style()).toEqual(["atlas", "night"]);
+  expect(recipe.link).toBe("seed=rimu&edition=1&style=atlas");
 });
 
 test("what a widget does not grow is told, of a recipe that is shown whole", () => {

@@ -43,7 +43,9 @@ test("an iframe is named, lazy, fenced in, and has the river's shape", () => {
 test("a widget follows its page unless a style of one's own was chosen, and the page that it leads to has the whole link", () => {
   const link = "seed=a&style=atlas&curl=0.6";
   const following = { ...shared(link), widgetLink: withoutDefaultStyle(link, "atlas") };
-  expect(elementSnippet(following, "p.png")).toContain('<river-seed seed="a" curl="0.6" style="display:block;');
+  expect(elementSnippet(following, "p.png")).toContain(
+    '<river-seed seed="a" curl="0.6" maker="https://rivers.example/maps/" style="display:block;',
+  );
   expect(elementSnippet(following, "p.png")).toContain("?seed=a&amp;style=atlas&amp;curl=0.6");
   expect(iframeSnippet(following)).toContain('embed.html?seed=a&amp;curl=0.6"');
   expect(withoutDefaultStyle(link, "night")).toBe(link);

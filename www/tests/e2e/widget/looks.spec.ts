@@ -212,9 +212,13 @@ for (const [left, scale] of [
     const browser = await playwright.chromium.launch({ ...launchOptions, args });
     const page = await browser.newPage({ viewport: null });
     const style = `width: 333.4px; margin-left: ${left}px`;
-    const events = await open(page, blog, `<river-seed attractors="300" still style="${style}"></river-seed>`);
+    const events = await open(
+      page,
+      blog,
+      `<river-seed attractors="300" labels="none" still style="${style}"></river-seed>`,
+    );
     await heard(events, "complete");
-    await expectPicture(page, canonical("attractors=300"));
+    await expectPicture(page, canonical("attractors=300&labels=none"));
     await frames(page, 5);
     expect(await differing(page, scale)).toBe(0);
     await browser.close();
@@ -252,7 +256,7 @@ test.describe("labels", () => {
       if (place === "the page") blog.headers = { "content-security-policy": "worker-src 'none'" };
       const events = await listen(page);
       const attributes = 'seed="kauri" land="island" growth="drainage" attractors="1500" meander-rounds="5"';
-      blog.answer("/", { body: post(`<river-seed ${attributes}></river-seed>`) });
+      blog.answer("/", { body: post(`<river-seed ${attributes} labels="none"></river-seed>`) });
       await page.goto(blog.origin);
       await heard(events, "complete");
       expect(blog.asked).not.toContain("/widget/riverseed_tell_bg.wasm");

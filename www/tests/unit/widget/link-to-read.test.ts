@@ -41,5 +41,5 @@ const style = (link: string): string | null => new URLSearchParams(link).get("st
 test("on a dark page it is the dark style, unless another is chosen", () => {
   expect(style(created("seed=a", true).link)).toBe("night");
   expect(style(created("seed=a").link)).toBeNull();
-  expect(style(created("style=atlas", true).link)).toBe("atlas");
+  expect(style(created("style=ink", true).link)).toBe("ink");
 });
