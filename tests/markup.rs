@@ -18,7 +18,7 @@ use riverseed::{Map, Session};
 use roxmltree::Document;
 
 /// A small map with all that a file can say: names, trees and hills, lakes and former beds.
-const MAP: &str = "land=island&sea=0.55&attractors=900&trim=20&great-rivers=4&meander-rounds=40&aspect=1&labels=few&label-size=1.5&woods=0.2&hills=0.2";
+const MAP: &str = "land=island&sea=0.55&attractors=900&trim=20&great-rivers=4&meander-rounds=40&aspect=1&labels=few&label-size=1.5&woods=0.2&hills=0.2&neck=4&oxbows=1";
 
 /// What would end an attribute, begin an element or be something else than itself, if it were not escaped.
 const HOSTILE: &[&str] = &[
