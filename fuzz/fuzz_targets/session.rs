@@ -96,7 +96,7 @@ fn text_of(parameter: &Parameter, value: &Value) -> String {
             (min + (u64::from(max - min) * u64::from(share) / 65535) as u32).to_string()
         }
         Kind::Number { min, max, .. } => between(min, max, share),
-        Kind::Choice { choices } => choices[pick(choices.len())].name.into(),
+        Kind::Choice { choices, .. } => choices[pick(choices.len())].name.into(),
         Kind::Sides { .. } => ["n", "e", "s", "w", "ns", "ew", "nesw"][pick(7)].into(),
         Kind::Outline => [".AgAg_gAg_g_gAg_g", ".MzMzzMMzzMzMMzzM..M1M1zKM1"][pick(2)].into(),
         Kind::Text { .. } => share.to_string(),
