@@ -13,11 +13,16 @@ const LINK = "seed=kauri&attractors=600";
 const last = (page: Page) => page.locator(".last-picture");
 const throwDice = (page: Page) => page.getByRole("button", { name: "A new seed by chance" }).click();
 
-test("the last map stays until the next is finished, which is soon @core", async ({ page }) => {
+/** Opens a finished map whose page's clock stands still. */
+async function openStill(page: Page): Promise<void> {
   await fixChance(page);
   await ownClock(page);
   await openFinished(page, LINK);
   await stopClock(page);
+}
+
+test("the last map stays until the next is finished, which is soon @core", async ({ page }) => {
+  await openStill(page);
   await throwDice(page);
   await expect(last(page)).toBeVisible();
   await page.clock.runFor(500);
@@ -27,10 +32,7 @@ test("the last map stays until the next is finished, which is soon @core", async
 });
 
 test("thrown again and again, the dice keep the last whole map", async ({ page }) => {
-  await fixChance(page);
-  await ownClock(page);
-  await openFinished(page, LINK);
-  await stopClock(page);
+  await openStill(page);
   const shown = (): Promise<string> => last(page).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
   await throwDice(page);
   const first = await shown();
@@ -40,10 +42,7 @@ test("thrown again and again, the dice keep the last whole map", async ({ page }
 });
 
 test("who waits long is shown how far the next map is", async ({ page }) => {
-  await fixChance(page);
-  await ownClock(page);
-  await openFinished(page, LINK);
-  await stopClock(page);
+  await openStill(page);
   await page.evaluate(() => {
     // Nothing grows in a hidden tab.
     Object.defineProperty(document, "hidden", { configurable: true, value: true });
@@ -57,10 +56,7 @@ test("who waits long is shown how far the next map is", async ({ page }) => {
 });
 
 test("whoever moves the map meanwhile moves the next one", async ({ page }) => {
-  await fixChance(page);
-  await ownClock(page);
-  await openFinished(page, LINK);
-  await stopClock(page);
+  await openStill(page);
   await throwDice(page);
   await page.getByRole("button", { name: "Zoom in" }).click();
   await expect(last(page)).toHaveCount(0);
