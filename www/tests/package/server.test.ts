@@ -45,7 +45,7 @@ interface Feature {
   properties: Record<string, unknown>;
 }
 
-const NAMED = "seed=kauri&attractors=300&labels=many&names=t.Home&woods=0.5";
+const NAMED = "seed=kauri&attractors=300&labels=many&names=t.Home&woods=0.5&style=ink";
 
 test("in Node a link becomes an SVG file, GeoJSON and names, as the page makes them", () => {
   const program = `
