@@ -95,6 +95,9 @@ test("parts are those of the shadow tree, and custom properties those of its sty
   await page.goto("./blog/");
   const river = page.locator("river-seed");
   await expect(river.locator("canvas")).toBeVisible();
+  // There is no link unless an author names a page for it.
+  await river.evaluate((own) => own.setAttribute("maker", "https://rivers.example/"));
+  await expect(river.locator('[part="maker"]')).toHaveCount(1);
   const parts = await river.evaluate((own) =>
     Array.from(own.shadowRoot?.querySelectorAll("[part]") ?? [], (one) => one.getAttribute("part") ?? ""),
   );
