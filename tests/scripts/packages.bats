@@ -141,7 +141,7 @@ demo() {
 @test "a widget above its limit stops the check of weights, and no build" {
   mkdir "$checkout/www/dist-widget"
   local name
-  for name in core.js worker.js tag-page-backend.js riverseed_bg.wasm; do echo 1 >"$checkout/www/dist-widget/$name"; done
+  for name in core.js worker.js tag-page-backend.js river-seed.classic.js riverseed_bg.wasm; do echo 1 >"$checkout/www/dist-widget/$name"; done
   head -c 20000 /dev/urandom >"$checkout/www/dist-widget/river-seed.js"
   run on_machine node "$checkout/www/scripts/weigh-widget.mjs"
   succeeded

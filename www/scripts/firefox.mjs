@@ -43,6 +43,8 @@ async function open(path) {
 
 async function growsToTheEnd() {
   const { page, complaints } = await open("?seed=kauri&growth=colonize&attractors=1000");
+  await page.waitForSelector('#frame[data-state="finished"]');
+  await page.click("#play");
   await page.waitForSelector('#frame[data-state="growing"]');
   await page.waitForSelector('#frame[data-state="finished"]');
   const colours = await page.$eval("canvas", (canvas) => {
@@ -54,7 +56,7 @@ async function growsToTheEnd() {
     return new Set(new Uint32Array(data.buffer)).size;
   });
   assert.ok(colours > 10, `the canvas has ${colours} colours`);
-  assert.match(await page.$eval("#caption", (caption) => caption.textContent), /8 rivers, \d+ sources/);
+  assert.match(await page.$eval("#canvas", (canvas) => canvas.ariaLabel), /8 rivers, \d+ sources/);
   assert.deepEqual(complaints, []);
   await page.close();
   console.log("  a river grows to its end");
@@ -75,10 +77,10 @@ async function changesAndKeepsItsAddress() {
 }
 
 async function followsAFragment() {
-  const { page, complaints } = await open("?seed=kauri&attractors=300");
+  const { page, complaints } = await open("?seed=kauri&attractors=300&labels=none");
   await page.waitForSelector('#frame[data-state="finished"]');
   await page.evaluate(() => {
-    location.hash = "seed=rimu&attractors=300";
+    location.hash = "seed=rimu&attractors=300&labels=none";
   });
   await page.waitForFunction(() => document.querySelector("#title").textContent === "rimu");
   await page.waitForFunction(() => location.hash === "" && location.search.includes("rimu"));
