@@ -18,7 +18,7 @@ const BUILDS: Record<string, readonly string[]> = {
   classic: ["widget/classic"],
 };
 
-/** What stands in for a module in the classic script, which can load no other file. */
+/** The stand-in for a module in the classic script, which can load no other file. */
 const STAND_INS: Record<string, string> = {
   "./backend.ts": "src/apps/widget/page-host.ts",
   "../../engine/write.ts": "src/apps/widget/no-writer.ts",

@@ -38,7 +38,7 @@ impl AnnotationBuilder {
     pub fn headed(map: &Map, view: &View, ratio: f32, within: [Vec2; 2]) -> AnnotationMasks {
         let names = Names::of(map);
         let mut labels = labels_of(&mut Places::default(), map, view, ratio);
-        // What would stand in corners, and the country's name on its land, which would say the same again.
+        // Without blocks in corners, and without the country's name on its land, which would say the same again.
         labels.retain(|label| !label.kind.is_block() && label.text != names.title);
         let within = within.map(|corner| view.point(corner));
         labels.extend(heading(&names.title, &names.subtitle, within, LEAST_EM * ratio / view.scale));

@@ -8,7 +8,7 @@
 /** Most people type a sentence faster than this from key to key. */
 export const TYPING_MS = 500;
 
-/** Whether a key is to act now, is held back, or is part of a sentence. */
+/** The part that a key plays: it acts now, is held back, or belongs to a sentence. */
 export type Verdict = "acts" | "held" | "typed";
 
 export class Typing<Press> {

@@ -1,6 +1,14 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { complaints, expectPictureOfAddress, finished, openFinished } from "./riverpage.ts";
+import {
+  address,
+  complaints,
+  expectAddress,
+  expectPictureOfAddress,
+  finished,
+  fixChance,
+  openFinished,
+} from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
@@ -121,3 +129,21 @@ test("the speed of growth is at hand on a phone", async ({ page }) => {
   await expect(page.locator("#speed")).toHaveAttribute("aria-valuetext", "2×");
   await finished(page);
 });
+
+for (const [chosen, thrown] of [
+  ["", "0.75"],
+  ["&aspect=2", "2"],
+] as const)
+  test(`the dice choose a shape for the screen, unless somebody chose one: ${chosen || "the default"}`, async ({
+    page,
+  }) => {
+    await fixChance(page);
+    await openFinished(page, `seed=kauri&attractors=300&style=ink&labels=none${chosen}`);
+    await page.getByRole("button", { name: "A new seed by chance" }).tap();
+    await expect.poll(() => address(page).get("seed")).not.toBe("kauri");
+    await expectAddress(page, "aspect", thrown);
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await finished(page);
+    await page.getByRole("button", { name: "A new seed by chance" }).click();
+    await expectAddress(page, "aspect", chosen === "" ? null : thrown);
+  });

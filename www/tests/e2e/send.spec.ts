@@ -11,7 +11,7 @@ const sendButton = (page: Page) => page.getByRole("button", { name: "Send", exac
 const sending = (page: Page) => page.getByRole("dialog", { name: "Send this country" });
 const picture = (page: Page) => sending(page).getByRole("img", { name: "The picture: Ardenmoor" });
 
-/** What the share sheet of a system does: takes what it is given, or fails by the name of an error, one after the other. */
+/** The answers of a system's share sheet: it takes what it is given, or fails by the name of an error, one after the other. */
 type Answer = "take" | "AbortError" | "NotAllowedError" | "DataError";
 
 /** Gives the page a share sheet that takes files, or one that does not. Call before `goto`. */

@@ -16,7 +16,7 @@ const SLOWEST_MS = 120_000;
 interface Picture {
   width: number;
   height: number;
-  /** Whether there is ink at a pixel. */
+  /** Returns whether there is ink at a pixel. */
   isInk(x: number, y: number): boolean;
 }
 

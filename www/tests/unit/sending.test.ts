@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { invitation } from "../../src/apps/page/share/invitation.ts";
-import { type Parcel, type Sharer, send, takesPictures } from "../../src/apps/page/share/send.ts";
+import { type Message, type Sharer, send, takesPictures } from "../../src/apps/page/share/send.ts";
 
-const PARCEL: Parcel = {
+const MESSAGE: Message = {
   file: new File(["picture"], "ardenmoor-atlas-portrait.png", { type: "image/png" }),
   text: "Ardenmoor, a country grown from its name. What is yours like?",
   url: "https://rivers.example/?seed=Ardenmoor",
@@ -19,11 +19,11 @@ test("the share sheet gets the picture, the line and the link, and nothing else"
   const given: ShareData[] = [];
   expect(
     await send(
-      PARCEL,
+      MESSAGE,
       sharer(async (data) => void given.push(data)),
     ),
   ).toBe("sent");
-  expect(given).toEqual([{ files: [PARCEL.file], text: PARCEL.text, url: PARCEL.url }]);
+  expect(given).toEqual([{ files: [MESSAGE.file], text: MESSAGE.text, url: MESSAGE.url }]);
 });
 
 test.each([
@@ -32,7 +32,7 @@ test.each([
   [new DOMException("no", "DataError"), "refused"],
   [new TypeError("no such files"), "refused"],
 ] as const)("what the share sheet says is understood: %s", async (error, outcome) => {
-  expect(await send(PARCEL, thrower(error))).toBe(outcome);
+  expect(await send(MESSAGE, thrower(error))).toBe(outcome);
 });
 
 test("a system is asked whether it takes pictures, and nothing is thrown where it cannot say", () => {
@@ -50,11 +50,11 @@ test("a system is asked whether it takes pictures, and nothing is thrown where i
 });
 
 test("nothing is handed to a share sheet that takes no pictures", async () => {
-  expect(await send(PARCEL, {})).toBe("refused");
+  expect(await send(MESSAGE, {})).toBe("refused");
   const asked: ShareData[] = [];
   expect(
     await send(
-      PARCEL,
+      MESSAGE,
       sharer(async (data) => void asked.push(data), false),
     ),
   ).toBe("refused");

@@ -48,7 +48,7 @@ pub struct Inspector {
     courses: CourseShape,
     /// The kind of water that rivers run into.
     ends_in: &'static str,
-    /// What has a name besides rivers.
+    /// The things with names besides rivers.
     pub(super) named: Named,
     /// The last river that was queried, with its basin: a pointer stays on one river for a while.
     last: (u32, String),

@@ -1,4 +1,4 @@
-//! What has a name on a finished map, and where it lies, for a page on which it is renamed there.
+//! The names on a finished map and where they lie, for a page on which they are changed there.
 
 use std::slice;
 

@@ -1,15 +1,16 @@
-/** Finds what has a name, or could have one, at a place of a finished map. */
+/** Finds the things that have a name, or could have one, at a place of a finished map. */
 
+import { type Kind, kindOf } from "../../engine/mark.ts";
 import type { Inspector, LabelFacts } from "../../engine/types.ts";
 import { awayFrom, nearest, type Shape } from "./picking.ts";
-import type { Kind, Nameable, NameablePlace } from "./protocol.ts";
+import type { Nameable, NameablePlace } from "./protocol.ts";
 
 /** A place of a map, with its width. */
 export interface Placed extends Nameable {
   size: number;
 }
 
-/** What the question is answered from. */
+/** The knowledge that the question is answered from. */
 export interface Known {
   inspector: Pick<Inspector, "at" | "of" | "areaAt">;
   /** Width and height of the map, in units. */
@@ -22,17 +23,6 @@ export interface Known {
 type Near = Nameable & Shape;
 type Spot = Exclude<NameablePlace, { mark: string }>;
 
-/** The kinds of places, by the letters that their marks begin with. */
-const KINDS: Record<string, Kind> = {
-  m: "reach",
-  s: "sea",
-  l: "lake",
-  i: "island",
-  b: "bay",
-  c: "cape",
-  n: "strait",
-  h: "range",
-};
 /** Things by whose point or line they are hit. A river is nearer than the crest of a range, which nobody sees. */
 const POINTS: readonly Kind[] = ["cape", "bay", "strait"];
 
@@ -40,7 +30,7 @@ const POINTS: readonly Kind[] = ["cape", "bay", "strait"];
 export function placedOn(inspector: Pick<Inspector, "places">, names: ReadonlyMap<string, string>): Placed[] {
   return inspector.places().map(({ mark, size, line }) => ({
     mark,
-    kind: mark === "i0" ? "land" : (KINDS[mark.charAt(0)] ?? "reach"),
+    kind: kindOf(mark),
     name: names.get(mark) ?? "",
     line,
     size,

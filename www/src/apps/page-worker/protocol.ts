@@ -1,5 +1,6 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
+import type { Kind } from "../../engine/mark.ts";
 import type { Measure, RiverFacts } from "../../engine/types.ts";
 import type { Format, RasterOrder } from "../../files/format-names.ts";
 import type { Thumbnail } from "../../player/thumbnails.ts";
@@ -28,9 +29,6 @@ export interface PointedRiver extends Omit<RiverFacts, "mark" | "into"> {
   into: readonly string[];
 }
 
-/** The kinds of things that have names or could have one. */
-export type Kind = "map" | "river" | "reach" | "sea" | "lake" | "land" | "island" | "bay" | "cape" | "strait" | "range";
-
 /** Something on the map that has a name or could have one. */
 export interface Nameable {
   /** The mark by which links know it. */
@@ -45,7 +43,7 @@ export interface Nameable {
 /** A place that was clicked, or the mark of one thing. Letters count only if they are shown. */
 export type NameablePlace = { x: number; y: number; reach: number; hasLabels: boolean } | { mark: string };
 
-/** What has a name at a place, the nearest first. */
+/** The things that have names at a place, the nearest first. */
 export interface Nameables {
   /** The link of the map. */
   link: string;

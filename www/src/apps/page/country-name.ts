@@ -25,7 +25,7 @@ export class CountryName {
     return this.text !== before;
   }
 
-  /** What a title depends on: titles that people give are among the names. */
+  /** The values that a title depends on: titles that people give are among the names. */
   get #subject(): string {
     return JSON.stringify([this.recipe.seed, this.recipe.values.get("names") ?? ""]);
   }

@@ -1,4 +1,4 @@
-/** What stands around the map: its caption, and the link to its maker. */
+/** The things around the map: its caption, and the link to its maker. */
 
 import type { Page } from "@playwright/test";
 import { expect, type Host, test } from "./hosts.ts";

@@ -1,4 +1,4 @@
-/** What stands in a river's place, and when it gives way. */
+/** The content in a river's place, and when it gives way. */
 
 import type { Page } from "@playwright/test";
 import type { RiverSeed } from "../../../src/apps/widget/element.ts";

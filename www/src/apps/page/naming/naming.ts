@@ -31,7 +31,7 @@ export interface NamingEvents {
 
 /** The most other things at the same place that are offered. */
 const MOST_BESIDES = 3;
-/** What is hit wherever no other thing is. */
+/** The kinds that are hit wherever no other thing is. */
 const AREAS: readonly string[] = ["sea", "lake", "land", "island"];
 
 export class Naming {

@@ -1,6 +1,7 @@
 /** Words for what has a name, or could have one. */
 
-import type { Kind, Nameable } from "../../page-worker/protocol.ts";
+import type { Kind } from "../../../engine/mark.ts";
+import type { Nameable } from "../../page-worker/protocol.ts";
 
 const ARTICLES: Partial<Record<Kind, string>> = { island: "An" };
 const WORDS: Record<Kind, string> = {

@@ -2,6 +2,8 @@
 
 import { el, setValue } from "../../../browser/dom.ts";
 import type { Control } from "../../../controls/control.ts";
+import { kindOf } from "../../../engine/mark.ts";
+import { wordFor } from "../naming/words.ts";
 
 /** Something with a name: its mark in links, the name, and whether the visitor gave it. */
 export interface Named {
@@ -20,17 +22,6 @@ export interface NameListEvents {
 /** The number of rivers in the list, besides those with names of the visitor's. */
 export const NAMED_RIVERS = 12;
 
-const KINDS: Record<string, string> = {
-  t: "map",
-  m: "winding stretch",
-  s: "sea",
-  l: "lake",
-  i: "island",
-  b: "bay",
-  c: "cape",
-  n: "strait",
-  h: "range",
-};
 const HELP = "help-names";
 
 interface Row {
@@ -84,7 +75,8 @@ export class NameList implements Control {
     names.forEach((named, i) => {
       const row = this.#rows.get(named.mark) ?? this.#row(named.mark);
       this.#rows.set(named.mark, row);
-      row.show(named, kindOf(named.mark) ?? riverOf(++rivers));
+      const kind = kindOf(named.mark);
+      row.show(named, kind === "river" ? riverOf(++rivers) : wordFor(kind));
       // Moved only if necessary, since moving takes the focus.
       if (this.#list.children[i] !== row.element) this.#list.insertBefore(row.element, this.#list.children[i] ?? null);
     });
@@ -141,11 +133,6 @@ export class NameList implements Control {
       },
     };
   }
-}
-
-/** The word for what a mark stands for; none for a river's. */
-function kindOf(mark: string): string | undefined {
-  return mark === "i0" ? "land" : KINDS[mark.charAt(0)];
 }
 
 /** Returns the word for a river by its rank. Those after the greatest are listed for their own names, whatever their rank. */

@@ -12,7 +12,7 @@ import type { CountryName } from "../country-name.ts";
 import type { Downloads } from "../save/downloads.ts";
 import { FIRST } from "../save/save-choices.ts";
 import { invitation } from "./invitation.ts";
-import { type Parcel, send, takesPictures } from "./send.ts";
+import { type Message, send, takesPictures } from "./send.ts";
 import { save } from "./share.ts";
 
 export interface SendElements {
@@ -39,8 +39,8 @@ export class SendDialog {
   readonly #link = button("Copy link", () => void this.#copyLink());
   readonly #copy = button("Copy picture", () => void this.#copyPicture());
   readonly #save = button("Save picture", () => this.#savePicture());
-  /** What is being sent; below, whether its picture is being made. */
-  #parcel: Parcel | undefined;
+  /** The message that is being sent; below, whether its picture is being made. */
+  #message: Message | undefined;
   #isBusy = false;
 
   constructor(
@@ -72,9 +72,9 @@ export class SendDialog {
     if (this.canSend) this.#say(MAKING);
     else this.#open();
     try {
-      const parcel = await this.#make();
-      if (this.elements.dialog.open) this.#show(parcel);
-      else if (this.canSend) await this.#send(parcel);
+      const message = await this.#make();
+      if (this.elements.dialog.open) this.#show(message);
+      else if (this.canSend) await this.#send(message);
     } catch (thrown) {
       this.#say(`The picture could not be made: ${named(thrown).message}`);
     } finally {
@@ -82,7 +82,7 @@ export class SendDialog {
     }
   }
 
-  async #make(): Promise<Parcel> {
+  async #make(): Promise<Message> {
     const { link, seed } = this.recipe;
     const [text, url] = [invitation(this.country.text, seed), addressOf(link, location.href)];
     const name = this.downloads.nameOf(PORTRAIT);
@@ -90,19 +90,19 @@ export class SendDialog {
     return { file, text, url };
   }
 
-  async #send(parcel: Parcel): Promise<void> {
-    const outcome = await send(parcel, navigator);
+  async #send(message: Message): Promise<void> {
+    const outcome = await send(message, navigator);
     this.#say("");
     if (outcome === "sent" || outcome === "cancelled") return;
     if (!this.elements.dialog.open) this.#open();
-    this.#show(parcel);
+    this.#show(message);
     if (outcome === "late") this.#say("The picture is ready.");
     else this.#refuse();
   }
 
   async #sendNow(): Promise<void> {
-    if (!this.#parcel) return;
-    const outcome = await send(this.#parcel, navigator);
+    if (!this.#message) return;
+    const outcome = await send(this.#message, navigator);
     if (outcome === "sent") this.elements.dialog.close();
     else if (outcome !== "cancelled") this.#refuse();
   }
@@ -125,12 +125,12 @@ export class SendDialog {
     this.#say(MAKING);
   }
 
-  #show(parcel: Parcel): void {
-    this.#parcel = parcel;
-    this.#picture.src = URL.createObjectURL(parcel.file);
+  #show(message: Message): void {
+    this.#message = message;
+    this.#picture.src = URL.createObjectURL(message.file);
     this.#picture.alt = `The picture: ${this.country.text}`;
     this.#picture.hidden = false;
-    this.#line.textContent = parcel.text;
+    this.#line.textContent = message.text;
     this.#copy.disabled = this.#save.disabled = false;
     this.#now.hidden = !this.canSend;
     (this.canSend ? this.#now : this.#link).focus();
@@ -140,24 +140,24 @@ export class SendDialog {
   #forget(): void {
     URL.revokeObjectURL(this.#picture.src);
     this.#picture.removeAttribute("src");
-    this.#parcel = undefined;
+    this.#message = undefined;
     this.elements.elsewhere.textContent = "";
   }
 
   async #copyLink(): Promise<void> {
-    const url = this.#parcel?.url ?? addressOf(this.recipe.link, location.href);
+    const url = this.#message?.url ?? addressOf(this.recipe.link, location.href);
     this.#say((await copy(url)) ? "Link copied." : `Copy this link: ${url}`);
   }
 
   async #copyPicture(): Promise<void> {
-    if (!this.#parcel) return;
-    const isCopied = await copyPicture(this.#parcel.file);
+    if (!this.#message) return;
+    const isCopied = await copyPicture(this.#message.file);
     this.#say(isCopied ? "Picture copied." : "The browser does not let this page copy pictures. Save it instead.");
   }
 
   #savePicture(): void {
-    if (!this.#parcel) return;
-    const { file } = this.#parcel;
+    if (!this.#message) return;
+    const { file } = this.#message;
     save(file, file.name);
     this.#say(`${file.name} is in your downloads.`);
   }

@@ -1,14 +1,14 @@
 /** Hands a picture, a line of text and a link to the system's share sheet, where there is one. */
 
-/** What is sent. */
-export interface Parcel {
+/** The picture, the line and the link that are sent together. */
+export interface Message {
   file: File;
   text: string;
   url: string;
 }
 
 /**
- * What became of it: it was taken; the visitor closed the sheet; the press was too long ago for the browser; or there is
+ * The outcome: it was taken; the visitor closed the sheet; the press was too long ago for the browser; or there is
  * no sheet that takes it.
  */
 export type Outcome = "sent" | "cancelled" | "late" | "refused";
@@ -26,7 +26,7 @@ export function takesPictures(sharer: Sharer, file = new File([""], "picture.png
 }
 
 /** Opens the share sheet, which only a press of a moment ago may do. */
-export async function send({ file, text, url }: Parcel, sharer: Sharer): Promise<Outcome> {
+export async function send({ file, text, url }: Message, sharer: Sharer): Promise<Outcome> {
   if (!sharer.share || !takesPictures(sharer, file)) return "refused";
   try {
     await sharer.share({ files: [file], text, url });

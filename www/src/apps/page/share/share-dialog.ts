@@ -27,7 +27,7 @@ export interface ShareElements {
   status: HTMLElement;
 }
 
-/** What sends the country, as the button *Send* does. */
+/** The sender of the country: the button *Send* and its dialog. */
 export interface Sender {
   /** True if the system's share sheet takes pictures. */
   readonly canSend: boolean;
