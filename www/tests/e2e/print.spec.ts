@@ -16,6 +16,8 @@ for (const colorScheme of ["light", "dark"] as const) {
       await page.addInitScript(() => Reflect.deleteProperty(Element.prototype, "requestFullscreen"));
       await page.setViewportSize({ width: 1280, height: 800 });
       await openFinished(page, `seed=${LONG_SEEDS.letters}&attractors=300&depth=3`);
+      // On the screen it takes the title's place.
+      await expect(page.locator("#welcome")).toBeVisible();
       for (const [state, open] of Object.entries(OPENED)) {
         await page.emulateMedia({ media: "screen", colorScheme });
         await page.setViewportSize({ width: 1280, height: 800 });
