@@ -1,5 +1,5 @@
 //! The flat ground of a style: land and sea, or plain land, on paper and under a grid. It is painted some rows at a
-//! time.
+//! time. In styles with relief, land whose relief is not known yet is tinted by its distance from the sea.
 
 use super::beyond;
 use super::grid;
@@ -16,6 +16,8 @@ use crate::recipe::Style;
 #[derive(Clone, Debug)]
 pub(super) struct FlatGround {
     pub style: Style,
+    /// `true` if a relief will be laid on it, so that its land has one colour.
+    pub is_even: bool,
     /// The painter of land and sea; `None` if there is no sea, and once everything is painted.
     coast: Option<Ground>,
     /// The end of a land that runs off the map, if it is seen.
@@ -25,13 +27,19 @@ pub(super) struct FlatGround {
 }
 
 impl FlatGround {
-    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
+    pub fn new(
+        view: &View,
+        (style, is_even): (Style, bool),
+        land: Option<&Land>,
+        shown: Option<ShownCoast<'_>>,
+    ) -> Self {
         let palette = palette(style);
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, palette));
+        let tints = palette.relief.filter(|_| !is_even).map(|look| &look.tints);
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, (palette, tints)));
         let neatline = Neatline::of(view, palette, land);
-        let is_even = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
-        let is_plain = is_even && neatline.is_none() && !view.shows_beyond();
-        Self { style, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
+        let is_blank = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
+        let is_plain = is_blank && neatline.is_none() && !view.shows_beyond();
+        Self { style, is_even, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
     /// The pixels; `None` if everything is plain land.

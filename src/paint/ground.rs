@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::coverage::{Coverage, Covered};
-use super::palette::{Colour, Palette, mix};
+use super::palette::{Colour, Palette, Tints, mix};
 use super::ridges::ridges;
 use super::view::{Rows, View};
 use crate::land::{Across, CoastDetail, Land, Parabola, REACH, SmoothedDistance};
@@ -64,13 +64,20 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub fn new(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Self {
+    /// Begins the ground of a style. Land has the style's colours, or tints for its height as far as that can be told from
+    /// the distance to the sea.
+    pub fn new(
+        view: &View,
+        land: &Land,
+        shown: &SmoothedDistance,
+        (palette, tints): (&Palette, Option<&Tints>),
+    ) -> Self {
         // Where there is relief, a ridge is that.
         let strokes = if palette.relief.is_none() { ridges(land) } else { Vec::new() };
         let mut mask = Coverage::new(view.width, view.height).filter(|_| !strokes.is_empty());
         mask.iter_mut().for_each(|mask| draw(mask, view, &strokes));
         Self {
-            shades: Shades::new(view.scale, palette, shown.spacing()),
+            shades: Shades::new(view.scale, (palette, tints), shown.spacing()),
             stretches: stretches(view, shown),
             spans: Vec::new(),
             spanned: None,
@@ -165,16 +172,16 @@ struct Shades {
 }
 
 impl Shades {
-    fn new(scale: f32, palette: &Palette, spacing: f32) -> Self {
+    fn new(scale: f32, (palette, tints): (&Palette, Option<&Tints>), spacing: f32) -> Self {
         const PER_PIXEL: f32 = 16.0;
         let coast_width = COAST_WIDTH * thinned(scale);
         let past = (coast_width + 2.0 / scale).max(RING_WIDTH);
         let outermost = palette.rings.last().map_or(0.0, |ring| ring.0);
         let first = -palette.fade.max(outermost + past);
-        let last = palette.fade.max(past);
+        let last = if tints.is_some() { TINTED } else { palette.fade }.max(past);
         let per_unit = PER_PIXEL * scale;
         let count = ((last - first) * per_unit) as usize + 1;
-        let colour = |i: usize| shore(scale, palette, first + (i as f32 + 0.5) / per_unit);
+        let colour = |i: usize| shore(scale, (palette, tints), first + (i as f32 + 0.5) / per_unit);
         let (colours, end) = ((0..count).map(colour).collect(), first + count as f32 / per_unit);
         let step = 1.0 / (spacing * scale);
         Self {
@@ -290,11 +297,18 @@ impl Shades {
     }
 }
 
+/// The distance from the sea up to which land is taken to rise as long as its relief is not known, in units, and the
+/// height there, in metres: that of the middle of an island of usual size, without its mountains.
+const TINTED: f32 = 150.0;
+const TINTED_METRES: f32 = 560.0;
+
 /// The colour at a distance from the coast, in units and positive on land, and the fourth channel there.
-fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
+fn shore(scale: f32, (palette, tints): (&Palette, Option<&Tints>), distance: f32) -> [u8; 4] {
     let [coast_width, ring_width] = [COAST_WIDTH, RING_WIDTH].map(|width| width * thinned(scale));
     let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
-    let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
+    let water = mix(palette.shallows, palette.deep, far);
+    let rising = |tints: &Tints| tints.at(faded(distance.max(0.0) / TINTED) * TINTED_METRES);
+    let land = tints.map_or_else(|| mix(palette.lowland, palette.inland, far), rising);
     let inside = |distance: f32| (distance * scale + 0.5).clamp(0.0, 1.0);
     let mut colour = mix(water, land, inside(distance));
     for (at, strength) in palette.rings {
@@ -361,7 +375,7 @@ mod tests {
             let land = Land::new(&domain, coast_distance, Vec::new());
             let mut pixels = Vec::new();
             let coast = ShownCoast { smooth: &shown, detail: None };
-            Ground::new(&view, &land, &shown, palette(Style::Skeleton)).paint(&view, coast, 0..1000, &mut pixels);
+            Ground::new(&view, &land, &shown, (palette(Style::Skeleton), None)).paint(&view, coast, 0..1000, &mut pixels);
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))
@@ -377,9 +391,27 @@ mod tests {
     }
 
     #[test]
+    fn land_whose_relief_is_not_known_rises_from_the_coast() {
+        let atlas = palette(Style::Atlas);
+        let tints = &atlas.relief.unwrap().tints;
+        let land = |tints, distance: f32| shore(4.0, (atlas, tints), distance)[..3].to_vec();
+        // Lowland is green, and what lies behind it less and less so.
+        let green = |distance: f32| {
+            let colour = land(Some(tints), distance);
+            i32::from(colour[1]) - i32::from(colour[0])
+        };
+        let greens = [3.0, 30.0, 80.0, 150.0].map(green);
+        assert!(greens.is_sorted_by(|nearer, farther| nearer > farther), "{greens:?}");
+        assert_eq!(land(Some(tints), 400.0), tints.at(TINTED_METRES));
+        assert_eq!(land(None, 3.0), land(None, 400.0));
+        // The sea is the same.
+        assert_eq!(land(Some(tints), -20.0), land(None, -20.0));
+    }
+
+    #[test]
     fn the_line_of_the_coast_is_land_without_rivers() {
         let scale = 4.0;
-        let ashore = |distance: f32| shore(scale, palette(Style::Ink), distance)[3];
+        let ashore = |distance: f32| shore(scale, (palette(Style::Ink), None), distance)[3];
         let shares = |distance: f32| [land_share(ashore(distance)), river_share(ashore(distance))];
         assert_eq!([-2.0, 0.0, 2.0].map(shares), [[0, 0], [255, 0], [255, 255]]);
         assert_eq!([0, 100, 255].map(|covered| river_share(without_rivers(255, covered))), [255, 156, 0]);

@@ -109,13 +109,13 @@ impl GroundCache {
 
     /// Paints a part of flat ground, if any is missing. Returns `true` if there is more.
     pub fn lay(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
-        self.advance_flat(view, land, style)
+        self.advance_flat(view, land, (style, false))
     }
 
     /// Makes a part of the ground, if any is missing. Returns `true` if there is more.
     pub fn advance(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         self.detail_coast(view, rivers);
-        self.advance_flat(view, rivers.land, rivers.style)
+        self.advance_flat(view, rivers.land, (rivers.style, rivers.relief.is_some()))
             || self.advance_relief(view, rivers)
             || self.advance_beds(view, rivers)
     }
@@ -142,20 +142,22 @@ impl GroundCache {
         }
     }
 
-    fn advance_flat(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
+    fn advance_flat(&mut self, view: &View, land: Option<&Land>, (style, is_even): (Style, bool)) -> bool {
+        // Without a relief in it, a style has but one ground.
+        let is_even = is_even || palette(style).relief.is_none();
         if let Some(land) = land {
             self.shown.get_or_insert_with(|| {
                 let shown = SmoothedDistance::of(land.coast_distance());
                 if view.shows_beyond() { shown.widened(beyond::WIDENED) } else { shown }
             });
         }
-        if self.flat.as_ref().is_none_or(|flat| flat.style != style) {
+        if self.flat.as_ref().is_none_or(|flat| (flat.style, flat.is_even) != (style, is_even)) {
             (self.raised, self.beds) = (None, None);
             // Drops the old ground first: both at once would need too much memory.
             self.flat = None;
         }
         let shown = shown_coast(&self.shown, &self.detail);
-        let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, style, land, shown));
+        let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, (style, is_even), land, shown));
         flat.advance(view, land, shown)
     }
 

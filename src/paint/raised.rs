@@ -24,7 +24,7 @@ pub(super) struct LandShares {
 
 impl LandShares {
     pub fn new(view: &View, land: Option<&Land>, shown: Option<ShownCoast<'_>>) -> Self {
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, &LAND_ONLY));
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, (&LAND_ONLY, None)));
         let mut shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
         if coast.is_none() && view.shows_beyond() {
             drop_beyond(view, 0..view.height, &mut shares);
