@@ -150,6 +150,30 @@ fn a_scale_bar_is_as_long_as_it_says_and_so_is_that_of_a_legend() {
 }
 
 #[test]
+fn a_part_of_a_map_shows_a_title_or_a_scale_bar_whole_or_not_at_all() {
+    let session = finished("seed=kauri&attractors=900&labels=some");
+    let map = session.map().unwrap();
+    let size = map.domain().size;
+    let of = |labels: &[Label], kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
+    let (all, _) = placed(&map, 900.0);
+    let kinds = [Kind::Title, Kind::Seed, Kind::Margin];
+    let whole = kinds.map(|kind| of(&all, kind));
+    assert_eq!(whole, [1, 1, 3]);
+    let mut seen = [0; 2];
+    for step in 0..60 {
+        // A window that leaves the map on one side after the other.
+        let off = Vec2::new(step as f32 / 40.0 - 0.75, (step % 7) as f32 / 20.0 - 0.15) * size;
+        let view = [off, off + size];
+        let input = labels::input(&map, view, 900.0 / size.x).unwrap();
+        let labels = place(&input, &Raster::new(&input));
+        let [titles, seeds, numbers] = kinds.map(|kind| of(&labels, kind));
+        assert!(titles == seeds && (numbers == 0 || numbers == whole[2]), "{off}: {titles}, {seeds}, {numbers}");
+        seen[usize::from(titles + numbers > 0)] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}
+
+#[test]
 fn the_plate_of_lengths_tells_those_of_the_network_the_longest_first() {
     for link in
         ["land=island&seed=tay", "land=rectangle&seed=elbe&style=survey", "land=continent&seed=kauri&growth=colonize"]

@@ -60,7 +60,12 @@ fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>)
     let is_in_the_way =
         |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
     let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
-    corners.retain(|label| !left_out.iter().any(|(_, around)| stands_in(label, around)));
+    // A title without its second line, or a number without its bar, says nothing: what is not shown whole is not shown.
+    let is_cut = |(_, around): &(u32, Box)| {
+        corners.iter().any(|label| stands_in(label, around) && !is_shown(input, label))
+    };
+    let (cut, kept): (Vec<_>, Vec<_>) = kept.into_iter().partition(is_cut);
+    corners.retain(|label| !left_out.iter().chain(&cut).any(|(_, around)| stands_in(label, around)));
     let mut boxes = kept;
     boxes.extend(chosen.iter().flat_map(Chosen::boxes));
     let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
