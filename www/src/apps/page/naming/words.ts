@@ -23,16 +23,23 @@ export function wordFor(kind: Kind): string {
   return WORDS[kind];
 }
 
+/** Returns the word for one thing, which its name may know better: marks do not tell a gulf from a bay. */
+function wordOf({ kind, name }: Nameable): string {
+  return kind === "bay" && /\bgulf\b/i.test(name) ? "gulf" : wordFor(kind);
+}
+
 /** Returns the name of something that is no river, or a phrase if it has none, and what it is. */
-export function titleOfPlace({ kind, name }: Nameable): [title: string, description: string] {
+export function titleOfPlace(thing: Nameable): [title: string, description: string] {
+  const { kind, name } = thing;
   const article = ARTICLES[kind] ?? "A";
-  const word = wordFor(kind);
+  const word = wordOf(thing);
   if (name === "") return [`${article} ${word} without a name`, ""];
   return [name, kind === "land" || kind === "map" ? `The name of this ${word}` : `${article} ${word}`];
 }
 
 /** Returns the words on a button for something else that is at the same place. */
-export function choiceOf({ kind, name }: Nameable): string {
-  const word = wordFor(kind);
+export function choiceOf(thing: Nameable): string {
+  const { name } = thing;
+  const word = wordOf(thing);
   return name === "" ? `the ${word}` : `${name}, the ${word}`;
 }
