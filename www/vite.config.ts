@@ -1,6 +1,6 @@
 import { defineConfig } from "vite";
+import { buttonPictures } from "./build/button-pictures.ts";
 import { tellsOfMissingFiles } from "./build/changed.ts";
-import { countries } from "./build/countries.ts";
 import { crawlers } from "./build/crawlers.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
@@ -9,6 +9,7 @@ import { contentSecurityPolicy } from "./build/policy.ts";
 import { poster } from "./build/poster.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
+import { typefaces } from "./build/typefaces.ts";
 import { widgetFiles } from "./build/widget.ts";
 import { targets } from "./scripts/browsers.mjs";
 
@@ -19,7 +20,8 @@ export default defineConfig({
     poster("index.html"),
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
-    countries(),
+    typefaces("index.html"),
+    buttonPictures(),
     offline("index.html"),
     tellsOfMissingFiles("index.html"),
     // After what writes scripts into pages.

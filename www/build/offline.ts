@@ -13,10 +13,10 @@ type Bundle = Rolldown.OutputBundle;
 const WORKER = "service-worker.js";
 const MANIFEST = "manifest.webmanifest";
 /**
- * Files that are kept besides: the posters, the pictures in the panel, and the style sheet of the gallery, whose pages
+ * Files that are kept besides: the posters, the pictures on buttons, and the style sheet of the gallery, whose pages
  * are kept once visited.
  */
-const BESIDES = /^(?:poster\/.+|countries\/.+|assets\/gallery-[\w-]+\.css)$/;
+const BESIDES = /^(?:poster\/.+|countries\/.+|styles\/.+|assets\/gallery-[\w-]+\.css)$/;
 /** Files with a hash in their name, which need no revision. */
 const HASHED = /^assets\/.+-[\w-]{8}\.\w+$/;
 

@@ -4,7 +4,15 @@ import { expect, type Page, test } from "@playwright/test";
 import type { Framing } from "../../src/browser/canvas.ts";
 import { pictureOf } from "../core.ts";
 import { table } from "../table.ts";
-import { expectAddress, expectPictureOfAddress, finished, framing, openFinished, shown } from "./riverpage.ts";
+import {
+  expectAddress,
+  expectPictureOfAddress,
+  finished,
+  framing,
+  openBegun,
+  openFinished,
+  shown,
+} from "./riverpage.ts";
 
 const LINK = "seed=rimu&attractors=900&style=atlas";
 
@@ -142,6 +150,18 @@ test("the strip shows this map in every style, and pressing one takes it @core",
   await expectAddress(page, "style", "survey");
   await expect(page.getByRole("button", { name: "Survey", exact: true })).toHaveAttribute("aria-pressed", "true");
   await expectPictureOfAddress(page);
+});
+
+test("before there is a map, the strip shows each style in sight by a picture of its own", async ({ page }) => {
+  const fetched = new Map<string, boolean>();
+  page.on("response", (response) => {
+    const [, style] = /\/styles\/(.*)\.webp$/.exec(response.url()) ?? [];
+    if (style !== undefined) fetched.set(style, response.ok());
+  });
+  await openBegun(page, LINK);
+  const styles = table.parameters.find(({ key }) => key === "style")?.choices?.slice(0, 6) ?? [];
+  const expected = new Map(styles.map(({ value }) => [value, true]));
+  await expect.poll(() => new Map([...fetched].sort())).toEqual(new Map([...expected].sort()));
 });
 
 test("undo and redo follow every change, and Back is undo @core", async ({ page }) => {

@@ -31,7 +31,7 @@ export interface ChoicesEvents {
   failed(error: unknown): void;
 }
 
-/** The folder of the pictures that build/countries.ts draws, beside the page. */
+/** The folder of the pictures that build/button-pictures.ts draws, beside the page. */
 const COUNTRY_PICTURES = "./countries";
 
 export class Choices {

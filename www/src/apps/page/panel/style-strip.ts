@@ -11,6 +11,9 @@ import type { Thumbnail } from "../../../player/thumbnails.ts";
 /** The size of a thumbnail in CSS pixels. */
 const SIZE = { width: 112, height: 64 };
 
+/** The folder of the pictures that build/button-pictures.ts draws, beside the page. */
+const STYLE_PICTURES = "./styles";
+
 /** The number of styles, in the table's order, that are in sight from the beginning. */
 const FIRST = 6;
 
@@ -50,6 +53,8 @@ export class StyleStrip {
     for (const [rank, { value }] of (style?.choices ?? []).entries()) {
       const { width, height } = this.#size;
       const canvas = el("canvas", { width, height, "aria-hidden": "true" });
+      // It is fetched once the button is seen.
+      canvas.style.backgroundImage = `url("${STYLE_PICTURES}/${value}.webp")`;
       const button = el(
         "button",
         { type: "button", class: "style", "aria-pressed": "false", hidden: rank >= FIRST },
