@@ -147,3 +147,30 @@ for (const [chosen, thrown] of [
     await page.getByRole("button", { name: "A new seed by chance" }).click();
     await expectAddress(page, "aspect", chosen === "" ? null : thrown);
   });
+
+test("a link from a wide window shows its land as large as the phone allows, and all of the map when asked @core", async ({
+  page,
+}) => {
+  const said = complaints(page);
+  await openFinished(page, "seed=kauri&attractors=300");
+  const width = async (): Promise<number> => (await page.locator("#map-place").boundingBox())?.width ?? 0;
+  // The land's sides are those of the window, and the sea's are out of sight.
+  await expect.poll(width).toBeGreaterThan(400);
+  expect(await width()).toBeLessThan(900);
+  await expectPictureOfAddress(page);
+  await page.getByRole("button", { name: "Show all of the map" }).click();
+  await expect.poll(width).toBeLessThan(390);
+  // Another country begins as a whole.
+  await page.getByRole("button", { name: "Zoom in" }).click();
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
+  await finished(page);
+  await expect.poll(width).toBeLessThan(390);
+  expect(said).toEqual([]);
+});
+
+test("a map in the shape of the phone is shown whole, and so is one of land alone @core", async ({ page }) => {
+  for (const link of [LINK, "land=rectangle&attractors=300"]) {
+    await openFinished(page, link);
+    await expect(page.locator("#frame")).not.toHaveAttribute("data-zoomed");
+  }
+});

@@ -28,6 +28,9 @@ for (const [where, sizes] of Object.entries(ROWS)) {
       page,
     }) => {
       await opened(page, openFinished, link);
+      // A phone shows the land of a wide map first.
+      const all = page.getByRole("button", { name: "Show all of the map" });
+      if (await all.isVisible()) await all.click();
       for (const [width, height] of sizes) {
         await resize(page, width, height);
         await expectWhole(page, width, Number(new URLSearchParams(link).get("aspect") ?? 1.6));

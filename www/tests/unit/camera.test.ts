@@ -34,6 +34,32 @@ describe("the camera", () => {
     }
   });
 
+  it("shows a part of the map as large as what is free, in its middle", () => {
+    const part = { left: 0.2, top: 0.3, right: 0.7, bottom: 0.6 };
+    for (const stage of PLACES.slice(0, 4)) {
+      const camera = new Camera();
+      camera.show(part, stage);
+      const [left, top] = seen(camera, stage, [part.left, part.top]);
+      const [right, bottom] = seen(camera, stage, [part.right, part.bottom]);
+      const margins = [
+        left - stage.insets.left,
+        stage.width - stage.insets.right - right,
+        top - stage.insets.top,
+        stage.height - stage.insets.bottom - bottom,
+      ] as const;
+      expect(Math.min(...margins)).toBeCloseTo(0);
+      expect(margins[0]).toBeCloseTo(margins[1]);
+      expect(margins[2]).toBeCloseTo(margins[3]);
+    }
+  });
+
+  it("keeps the whole map in sight if a part could be shown only a little larger, or nowhere", () => {
+    const camera = new Camera();
+    camera.show({ left: 0.02, top: 0.4, right: 0.98, bottom: 0.6 }, STAGE);
+    for (const stage of PLACES.slice(4)) camera.show({ left: 0.2, top: 0.3, right: 0.7, bottom: 0.6 }, stage);
+    expect(camera.showsAll).toBe(true);
+  });
+
   it("frames what the page shows", () => {
     for (const stage of PLACES) {
       const camera = new Camera();

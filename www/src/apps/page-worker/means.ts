@@ -9,6 +9,7 @@ import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
 import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
 import { Inspections } from "./inspections.ts";
+import { landBoundsOf } from "./land-bounds.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
 import { Timelines } from "./timelines.ts";
 
@@ -49,6 +50,10 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
           return inspections.overlay(playerIn(question.of, playerOf), question.name);
         case "making":
           return timelines.making(playerIn(question.of, playerOf), question.to);
+        case "land": {
+          const river = playerIn(question.of, playerOf)?.river;
+          return river && landBoundsOf(river);
+        }
         case "now":
           return;
       }

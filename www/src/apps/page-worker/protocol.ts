@@ -88,6 +88,14 @@ export interface Overlay {
   reaches?: readonly [reach: number, kill: number];
 }
 
+/** The bounds of a land, in shares of the map's sides. */
+export interface LandBounds {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
 interface Questions {
   /**
    * Makes a file of a link's finished rivers, starting from the river of `of`, if there is one. `rasters` is for a game
@@ -116,6 +124,8 @@ interface Questions {
    * elsewhere meanwhile.
    */
   making: { of: number | undefined; to: Moment | undefined };
+  /** Asks for the bounds of the land that a river has at present; none if all is land, or if there is no such river. */
+  land: { of: number | undefined };
   /** Asks for nothing. The answer means that all earlier commands have been carried out. */
   now: { of: number };
 }
@@ -130,6 +140,7 @@ export interface Answers {
   nameables: Nameables | undefined;
   overlay: Overlay | undefined;
   making: Making | undefined;
+  land: LandBounds | undefined;
   now: undefined;
 }
 

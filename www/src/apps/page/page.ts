@@ -46,6 +46,7 @@ import { SixWays } from "./six/six-ways.ts";
 import { showFailure, showNotices } from "./status.ts";
 import { Track } from "./timeline/track.ts";
 import { Transport } from "./timeline/transport.ts";
+import { typeAtOnce } from "./type-at-once.ts";
 import { Undo } from "./undo.ts";
 import { Welcome } from "./welcome.ts";
 
@@ -456,13 +457,14 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   // Its failure is met below, once the river has begun.
   table.catch(() => {});
   const own = await core;
+  const linked = linkOf(location);
   const recipe = new Recipe(
     (text, options) => own.engine.readLink(text, options),
-    linkOf(location) || firstLink(),
+    linked || firstLink(),
     () => prefersDark.matches,
   );
   const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);
-  viewport.start("still");
+  viewport.start("still", linked !== "");
   const shut = (error: unknown): never => {
     viewport.close();
     throw error;
@@ -471,6 +473,7 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const page = new Page(own, await table.catch(shut), recipe, viewport, renderHost);
   await turn();
   page.start();
+  if (linked === "") typeAtOnce(elements.seed);
 }
 
 /**

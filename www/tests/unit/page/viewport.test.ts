@@ -118,7 +118,7 @@ async function opened(isHeard = true) {
     map("seed=one"),
     () => ({ left: 0, top: 0, right: 0, bottom: 0 }),
   );
-  viewport.start("watch");
+  viewport.start("watch", false);
   if (isHeard) viewport.listen(events);
   await Promise.resolve();
   await Promise.resolve();

@@ -26,6 +26,8 @@ export interface Point {
 
 /** The closest zoom. At 1 the whole map is seen; at the closest a stream is as wide as a hand. */
 const MOST_ZOOM = 16;
+/** A part of the map that could be shown only a little larger is not worth hiding the rest. */
+const LEAST_GAIN = 1.1;
 /** The smallest width of the map as a share of its place, however much is covered. */
 const LEAST_SHARE = 1 / 18;
 
@@ -47,6 +49,16 @@ export class Camera {
   reset(): void {
     this.#zoom = 1;
     this.#at = { x: 0.5, y: 0.5 };
+  }
+
+  /** Shows a part of the map as large as its place allows, given in shares of the map's sides. */
+  show({ left, top, right, bottom }: Insets, stage: Stage): void {
+    const { across, down } = freePartOf(stage);
+    const width = widthOf(stage);
+    const zoom = Math.min(across / ((right - left) * width), (down * stage.aspect) / ((bottom - top) * width));
+    if (zoom < LEAST_GAIN) return;
+    this.#zoom = Math.min(MOST_ZOOM, zoom);
+    this.#at = { x: (left + right) / 2, y: (top + bottom) / 2 };
   }
 
   /** Returns the place of the map on the page. */
@@ -98,9 +110,13 @@ export class Camera {
 }
 
 /** Returns the width of the map when the whole map is seen. */
-function widthOf({ width, height, insets, aspect }: Stage): number {
-  const free = { across: width - insets.left - insets.right, down: height - insets.top - insets.bottom };
-  return Math.max(Math.min(free.across, free.down * aspect), width * LEAST_SHARE);
+function widthOf(stage: Stage): number {
+  const { across, down } = freePartOf(stage);
+  return Math.max(Math.min(across, down * stage.aspect), stage.width * LEAST_SHARE);
+}
+
+function freePartOf({ width, height, insets }: Stage): { across: number; down: number } {
+  return { across: width - insets.left - insets.right, down: height - insets.top - insets.bottom };
 }
 
 function middleOf({ width, height, insets }: Stage): Point {

@@ -52,6 +52,9 @@ export interface ViewportEvents {
 /** The way in which a new renderer shows a river by its state: not from the same step, but to the same end. */
 const HOW: Record<State, ShowMode> = { growing: "watch", paused: "watch", settling: "settle", finished: "still" };
 
+/** In windows narrower than this, in CSS pixels, a first view is of the land alone. */
+const NARROW_PX = 620;
+
 /** A map to be shown: its canonical link, and its width over its height. */
 export interface MapLink {
   link: string;
@@ -94,6 +97,9 @@ export class RiverViewport {
   #next: HTMLCanvasElement | undefined;
   #isOver = false;
   #isCovered = false;
+  /** True before the first map of a link that may have been made for a wider window. */
+  #isToShowLand = false;
+  #awaited = { map: false, land: false };
   readonly #camera = new Camera();
   readonly #lastPicture: LastPicture;
   readonly #wholeMap = new WholeMap();
@@ -151,9 +157,10 @@ export class RiverViewport {
     this.#send({ do: "toggle" });
   }
 
-  /** Shows the first river. */
-  start(how: ShowMode): void {
+  /** Shows the first river. If its link may come from a wider window, a narrow one shows its land alone. */
+  start(how: ShowMode, isFromElsewhere: boolean): void {
     this.#wanted.how = how;
+    this.#isToShowLand = isFromElsewhere;
     void this.#enter();
   }
 
@@ -165,7 +172,7 @@ export class RiverViewport {
     this.#asked = undefined;
     if (this.#id === undefined) return;
     this.#wanted.number = ++this.#links;
-    this.elements.frame.dataset["pending"] = "";
+    this.#await({ map: true });
     if (how === "still") this.#lastPicture.keep(this.elements.canvas);
     else this.#lastPicture.drop();
     const size = this.#size();
@@ -308,9 +315,11 @@ export class RiverViewport {
     this.#asked = undefined;
     // Another link is on its way.
     if (reading.links < this.#wanted.number) return;
-    delete this.elements.frame.dataset["pending"];
     this.#becomeFramed(this.#wanted.framing);
     this.#wanted.framing = undefined;
+    // Before that the sea may still rise over much of the land.
+    if (state === "finished" && this.#isToShowLand) void this.#showLand();
+    this.#await({ map: false });
     // Without its names, a map is not yet what the last one was.
     if (state === "finished" && !isUnnamed) this.#lastPicture.fade();
     this.#tell((events) => events.changed(state, phase, summary));
@@ -325,11 +334,38 @@ export class RiverViewport {
       const { aspect } = this.#shown ?? this.#wanted;
       this.#wanted = { ...this.#wanted, link: this.link, aspect, number: 0 };
       void this.#resize();
-      delete this.elements.frame.dataset["pending"];
+      this.#await({ map: false });
       this.#lastPicture.drop();
     }
     if (code === "no-labels") this.#lastPicture.fade();
     this.#tell((events) => events.failed(error));
+  }
+
+  /** Shows the land alone, in a narrow window: the sea around it would make a stamp of a wide map. */
+  async #showLand(): Promise<void> {
+    this.#isToShowLand = false;
+    const { width, height } = this.elements.frame.getBoundingClientRect();
+    const isUpright = height > width;
+    if (width >= NARROW_PX || !isUpright || this.#wanted.aspect < 1) return;
+    const [moves, { link }] = [this.#moves, this.#wanted];
+    this.#await({ land: true });
+    // If it fails, the whole map stays.
+    const land = await this.#ask({ about: "land", of: this.#id }).catch(() => undefined);
+    // A hand may have moved the map meanwhile, or another one may be on its way.
+    if (land && moves === this.#moves && link === this.#wanted.link) {
+      this.#camera.show(land, this.#stage());
+      this.#followCamera();
+      await this.#resize();
+    }
+    this.#await({ land: false });
+  }
+
+  /** Marks the frame while the map that was asked for, or the view of its land, is not there yet. */
+  #await(change: { map?: boolean; land?: boolean }): void {
+    this.#awaited = { ...this.#awaited, ...change };
+    const { dataset } = this.elements.frame;
+    if (this.#awaited.map || this.#awaited.land) dataset["pending"] = "";
+    else delete dataset["pending"];
   }
 
   #tell(what: (events: ViewportEvents) => void): void {
