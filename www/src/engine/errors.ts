@@ -1,38 +1,13 @@
 /**
- * Failures by code; `advice.ts` says what a person can do about each. Every failure that reaches the page passes
- * through `named`, so that nobody is shown a stack trace or a blank canvas.
+ * Names failures: every one that reaches the page passes through `named`, so that nobody is shown a stack trace or a
+ * blank canvas.
  */
 
-export const CODES = [
-  "wasm-unsupported",
-  "wasm-fetch",
-  "wasm-mime",
-  "wasm-csp",
-  "wasm-timeout",
-  "file-missing",
-  "no-files",
-  "no-tracing",
-  "no-labels",
-  "bad-params",
-  "too-large",
-  "no-memory",
-  "no-land",
-  "bad-image",
-  "panic",
-  "unknown",
-] as const;
+import { CODES, type Code } from "./codes.ts";
+import { PageError } from "./page-error.ts";
 
-export type Code = (typeof CODES)[number];
-
-export class PageError extends Error {
-  constructor(
-    readonly code: Code,
-    message: string,
-  ) {
-    super(message);
-    this.name = "PageError";
-  }
-}
+export { CODES, type Code } from "./codes.ts";
+export { isRecoverable, PageError } from "./page-error.ts";
 
 function isCode(code: unknown): code is Code {
   return CODES.some((known) => known === code);
@@ -56,18 +31,3 @@ export function missing(code: Code, what: string, thrown: unknown, then = CHECK)
 }
 
 const CHECK = "Check the connection and try again.";
-
-const RECOVERABLE: ReadonlySet<Code> = new Set([
-  "no-files",
-  "no-tracing",
-  "no-labels",
-  "bad-params",
-  "too-large",
-  "no-land",
-  "bad-image",
-]);
-
-/** Returns whether the picture on the page is still good after a failure, so that a note beside it is enough. */
-export function isRecoverable(error: PageError): boolean {
-  return RECOVERABLE.has(error.code);
-}

@@ -1,6 +1,6 @@
 /** All the time limits for answers that may never come, and the watch that counts them. */
 
-import { PageError } from "./errors.ts";
+import { PageError } from "./page-error.ts";
 
 /**
  * A download that brings no byte for this time is given up. Any byte restarts the time, so that a slow line is waited

@@ -3,7 +3,7 @@
  * answers, and closed after the last.
  */
 
-import { PageError } from "../engine/errors.ts";
+import { PageError } from "../engine/page-error.ts";
 import type { Backend, Command, Report } from "./protocol.ts";
 import type { Listener } from "./worker-backend.ts";
 

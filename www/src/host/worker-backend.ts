@@ -3,7 +3,7 @@
  * comes.
  */
 
-import { PageError } from "../engine/errors.ts";
+import { PageError } from "../engine/page-error.ts";
 import { limited, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
 import type { Backend, InitReply, Ping, Pong, Report } from "./protocol.ts";
 

@@ -5,7 +5,7 @@
 
 import { RESIZE_PAUSE_MS } from "../../browser/canvas.ts";
 import { DARK_PAGES } from "../../browser/dark-pages.ts";
-import { isRecoverable, named, PageError } from "../../engine/errors.ts";
+import { isRecoverable, PageError } from "../../engine/page-error.ts";
 import type { Summary } from "../../engine/types.ts";
 import type { Reading, Status } from "../../host/protocol.ts";
 import type { Client } from "../../host/render-host.ts";
@@ -322,7 +322,7 @@ export class RiverSeed extends Base {
       if (signal.aborted) renderHost.leave(id);
       else this.#open(id);
     } catch (thrown) {
-      if (!signal.aborted) this.#fail(named(thrown));
+      if (!signal.aborted) this.#fail(thrown instanceof PageError ? thrown : new PageError("unknown", String(thrown)));
     }
   }
 

@@ -1,0 +1,22 @@
+/** The codes of failures; `advice.ts` says what a person can do about each. */
+
+export const CODES = [
+  "wasm-unsupported",
+  "wasm-fetch",
+  "wasm-mime",
+  "wasm-csp",
+  "wasm-timeout",
+  "file-missing",
+  "no-files",
+  "no-tracing",
+  "no-labels",
+  "bad-params",
+  "too-large",
+  "no-memory",
+  "no-land",
+  "bad-image",
+  "panic",
+  "unknown",
+] as const;
+
+export type Code = (typeof CODES)[number];
