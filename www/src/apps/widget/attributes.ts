@@ -3,6 +3,8 @@
 import { addressOf } from "../../browser/address.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../engine/attribute-names.ts";
 import { linkText } from "../../engine/link-text.ts";
+import { linkToRead } from "./protocol.ts";
+import { isDark } from "./theme.ts";
 
 /** Attributes about the element's behaviour, which are not part of the recipe. */
 const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "maker", "wasm-url"] as const;
@@ -25,6 +27,11 @@ export function linkOf(element: Element): string {
   return linkText(link);
 }
 
+/** Returns the link that an element asks for on a page of these colours. */
+export function linkToReadOf(element: Element) {
+  return linkToRead(linkOf(element), isDark(element));
+}
+
 /** Returns the aspect that a link asks for, for use until the core has read it. */
 export function aspectOf(link: string): number {
   const text = new URLSearchParams(link).get("aspect")?.trim();
@@ -38,6 +45,12 @@ export function makerOf(element: Element, link: string): string {
   const address =
     page && URL.canParse(page, document.baseURI) ? addressOf(link, new URL(page, document.baseURI).href) : "";
   return address.startsWith("http") ? address : "";
+}
+
+/** Returns the full address of the engine, if the attribute `wasm-url` names one. */
+export function wasmUrlOf(element: Element): string | undefined {
+  const url = element.getAttribute("wasm-url");
+  return url ? new URL(url, document.baseURI).href : undefined;
 }
 
 /** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */

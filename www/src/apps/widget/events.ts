@@ -40,3 +40,30 @@ export interface RiverSeedEventMap {
   complete: CustomEvent<CompleteDetail>;
   error: CustomEvent<ErrorDetail>;
 }
+
+/** The events of every element, and those of this one. */
+type Events = Omit<HTMLElementEventMap, keyof RiverSeedEventMap> & RiverSeedEventMap;
+
+/** The methods by which events are listened to, with their types. */
+export interface Audible {
+  addEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: this, event: Events[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: this, event: Events[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}

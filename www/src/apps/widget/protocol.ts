@@ -1,6 +1,6 @@
 /** The widgets' part of the messages with their renderer. */
 
-import type { Report as AnyReport } from "../../host/protocol.ts";
+import type { Report as AnyReport, Reading, Status } from "../../host/protocol.ts";
 import type { LinkToRead } from "../../player/river-player.ts";
 
 /**
@@ -23,6 +23,9 @@ export interface Question extends FileRequest {
 }
 
 export type Report = AnyReport<Blob>;
+
+/** The river on the canvas, as it has told of itself. */
+export type Seen = Status & { reading: Reading };
 
 /** The first message to a worker: the engine's address if it is not beside the script. */
 export interface Init {
