@@ -6,12 +6,13 @@ import { readQuery } from "../../src/apps/embed/query.ts";
 
 describe("the query", () => {
   test("is a link with the element's attributes among it", () => {
-    const { recipe, attributes } = readQuery("seed=kauri&theme=dark&curl=0.6&controls&still");
+    const { recipe, attributes } = readQuery("seed=kauri&theme=dark&curl=0.6&controls&still&speed=2");
     expect(recipe).toBe("seed=kauri&curl=0.6");
     expect([...attributes]).toEqual([
       ["theme", "dark"],
       ["controls", ""],
       ["still", ""],
+      ["speed", "2"],
     ]);
   });
 

@@ -1,7 +1,7 @@
 /** The query of embed.html: a river's link, and attributes of the element. */
 
 /** The attributes that the query may contain besides the recipe, with the element's names and values. */
-const ATTRIBUTES: readonly string[] = ["controls", "still", "theme"];
+const ATTRIBUTES: readonly string[] = ["controls", "speed", "still", "theme"];
 
 export interface EmbedQuery {
   /** Link text. */

@@ -15,7 +15,17 @@ const FLAGS = ["still", "controls"] as const;
 /** The range and the default of the aspect. The box has its shape before the engine is loaded. */
 export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
 
-export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, ...FLAGS, "aria-label", "lang"];
+/** The range and the default of the speed: those of the page's slider, without its last stop, which `still` stands for. */
+export const SPEED = { min: 0.25, max: 8, default: 1 };
+
+export const OBSERVED = [
+  ...[...NUMBERS, ...TEXTS].map(attributeOf),
+  ...BEHAVIOUR,
+  ...FLAGS,
+  "speed",
+  "aria-label",
+  "lang",
+];
 
 /** Returns the link that an element asks for: its recipe, with its attributes taking precedence. */
 export function linkOf(element: Element): string {
@@ -34,9 +44,18 @@ export function linkToReadOf(element: Element) {
 
 /** Returns the aspect that a link asks for, for use until the core has read it. */
 export function aspectOf(link: string): number {
-  const text = new URLSearchParams(link).get("aspect")?.trim();
-  const aspect = text ? Number(text) : Number.NaN;
-  return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
+  return numberWithin(ASPECT, new URLSearchParams(link).get("aspect"));
+}
+
+/** Returns the speed that an element asks for, as a multiple of the ordinary one. */
+export function speedOf(element: Element): number {
+  return numberWithin(SPEED, element.getAttribute("speed"));
+}
+
+/** Returns the number of a text, brought into the range, or the default if it is none. */
+function numberWithin(range: typeof SPEED, text: string | null): number {
+  const value = text?.trim() ? Number(text) : Number.NaN;
+  return Number.isFinite(value) ? Math.min(range.max, Math.max(range.min, value)) : range.default;
 }
 
 /** Returns the address of a map on the page that the attribute `maker` names; empty without one that a link may lead to. */
@@ -55,7 +74,7 @@ export function wasmUrlOf(element: Element): string | undefined {
 
 /** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */
 export function reflect(prototype: HTMLElement): void {
-  for (const name of NUMBERS.map(attributeOf)) define(prototype, name, numberIn);
+  for (const name of [...NUMBERS.map(attributeOf), "speed"]) define(prototype, name, numberIn);
   for (const name of [...TEXTS.map(attributeOf), ...BEHAVIOUR]) define(prototype, name, textIn);
   for (const name of FLAGS) define(prototype, name, flagIn);
 }
@@ -108,6 +127,6 @@ type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${
 type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
 
 /** The properties by type. Without the attribute they are null, or false if Boolean. */
-export type Properties = { [Key in (typeof NUMBERS)[number] as Property<Key>]: number | null } & {
+export type Properties = { [Key in (typeof NUMBERS)[number] | "speed" as Property<Key>]: number | null } & {
   [Key in (typeof TEXTS | typeof BEHAVIOUR)[number] as Property<Key>]: string | null;
 } & { [Key in (typeof FLAGS)[number]]: boolean };

@@ -17,6 +17,7 @@ import {
   OBSERVED,
   type Properties,
   reflect,
+  speedOf,
   upgrade,
   wasmUrlOf,
 } from "./attributes.ts";
@@ -230,8 +231,13 @@ export class RiverSeed extends Base {
     // The old status belongs to another river.
     if (isNew && !this.#river.isThere) this.#seen = undefined;
     if (isNew && this.#river.isThere) this.#river.show({ link, how: this.#how, size: this.#view.fit() });
+    this.#pace();
     this.#finishIfStill();
     this.#beginIfDue();
+  }
+
+  #pace(): void {
+    this.#river.send({ do: "speed", speed: speedOf(this) });
   }
 
   #shape(aspect: number): void {
@@ -249,6 +255,7 @@ export class RiverSeed extends Base {
   async #enter(signal: AbortSignal): Promise<void> {
     try {
       await this.#river.enter(this.#client, wasmUrlOf(this), signal, () => this.#opening);
+      this.#pace();
       this.#rest();
     } catch (thrown) {
       if (!signal.aborted) this.#fail(thrown instanceof PageError ? thrown : new PageError("unknown", String(thrown)));

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/apps/widget/attributes.ts";
+import { ASPECT, aspectOf, linkOf, OBSERVED, speedOf } from "../../../src/apps/widget/attributes.ts";
 import { RiverSeed } from "../../../src/apps/widget/element.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
 import { engine, parameter } from "../../core.ts";
@@ -48,6 +48,24 @@ for (const text of ["aspect=2.5", "aspect=-3", "aspect=99", "aspect=wide", "aspe
     expect(aspectOf(text)).toBe(Number(values.get("aspect")));
   });
 }
+
+test.each([
+  ["0.5", 0.5],
+  [" 2 ", 2],
+  ["1e1", 8],
+  ["0", 0.25],
+  ["-3", 0.25],
+  ["Infinity", 1],
+  ["fast", 1],
+  ["", 1],
+])("a speed of %j is %d times the ordinary one", (speed, times) => {
+  expect(speedOf(element({ speed }))).toBe(times);
+});
+
+test("without the attribute the speed is the ordinary one, and it is no part of the recipe", () => {
+  expect(speedOf(element({}))).toBe(1);
+  expect(linkOf(element({ speed: "2" }))).toBe("");
+});
 
 test("the class can be imported where there is no browser", () => {
   expect(RiverSeed.observedAttributes).toContain("seed");
