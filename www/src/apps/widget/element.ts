@@ -116,6 +116,11 @@ export class RiverSeed extends Base {
     return this.#now?.progress ?? 0;
   }
 
+  /** True while their growth is paused: by a script, by the reader, or at a share that was sought. */
+  get paused(): boolean {
+    return this.#now?.state === "paused";
+  }
+
   /**
    * A promise that resolves when the requested rivers are finished, and rejects with the error if they fail. There is a
    * new promise when the attributes ask for other rivers, the element leaves the document, or finished rivers grow

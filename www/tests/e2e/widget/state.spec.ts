@@ -90,6 +90,38 @@ test("it is loading while the engine comes, and growing when that is at work", a
   await expect.poll(async () => (await stateOf(page)).phase).toBe("growing");
 });
 
+test("it says that it is paused, by a script, by the reader or at a share, and no more when it goes on", async ({
+  page,
+  blog,
+}) => {
+  const events = await open(page, blog, '<river-seed seed="rimu" meander-rounds="400"></river-seed>');
+  const isPaused = (): Promise<boolean> => page.locator("river-seed").evaluate((river: RiverSeed) => river.paused);
+  const change = (work: (river: RiverSeed) => void): Promise<void> => page.locator("river-seed").evaluate(work);
+  const button = page.getByRole("button");
+  await heard(events, "ready");
+  expect(await isPaused()).toBe(false);
+  await change((river) => river.pause());
+  await expect.poll(isPaused).toBe(true);
+  await button.click();
+  await expect.poll(isPaused).toBe(false);
+  await button.click();
+  await expect.poll(isPaused).toBe(true);
+  await change((river) => river.play());
+  await expect.poll(isPaused).toBe(false);
+  await change((river) => river.seek(0.2));
+  await expect.poll(isPaused).toBe(true);
+  await change((river) => river.restart());
+  await expect.poll(isPaused).toBe(false);
+  await change((river) => river.pause());
+  await expect.poll(isPaused).toBe(true);
+  expect(
+    await page.locator("river-seed").evaluate((river: RiverSeed) => {
+      river.seed = "kauri";
+      return river.paused;
+    }),
+  ).toBe(false);
+});
+
 test("in the turn in which attributes change, state and promise are of the new rivers", async ({ page, blog }) => {
   await open(page, blog, RIMU);
   await outcome(page, "return river.finished");
