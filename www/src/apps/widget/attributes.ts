@@ -54,7 +54,7 @@ export function speedOf(element: Element): number {
 
 /** Returns the number of a text, brought into the range, or the default if it is none. */
 function numberWithin(range: typeof SPEED, text: string | null): number {
-  const value = text?.trim() ? Number(text) : Number.NaN;
+  const value = Number(text?.trim() || Number.NaN);
   return Number.isFinite(value) ? Math.min(range.max, Math.max(range.min, value)) : range.default;
 }
 

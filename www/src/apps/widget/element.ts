@@ -25,8 +25,8 @@ import { announceEnd, DOES, describeRiver } from "./description.ts";
 import type { Audible, CompleteDetail, RiverSeedEventMap } from "./events.ts";
 import { report } from "./failure.ts";
 import { askForPng, askForSvg, type BlobOptions } from "./files.ts";
-import { HostedRiver, type Opening, type Request } from "./hosted-river.ts";
-import { isStill, REDUCED_MOTION } from "./motion.ts";
+import { HostedRiver, type Opening, type Order, type Request } from "./hosted-river.ts";
+import { isStill, reducedMotion } from "./motion.ts";
 import type { Report, Seen } from "./protocol.ts";
 import { Requested, type RiverSeedPhase } from "./state.ts";
 import { ENGLISH, type Strings } from "./strings.ts";
@@ -147,15 +147,12 @@ export class RiverSeed extends Base {
 
   /** Grows the river again from the mouths. After a failure it tries again. */
   restart(): void {
-    if (this.#river.isThere) this.#ask({ do: "replay" });
-    else {
-      if (this.#hasFailed) {
-        this.#hasBegun = this.#hasFailed = false;
-        this.#requested.renew();
-      }
+    if (this.#hasFailed) {
+      this.#hasBegun = this.#hasFailed = false;
+      this.#requested.renew();
       this.#shape(this.#aspect);
-      this.play();
     }
+    this.#ask({ do: "play" }, { do: "replay" });
   }
 
   /** Makes a PNG of the finished river. */
@@ -168,9 +165,9 @@ export class RiverSeed extends Base {
     return askForSvg(this);
   }
 
-  #ask(request: Request): void {
+  #ask(request: Request, order: Order = request): void {
     this.#catchUp();
-    this.#river.ask(request);
+    this.#river.ask(request, order);
     if (request.do !== "pause") this.#requested.growAgain();
     this.#beginIfDue();
   }
@@ -202,14 +199,14 @@ export class RiverSeed extends Base {
       target.addEventListener(type, listener, { signal });
     on(document, "visibilitychange", () => this.#rest());
     on(matchMedia(DARK_PAGES), "change", () => this.#followSoon());
-    on(matchMedia(REDUCED_MOTION), "change", () => this.#finishIfStill());
+    on(reducedMotion(), "change", () => this.#finishIfStill());
     const near = (isNear: boolean): void => {
       this.#isNear = isNear;
       this.#wasNear ||= isNear;
       this.#rest();
       this.#beginIfDue();
     };
-    watch(this, { near, resized: () => this.#resized(signal) }, signal);
+    watch(this, { near, resized: () => this.#resized() }, signal);
   }
 
   /** Follows the attributes at the end of this turn, so that several changes count as one. */
@@ -233,9 +230,9 @@ export class RiverSeed extends Base {
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
     if (isNew) this.#shape(aspectOf(link.text));
     this.#describe();
-    // The old status belongs to another river.
-    if (isNew && !this.#river.isThere) this.#seen = undefined;
     if (isNew && this.#river.isThere) this.#river.show({ link, how: this.#how, size: this.#view.fit() });
+    // The old status belongs to another river.
+    else if (isNew) this.#seen = undefined;
     this.#pace();
     this.#finishIfStill();
     this.#beginIfDue();
@@ -307,12 +304,12 @@ export class RiverSeed extends Base {
     if (isStill(this) && this.#seen?.state === "growing") this.#river.send({ do: "finish" });
   }
 
-  #resized(signal: AbortSignal): void {
+  #resized(): void {
     this.#beginIfDue();
     this.#view.stretch();
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
-      if (this.#river.isThere && !signal.aborted) this.#river.send({ do: "resize", size: this.#view.fit() });
+      if (this.#river.isThere) this.#river.send({ do: "resize", size: this.#view.fit() });
     }, RESIZE_PAUSE_MS);
   }
 

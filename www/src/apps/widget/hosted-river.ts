@@ -10,10 +10,10 @@ import type { ShowMode } from "../../player/river-player.ts";
 import { renderHost } from "./backend.ts";
 
 type Unaddressed<Every> = Every extends unknown ? Omit<Every, "id"> : never;
-type Order = Unaddressed<SceneCommand>;
+export type Order = Unaddressed<SceneCommand>;
 
-/** A request of a script, or of the reader. */
-export type Request = { do: "play" | "pause" | "replay" | "finish" } | { do: "seek"; share: number };
+/** A request of a script, or of the reader, that may come before the river is there. */
+export type Request = { do: "play" | "pause" | "finish" } | { do: "seek"; share: number };
 
 /** The canvas of a river, and the way to show it there. */
 export type Opening = Pick<HostOpening, "canvas" | "link" | "how" | "size">;
@@ -55,7 +55,7 @@ export class HostedRiver {
     renderHost.send(id, { ...opening, do: "open", how: howFor(asked, opening.how) });
     this.#id = id;
     this.#links = 0;
-    if (asked?.do === "pause" || asked?.do === "seek") this.send(asked);
+    if (asked) this.send(asked);
   }
 
   show(what: Omit<Opening, "canvas">): void {
@@ -63,9 +63,10 @@ export class HostedRiver {
     this.send({ ...what, do: "show" });
   }
 
-  ask(request: Request): void {
+  /** Keeps a request until the river follows it. One that is there is sent `order` at once. */
+  ask(request: Request, order: Order = request): void {
     this.#asked = request;
-    this.send(request);
+    this.send(order);
   }
 
   /** Called when it has told of itself, and so has followed what was asked. */
@@ -81,8 +82,7 @@ export class HostedRiver {
   /** Its engine is gone, and another takes its place. It is to go on there from the state that it was in. */
   move(state: State | undefined): void {
     this.#id = undefined;
-    if (state === "finished") this.#asked ??= { do: "finish" };
-    else if (state === "paused") this.#asked ??= { do: "pause" };
+    if (state === "finished" || state === "paused") this.#asked ??= { do: state === "paused" ? "pause" : "finish" };
   }
 
   leave(): void {

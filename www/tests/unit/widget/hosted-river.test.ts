@@ -53,7 +53,7 @@ test("of what was asked before, the last counts", async () => {
   river.ask({ do: "play" });
   expect(river.isAskedToPlay).toBe(true);
   await enter(river, "still");
-  expect(told()).toEqual(["open watch"]);
+  expect(told()).toEqual(["open watch", "play"]);
 });
 
 test("one that was paused or sought before opens there", async () => {
@@ -66,7 +66,7 @@ test("one that was paused or sought before opens there", async () => {
 });
 
 test.each<[State | undefined, string[]]>([
-  ["finished", ["open still"]],
+  ["finished", ["open still", "finish"]],
   ["paused", ["open watch", "pause"]],
   ["growing", ["open watch"]],
   ["settling", ["open watch"]],
@@ -91,6 +91,15 @@ test("what is asked goes over to another engine until the river has followed it"
   river.move("growing");
   await enter(river);
   expect(told()).toEqual(["open watch", "pause", "open watch", "pause", "open watch"]);
+});
+
+test("a replay that failed is not tried again where the river is opened anew", async () => {
+  const river = new HostedRiver();
+  await enter(river);
+  river.ask({ do: "play" }, { do: "replay" });
+  river.leave();
+  await enter(river, "still");
+  expect(told()).toEqual(["open watch", "replay", "open watch", "play"]);
 });
 
 test("it counts the links that it shows after the first, in each engine anew", async () => {
