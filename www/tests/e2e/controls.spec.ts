@@ -364,7 +364,7 @@ test("everything can be reached and used by keyboard alone @core", async ({ page
     if (name === "") break;
     order.push(name);
   }
-  for (const id of ["play", "pace", "seed", "dice", "download", "copy", "reset", "shape", "draw", "share", "zoom-in"])
+  for (const id of ["play", "speed", "seed", "dice", "download", "reset", "shape", "draw", "share", "zoom-in"])
     expect(order).toContain(id);
   for (const { label } of table.presets) expect(order).toContain(label);
   for (const { key, kind } of controlled) {

@@ -4,6 +4,7 @@ import {
   complaints,
   finished,
   openFinished,
+  openPanel,
   openStopped,
   ownClock,
   recordStates,
@@ -95,15 +96,14 @@ test("replay grows the same river again", async ({ page }) => {
 });
 
 test("speed goes up to instant, by keys", async ({ page }) => {
-  // In narrower windows a button is in the slider's place.
-  await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto("./?seed=hinau&attractors=300&style=ink&labels=none");
-  const speed = page.getByRole("slider", { name: "Speed" });
-  // Until the page is ready, it takes no focus.
-  await expect(speed).toBeEnabled();
+  await finished(page);
+  await openPanel(page);
+  const speed = page.getByRole("slider", { name: "Speed of growth" });
   await speed.focus();
   await page.keyboard.press("End");
   await expect(speed).toHaveAttribute("aria-valuetext", "instant");
+  await page.getByRole("button", { name: "Replay" }).click();
   await finished(page);
 });
 

@@ -102,15 +102,25 @@ for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
   });
 }
 
-test("the bar is in one row on a desk, with the panel and without", async ({ page }) => {
+test("the bar is in one row on a desk and a tablet, with the panel and without, and not under it", async ({ page }) => {
   await page.setViewportSize({ width: 1024, height: 768 });
   await openFinished(page, "attractors=300&style=ink&labels=none");
   const height = async (): Promise<number> => (await page.locator(".bar").boundingBox())?.height ?? 0;
   for (const [width, isOpen] of [
+    [620, false],
+    [720, false],
+    [800, false],
     [1000, false],
     [1024, false],
+    [1100, false],
     [1280, false],
+    [1300, false],
     [1440, false],
+    [620, true],
+    [1000, true],
+    [1024, true],
+    [1200, true],
+    [1300, true],
     [1440, true],
     [1680, true],
   ] as const) {
@@ -118,6 +128,8 @@ test("the bar is in one row on a desk, with the panel and without", async ({ pag
     if (isOpen) await openPanel(page);
     expect(await height(), `${width}, ${isOpen}`).toBeLessThan(60);
     for (const name of ["Draw", "Replay"]) await expect(page.getByRole("button", { name, exact: true })).toBeVisible();
+    // Told that something else covers it, Playwright would not click.
+    await page.getByRole("button", { name: "Share", exact: true }).click({ trial: true });
   }
 });
 

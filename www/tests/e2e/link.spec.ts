@@ -185,11 +185,11 @@ test("a link in the fragment is opened once, however soon after another change",
   }
 });
 
-test("Copy link gives the whole address of what is shown, at once", async ({ page, context }) => {
+test("a key copies the whole address of what is shown, at once", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await openUnfolded(page, "seed=kowhai&attractors=300&style=ink&labels=none");
   await page.getByRole("button", { name: "Momentum", exact: true }).click();
-  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.keyboard.press("l");
   await expect(page.locator("#shared")).toHaveText("Link copied.");
   const copied = new URL(await page.evaluate(() => navigator.clipboard.readText()));
   expect(copied.searchParams.get("momentum")).not.toBeNull();
@@ -201,6 +201,6 @@ test("where copying is refused the link is shown instead", async ({ page }) => {
     Object.defineProperty(navigator, "clipboard", { value: undefined });
   });
   await openFinished(page, "seed=kowhai&attractors=300&style=ink&labels=none");
-  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.keyboard.press("l");
   await expect(page.locator("#shared")).toContainText("seed=kowhai");
 });

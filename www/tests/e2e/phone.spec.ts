@@ -8,6 +8,7 @@ import {
   finished,
   fixChance,
   openFinished,
+  openWithPanel,
 } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
@@ -113,21 +114,16 @@ test("one tap is a river's, and a pinch zooms @core", async ({ page }) => {
   await expect(page.locator(".bar")).toBeVisible();
 });
 
-test("the speed of growth is at hand on a phone", async ({ page }) => {
-  await openFinished(page, LINK);
-  const pace = page.getByRole("button", { name: /^Speed: / });
-  await expect(pace).toHaveAccessibleName("Speed: 1×");
-  await expect(page.locator("#speed")).toBeHidden();
-  for (const name of ["2×", "4×", "8×", "instant", "¼×", "½×", "1×"]) {
-    await pace.tap();
-    await expect(pace).toHaveAccessibleName(`Speed: ${name}`);
-    await expect(pace).toHaveText(name);
+test("the speed of growth is in the panel, and shown in words", async ({ page }) => {
+  await openWithPanel(page, LINK);
+  const speed = page.getByRole("slider", { name: "Speed of growth" });
+  for (const name of ["2×", "4×", "8×", "instant"]) {
+    await speed.press("ArrowRight");
+    await expect(speed).toHaveAttribute("aria-valuetext", name);
+    await expect(page.locator("#speed-shown")).toHaveText(name);
   }
-  await pace.tap();
-  await page.setViewportSize({ width: 1440, height: 800 });
-  await expect(pace).toBeHidden();
-  await expect(page.locator("#speed")).toHaveAttribute("aria-valuetext", "2×");
-  await finished(page);
+  await speed.press("Home");
+  await expect(speed).toHaveAttribute("aria-valuetext", "¼×");
 });
 
 for (const [chosen, thrown] of [

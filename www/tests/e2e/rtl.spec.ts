@@ -73,10 +73,11 @@ test("from right to left the panel and the styles are on the left, and the map b
 });
 
 test("from right to left a click beside a slider's thumb goes where the hand points", async ({ page }) => {
-  // In narrower windows a button is in the slider's place.
   await page.setViewportSize({ width: 1440, height: 900 });
   await openMirrored(page, SEEDS.Hebrew);
+  await openPanel(page);
   const speed = page.locator("#speed");
+  await speed.scrollIntoViewIfNeeded();
   const box = await speed.boundingBox();
   if (!box) throw new Error("no slider");
   await page.mouse.click(box.x + box.width - 4, box.y + box.height / 2);

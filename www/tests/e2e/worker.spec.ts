@@ -10,6 +10,7 @@ import {
   expectPictureOfAddress,
   finished,
   openFinished,
+  openPanel,
   shown,
   WORKER,
 } from "./riverpage.ts";
@@ -149,11 +150,10 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
 });
 
 test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
-  // In narrower windows a button is in the slider's place.
-  await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto("./?seed=miro&attractors=4000&meander-rounds=400&style=ink&labels=none");
   await finished(page);
-  await page.getByRole("slider", { name: "Speed" }).press("Home");
+  await openPanel(page);
+  await page.getByRole("slider", { name: "Speed of growth" }).press("Home");
   await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   const hide = (hidden: boolean) =>
@@ -166,7 +166,7 @@ test("in a hidden tab the worker rests, and goes on when it is seen @core", asyn
   for (let i = 0; i < 3; i++) expect((await shown(page)).sha256).toBe(sha256);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   await hide(false);
-  await page.getByRole("slider", { name: "Speed" }).press("End");
+  await page.getByRole("slider", { name: "Speed of growth" }).press("End");
   await expectPictureOfAddress(page);
 });
 

@@ -29,7 +29,6 @@ export const elements = {
     status: find("#saving-status", HTMLElement),
     elsewhere: find("#shared", HTMLElement),
   },
-  copy: find("#copy", HTMLButtonElement),
   reset: find("#reset", HTMLButtonElement),
   shared: find("#shared", HTMLElement),
   sharing: {
@@ -58,7 +57,6 @@ export const elements = {
     play: find("#play", HTMLButtonElement),
     speed: find("#speed", HTMLInputElement),
     speedShown: find("#speed-shown", HTMLElement),
-    pace: find("#pace", HTMLButtonElement),
   },
   drawing: {
     stage: find("#sheet", HTMLElement),
@@ -76,12 +74,9 @@ export const elements = {
     done: find("#done", HTMLButtonElement),
   },
   undo: {
+    group: find("#history", HTMLElement),
     undo: find("#undo", HTMLButtonElement),
     redo: find("#redo", HTMLButtonElement),
-  },
-  trail: {
-    previous: find("#previous", HTMLButtonElement),
-    next: find("#next", HTMLButtonElement),
   },
   zoom: {
     closer: find("#zoom-in", HTMLButtonElement),

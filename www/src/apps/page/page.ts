@@ -157,7 +157,8 @@ class Page {
       () => sessionStorage,
       (word) => this.#grow(word),
     );
-    new HelpSheet(elements.help, shortcuts(), new CharacterSwitch(() => localStorage), () => this.#six.open());
+    const keys = shortcuts(() => void this.#copyLink());
+    new HelpSheet(elements.help, keys, new CharacterSwitch(() => localStorage), () => this.#six.open());
     const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
     answerEscape([this.#naming, this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
@@ -167,9 +168,9 @@ class Page {
   /** Enables the controls and shows the first river. */
   start(): void {
     this.#transport.enable();
-    const { dice, land, download, copy, reset, sending, sharing, drawing, panel, zoom } = elements;
+    const { dice, land, download, reset, sending, sharing, drawing, panel, zoom } = elements;
     const { draw } = drawing;
-    for (const button of [dice, land, sending.open, download, sharing.open, copy, reset, draw, panel.open, zoom.closer])
+    for (const button of [dice, land, sending.open, download, sharing.open, reset, draw, panel.open, zoom.closer])
       button.disabled = false;
     // First, so that the address keeps asking for them.
     if (this.#six.areAskedFor) this.#six.open();
@@ -198,7 +199,6 @@ class Page {
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
     const sending = new SendDialog(elements.sending, this.#recipe, this.#country, downloads);
     new ShareDialog(elements.sharing, this.#recipe, downloads, sending);
-    elements.copy.addEventListener("click", () => void this.#copyLink());
     // Elements above the bar are placed by its height.
     new ResizeObserver(() => {
       document.documentElement.style.setProperty("--bar-height", `${elements.bar.offsetHeight}px`);

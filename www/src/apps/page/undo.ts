@@ -15,6 +15,8 @@ interface Entry {
 }
 
 export interface UndoElements {
+  /** The place of both buttons, which is hidden until there is something to undo or redo. */
+  group: HTMLElement;
   undo: HTMLButtonElement;
   redo: HTMLButtonElement;
 }
@@ -66,7 +68,7 @@ export class Undo {
       if (isStep) this.#last = step;
       this.#step = step;
     } catch {
-      // A sandboxed frame may not change its address. The picture is not affected, and "Copy link" still works.
+      // A sandboxed frame may not change its address. The picture is not affected, and the link can still be copied.
     }
     this.#show();
   }
@@ -96,6 +98,8 @@ export class Undo {
   #show(): void {
     this.elements.undo.disabled = this.#step === 0;
     this.elements.redo.disabled = this.#step === this.#last;
+    // Both at once: if each came and went by itself, the other would move under the finger.
+    this.elements.group.hidden = this.#last === 0;
   }
 }
 

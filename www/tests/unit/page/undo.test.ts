@@ -54,6 +54,7 @@ class Button {
 
 let history = new History();
 let [back, forth] = [new Button(), new Button()];
+let group = { hidden: true };
 let undo: Undo;
 let address: AddressBar;
 
@@ -71,6 +72,7 @@ beforeEach(() => {
   vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout", "performance"] });
   history = new History();
   [back, forth] = [new Button(), new Button()];
+  group = { hidden: true };
   vi.stubGlobal("history", history);
   vi.stubGlobal("location", {
     get href() {
@@ -78,7 +80,7 @@ beforeEach(() => {
     },
   });
   vi.stubGlobal("document", { addEventListener: () => {} });
-  const elements = { undo: back, redo: forth } as unknown as UndoElements;
+  const elements = { group, undo: back, redo: forth } as unknown as UndoElements;
   undo = new Undo(
     elements,
     () => address.flush(),
@@ -96,6 +98,14 @@ beforeEach(() => {
     vi.useRealTimers();
     vi.unstubAllGlobals();
   };
+});
+
+test("the buttons come with the first step, and stay: undoing it leaves both in their places", () => {
+  expect(group.hidden).toBe(true);
+  address.show("seed=two", true);
+  expect([group.hidden, offered()]).toEqual([false, "undo"]);
+  back.press();
+  expect([group.hidden, offered()]).toEqual([false, "redo"]);
 });
 
 test("a link that is pasted over the address can be undone, and nothing follows it", () => {

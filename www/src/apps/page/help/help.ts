@@ -1,4 +1,4 @@
-/** The help sheet, which lists what each key does. The same list handles the keys that press a button. */
+/** The help sheet, which lists what each key does. The same list handles the keys that act like a button. */
 
 import { el } from "../../../browser/dom.ts";
 import { isCombined, isTaken } from "../../../browser/keys.ts";
@@ -13,11 +13,11 @@ export interface HelpElements {
   teach: HTMLButtonElement;
 }
 
-/** A key that presses a button. */
+/** A key that acts like a button. */
 export interface Shortcut {
   key: string;
   says: string;
-  button: HTMLButtonElement;
+  act: () => void;
 }
 
 /** Keys that other parts of the page handle. */
@@ -61,7 +61,7 @@ export class HelpSheet {
   #onKey(event: KeyboardEvent): void {
     if (isTaken(event) || isCombined(event) || event.repeat) return;
     if (event.key === "?") this.elements.dialog.showModal();
-    else this.shortcuts.find(({ key }) => key === event.key.toLowerCase())?.button.click();
+    else this.shortcuts.find(({ key }) => key === event.key.toLowerCase())?.act();
   }
 }
 

@@ -1,16 +1,14 @@
-/** The keys that press a button of the page. */
+/** The keys that press a button of the page, or do what *Share* does. */
 
 import { elements } from "../elements.ts";
 import type { Shortcut } from "./help.ts";
 
-export function shortcuts(): Shortcut[] {
-  const { dice, trail, panel, sharing, copy } = elements;
+export function shortcuts(copyLink: () => void): Shortcut[] {
+  const { dice, panel, sharing } = elements;
   return [
-    { key: "r", says: "a new seed by chance", button: dice },
-    { key: "[", says: "the seed before", button: trail.previous },
-    { key: "]", says: "the seed after", button: trail.next },
-    { key: "p", says: "the panel of shapes", button: panel.open },
-    { key: "s", says: "share", button: sharing.open },
-    { key: "l", says: "copy the link", button: copy },
+    { key: "r", says: "a new seed by chance", act: () => dice.click() },
+    { key: "p", says: "the panel of shapes", act: () => panel.open.click() },
+    { key: "s", says: "share", act: () => sharing.open.click() },
+    { key: "l", says: "copy the link", act: copyLink },
   ];
 }

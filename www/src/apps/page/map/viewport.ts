@@ -438,7 +438,10 @@ export class RiverViewport {
     frame.style.setProperty("--window", String(stage.width / stage.height));
     Object.assign(mapPlace.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
     zoom.closer.disabled = this.#camera.isClosest;
-    zoom.farther.disabled = zoom.all.disabled = this.#camera.showsAll;
+    const hadFocus = [zoom.farther, zoom.all].some((button) => button === document.activeElement);
+    zoom.farther.hidden = zoom.all.hidden = this.#camera.showsAll;
+    // A hidden button loses the focus: it goes to the one that stays.
+    if (hadFocus && this.#camera.showsAll) zoom.closer.focus();
   }
 
   /** Moves the old picture to the place of the new one, until that is painted. */

@@ -13,7 +13,6 @@ import type { Parameter, Preset, Table } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
 import { freshAspect } from "../preferences.ts";
-import { SeedTrail } from "./seed-trail.ts";
 import { StyleStrip } from "./style-strip.ts";
 
 type Values = readonly (readonly [key: string, value: string])[];
@@ -37,7 +36,6 @@ const COUNTRY_PICTURES = "./countries";
 export class Choices {
   readonly strip: StyleStrip;
   readonly #padlocks = new Padlocks(() => localStorage);
-  readonly #trail = new SeedTrail(elements.trail, (seed) => this.#goToSeed(seed));
   readonly #controls: Controls;
   readonly #presets: Presets;
   readonly #countries: PresetButtons;
@@ -95,7 +93,6 @@ export class Choices {
   }
 
   show({ values, idle, defaults, seed }: Recipe): void {
-    this.#trail.show(seed);
     this.strip.show(values.get("style") ?? "", (country) => this.#changesNothing(country, values));
     this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
@@ -135,15 +132,18 @@ export class Choices {
     try {
       const { now, usual } = this.#aspects;
       const aspect = this.kept.has("aspect") ? now : freshAspect(now, usual);
-      this.#goToSeed(this.engine.freshSeed(), [["aspect", aspect]]);
+      const seed = this.engine.freshSeed();
+      this.replaceSeed(seed);
+      this.events.set(
+        [
+          ["seed", seed],
+          ["aspect", aspect],
+        ],
+        "still",
+      );
     } catch (error) {
       this.events.failed(error);
     }
-  }
-
-  #goToSeed(seed: string, others: Values = []): void {
-    this.replaceSeed(seed);
-    this.events.set([["seed", seed], ...others], "still");
   }
 }
 

@@ -1,4 +1,4 @@
-/** The buttons for play, pause and replay, and the speed slider. */
+/** The button for play, pause and replay in the bar, and the speed slider in the panel. */
 
 import { setText, setValue } from "../../../browser/dom.ts";
 import { isCombined, isTaken } from "../../../browser/keys.ts";
@@ -24,11 +24,6 @@ export interface TransportElements {
   play: HTMLButtonElement;
   speed: HTMLInputElement;
   speedShown: HTMLElement;
-  /**
-   * The button that replaces the slider where there is no room for it. Each press goes to the next stop, and from the
-   * last to the first.
-   */
-  pace: HTMLButtonElement;
 }
 
 export interface TransportEvents {
@@ -45,11 +40,6 @@ export class Transport {
     setValue(elements.speed, String(ORDINARY));
     elements.play.addEventListener("click", () => events.toggle());
     elements.speed.addEventListener("input", () => this.#setSpeed());
-    elements.pace.addEventListener("click", () => {
-      const { speed } = elements;
-      setValue(speed, String((speed.valueAsNumber + 1) % SPEEDS.length));
-      this.#setSpeed();
-    });
     document.addEventListener("keydown", (event) => this.#onKey(event));
     this.#setSpeed();
   }
@@ -62,16 +52,14 @@ export class Transport {
   }
 
   enable(): void {
-    const { play, speed, pace } = this.elements;
-    for (const element of [play, speed, pace]) element.disabled = false;
+    const { play, speed } = this.elements;
+    for (const element of [play, speed]) element.disabled = false;
   }
 
   #setSpeed(): void {
-    const { speed: slider, speedShown, pace } = this.elements;
+    const { speed: slider, speedShown } = this.elements;
     const speed = SPEEDS[slider.valueAsNumber] ?? 1;
     speedShown.textContent = speedName(speed);
-    setText(pace.firstElementChild ?? undefined, speedName(speed));
-    pace.setAttribute("aria-label", `Speed: ${speedName(speed)}`);
     slider.setAttribute("aria-valuetext", speedName(speed));
     slider.style.setProperty("--share", String(slider.valueAsNumber / (SPEEDS.length - 1)));
     this.events.speed(speed);

@@ -1,0 +1,30 @@
+/** How many controls the page has in sight: few at rest. */
+
+import { expect, type Page, test } from "@playwright/test";
+import { openFinished } from "./riverpage.ts";
+
+const MOST_AT_REST = 20;
+
+/** Everything on the page that can have the focus and is seen, whether it can be used or not. */
+function controlsIn(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const all = document.querySelectorAll("button, a[href], input, select, summary, textarea, [tabindex]:not(#frame)");
+    const seen = [...all].filter(
+      (one) => one.checkVisibility({ visibilityProperty: true }) && one.getClientRects().length > 0,
+    );
+    return seen.map((one) => one.id || one.getAttribute("aria-label") || one.textContent || one.tagName);
+  });
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [390, 844],
+] as const)
+  test(`at rest few controls are in sight: ${width} by ${height} @core`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await openFinished(page);
+    const controls = await controlsIn(page);
+    expect(controls.length, controls.join("\n")).toBeLessThanOrEqual(MOST_AT_REST);
+    for (const one of ["seed", "dice", "shape", "draw", "play", "send", "download", "share", "zoom-in", "help"])
+      expect(controls).toContain(one);
+  });
