@@ -95,8 +95,9 @@ function watch() {
 
 /** Returns the sliders that have an effect. */
 function slidersOf() {
-  const all = [...document.querySelectorAll("#controls input[type=range]:not(:disabled)")];
-  return all.filter((slider) => !slider.closest("fieldset:disabled")).map(({ id }) => id.replace(/^field-/, ""));
+  // Those in front with a name of their own have another behind the door.
+  const all = document.querySelectorAll("#controls fieldset:not(:disabled) input[type=range]:not([id^=field-front-])");
+  return [...all].map(({ id }) => id.replace(/^field-/, ""));
 }
 
 /** Moves a slider to and fro around its position, as a hand does that continues when it has seen something. */

@@ -2,7 +2,7 @@
 
 import { el, setText, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/table.ts";
-import { type Change, type Field, fieldId, helpId } from "./field.ts";
+import { type Change, type Field, fieldId, helpId, type Shown } from "./field.ts";
 import { numberControl } from "./number.ts";
 import { rangeOf, sidesOf, sidesText } from "./values.ts";
 
@@ -15,7 +15,16 @@ export interface Control {
   show(text: string, fallback: string, idle: string | undefined, automatic?: string): void;
 }
 
-export function control(parameter: Parameter, change: Change): Control {
+/**
+ * Makes a control that stands in front, under a label in everyday words. A number has another behind the door, with a
+ * field for the exact value.
+ */
+export function frontControl(parameter: Parameter, label: string, change: Change): Control {
+  const isNumber = rangeOf(parameter) !== undefined;
+  return control({ ...parameter, label, ...(isNumber ? { inFront: `front-${parameter.key}` } : {}) }, change);
+}
+
+export function control(parameter: Shown, change: Change): Control {
   const field = fieldFor(parameter, change);
   const reset = new ResetButton(parameter, (fallback) => {
     change(parameter.key, fallback);
@@ -27,7 +36,7 @@ export function control(parameter: Parameter, change: Change): Control {
   const element = el("fieldset", {
     role: "none",
     class: `control control-${parameter.kind}`,
-    "data-key": parameter.key,
+    ...(parameter.inFront === undefined ? { "data-key": parameter.key } : { "data-macro": parameter.key }),
     title: parameter.help,
   });
   field.element.classList.add("field");
@@ -44,7 +53,7 @@ export function control(parameter: Parameter, change: Change): Control {
   };
 }
 
-function fieldFor(parameter: Parameter, change: Change): Field {
+function fieldFor(parameter: Shown, change: Change): Field {
   const range = rangeOf(parameter);
   if (range) return numberControl(parameter, range, change);
   if (parameter.kind === "choice") return choiceControl(parameter, change);

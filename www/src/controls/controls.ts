@@ -1,16 +1,23 @@
-/** The controls of the recipe except the seed, generated from the parameter table under its headings. */
+/**
+ * The controls of the recipe except the seed and the names, generated from the parameter table: in front what shapes a
+ * map most, and behind one door every parameter under its heading.
+ */
 
 import { el } from "../browser/dom.ts";
 import type { Parameter } from "../engine/table.ts";
-import { type Control, control } from "./control.ts";
+import { type Control, control, frontControl } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
-import { type Group, group } from "./group.ts";
-import { keysOf, MACROS, macroControl } from "./macros.ts";
+import { group } from "./group.ts";
+import { keysOf, MACROS, type MacroControl, macroControl } from "./macros.ts";
 import type { Padlocks } from "./padlocks.ts";
+import { Settings } from "./settings.ts";
 import { rangeOf } from "./values.ts";
 
 export interface Controls {
-  readonly element: HTMLElement;
+  /** The parameters and macros in front. */
+  readonly front: HTMLElement;
+  /** The door to all parameters. */
+  readonly settings: HTMLElement;
   show(values: Values): void;
 }
 
@@ -22,8 +29,8 @@ export interface Values {
 }
 
 /**
- * Returns whether a parameter gets a control here. One with a single possible value (the edition) does not; the seed
- * has its own box, and an outline is drawn.
+ * Returns whether a parameter gets a control in the panel. One with a single possible value (the edition) does not; the
+ * seed has its own box, and an outline is drawn.
  */
 export function isAdjustable(parameter: Parameter): boolean {
   const range = rangeOf(parameter);
@@ -40,57 +47,7 @@ function automaticValue(parameter: Parameter | undefined, values: Values["values
 /** Takes one change of several keys, with their new values as link text. */
 export type ChangeOfMany = (values: readonly (readonly [key: string, text: string])[]) => void;
 
-/** Makes the controls. `own` contains, by key, controls that are made elsewhere. */
-export function controls(
-  table: readonly Parameter[],
-  change: ChangeOfMany,
-  disclosures: Disclosures,
-  padlocks: Padlocks,
-  own: ReadonlyMap<string, Control> = new Map(),
-): Controls {
-  const made = new Map<string, Control>();
-  const groups: Group[] = [];
-  const make = (parameter: Parameter): Control => {
-    const one = own.get(parameter.key) ?? control(parameter, (key, text) => change([[key, text]]));
-    made.set(parameter.key, one);
-    return one;
-  };
-  const adjustable = table.filter(isAdjustable);
-  const byKey = new Map(adjustable.map((parameter) => [parameter.key, parameter]));
-  const macros = new Map(MACROS.map((macro) => [macro.name, { macro, ...macroControl(macro, byKey, change) }]));
-  const front = FRONT.flatMap(([key, label]) => {
-    const { macro, element } = macros.get(key) ?? {};
-    if (macro && element) return locked(element, padlocks.padlock(macro.label, keysOf(macro)));
-    const parameter = byKey.get(key);
-    return parameter ? locked(make({ ...parameter, label }).element, padlocks.padlock(label, [key])) : [];
-  });
-  for (const [heading, all] of grouped(adjustable)) {
-    const parameters = all.filter(({ key }) => !made.has(key));
-    parameters.forEach(make);
-    // This padlock includes the parameters that are shown in front.
-    const padlock = padlocks.padlock(`all of ${heading}`, keysUnder(heading, table));
-    groups.push(group(heading, parameters, made, disclosures, padlock));
-  }
-  return {
-    element: el(
-      "div",
-      { class: "groups" },
-      el("div", { class: "front members" }, ...front),
-      ...groups.map(({ element }) => element),
-    ),
-    show({ values, defaults, idle }) {
-      for (const [key, one] of made) {
-        const text = values.get(key);
-        if (text === undefined) continue;
-        one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(byKey.get(key), values));
-      }
-      for (const one of macros.values()) one.show(values, defaults);
-      for (const one of groups) one.show(values, defaults);
-    },
-  };
-}
-
-/** The parameters and macros that shape a map most, in everyday words. All others are under their headings. */
+/** The parameters and macros that shape a map most, in everyday words. */
 export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["land", "Land"],
   ["sea", "How much sea"],
@@ -101,15 +58,90 @@ export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["width", "How wide"],
 ];
 
-/** Puts a padlock into a control. */
-function locked(control: HTMLElement, padlock: HTMLElement): HTMLElement {
-  control.querySelector(".control-head label")?.after(padlock);
-  return control;
+/** The keys that a padlock in front keeps besides its own: a land is nothing without its outline and its shape. */
+const KEPT_WITH: ReadonlyMap<string, readonly string[]> = new Map([["land", ["outline", "aspect"]]]);
+
+/**
+ * Parameters that are under no heading: the land's control is in front, names have a list of their own, and a style is
+ * chosen on the strip beside the panel.
+ */
+const ELSEWHERE: ReadonlySet<string> = new Set(["land", "names", "style"]);
+
+/** Makes the controls. `film` is a setting of the page and not of the recipe. */
+export function controls(
+  table: readonly Parameter[],
+  changeMany: ChangeOfMany,
+  disclosures: Disclosures,
+  padlocks: Padlocks,
+  film: HTMLElement,
+): Controls {
+  const change = (key: string, text: string): void => changeMany([[key, text]]);
+  const byKey = new Map(table.filter(isAdjustable).map((parameter) => [parameter.key, parameter]));
+  const inFront = frontControls(byKey, changeMany, padlocks);
+  const single = new Map(
+    [...byKey].filter(([key]) => !ELSEWHERE.has(key)).map(([key, one]) => [key, control(one, change)]),
+  );
+  const groups = [...grouped([...byKey.values()].filter(({ key }) => single.has(key)))].map(([heading, parameters]) =>
+    group(heading, parameters, single, disclosures),
+  );
+  const style = styleControl(byKey.get("style"), change);
+  const settings = new Settings(groups, disclosures, [...style.map(({ element }) => element), film]);
+  const all: [string, Control][] = [
+    ...inFront.single,
+    ...single,
+    ...style.map((one): [string, Control] => ["style", one]),
+  ];
+  return {
+    front: inFront.element,
+    settings: settings.element,
+    show({ values, defaults, idle }) {
+      for (const [key, one] of all) {
+        const text = values.get(key);
+        if (text === undefined) continue;
+        one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(byKey.get(key), values));
+      }
+      for (const one of inFront.macros) one.show(values, defaults);
+      for (const one of groups) one.show(values, defaults);
+      settings.show(new Set([...idle.keys()].filter((key) => single.has(key))));
+    },
+  };
 }
 
-/** Returns all keys under a heading, including those with a control elsewhere, such as a drawn coast. */
-function keysUnder(heading: string, table: readonly Parameter[]): string[] {
-  return table.filter(({ group }) => group === heading).map(({ key }) => key);
+/** Makes what stands in front, each with a padlock. */
+function frontControls(
+  byKey: ReadonlyMap<string, Parameter>,
+  change: ChangeOfMany,
+  padlocks: Padlocks,
+): { element: HTMLElement; single: [key: string, control: Control][]; macros: MacroControl[] } {
+  const element = el("div", { class: "front members" });
+  const single: [string, Control][] = [];
+  const macros: MacroControl[] = [];
+  const put = (one: HTMLElement, label: string, keys: readonly string[]): void => {
+    one.querySelector(".control-head label")?.after(padlocks.padlock(label, keys));
+    element.append(one);
+  };
+  for (const [name, label] of FRONT) {
+    const macro = MACROS.find((one) => one.name === name);
+    const parameter = byKey.get(name);
+    if (macro) {
+      const made = macroControl(macro, byKey, change);
+      macros.push(made);
+      put(made.element, macro.label, keysOf(macro));
+    } else if (parameter) {
+      const made = frontControl(parameter, label, (key, text) => change([[key, text]]));
+      single.push([name, made]);
+      put(made.element, label, [name, ...(KEPT_WITH.get(name) ?? [])]);
+    }
+  }
+  return { element, single, macros };
+}
+
+/** Makes the control of the style for windows that are too low for the strip. */
+function styleControl(style: Parameter | undefined, change: (key: string, text: string) => void): Control[] {
+  if (!style) return [];
+  const made = control(style, change);
+  made.element.classList.add("without-strip");
+  return [made];
 }
 
 /**

@@ -2,6 +2,14 @@
 
 import type { Parameter } from "../engine/table.ts";
 
+/**
+ * A parameter as a control shows it. One in front, besides another behind the door, has a name for its elements, and
+ * no field for an exact value.
+ */
+export interface Shown extends Parameter {
+  inFront?: string;
+}
+
 /** Takes a change: the key, and the new value as link text. */
 export type Change = (key: string, text: string) => void;
 
@@ -17,10 +25,10 @@ export interface Field {
   focus(): void;
 }
 
-export function fieldId({ key }: Parameter): string {
-  return `field-${key}`;
+export function fieldId({ key, inFront = key }: Shown): string {
+  return `field-${inFront}`;
 }
 
-export function helpId({ key }: Parameter): string {
-  return `help-${key}`;
+export function helpId({ key, inFront = key }: Shown): string {
+  return `help-${inFront}`;
 }

@@ -11,6 +11,8 @@ const RARE = new Set(["flat-share", "neck", "oxbows", "clearance", "taper"]);
 export interface Group {
   readonly element: HTMLElement;
   show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
+  /** Hides the controls of some parameters, and headings with nothing under them. */
+  hide(hidden: ReadonlySet<string>): void;
 }
 
 export function group(
@@ -18,22 +20,30 @@ export function group(
   parameters: readonly Parameter[],
   made: ReadonlyMap<string, Control>,
   disclosures: Disclosures,
-  padlock: HTMLElement,
 ): Group {
   const changed = el("span", { class: "changed" });
   const summary = el("summary", {}, el("h2", {}, heading), " ", changed);
-  const controlsOf = (some: readonly Parameter[]): HTMLElement[] =>
+  const [rare = [], usual = []] = [true, false].map((is) => parameters.filter(({ key }) => RARE.has(key) === is));
+  const elementsOf = (some: readonly Parameter[]): HTMLElement[] =>
     some.flatMap(({ key }) => made.get(key)?.element ?? []);
-  const [rare, usual] = [true, false].map((is) => controlsOf(parameters.filter(({ key }) => RARE.has(key) === is)));
-  const members = el("div", { class: "members" }, ...(usual ?? []));
-  if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
-  const details = disclosures.details(heading, false, { class: "group" }, summary, members);
+  const members = el("div", { class: "members" }, ...elementsOf(usual));
+  const fold = rare.length > 0 ? more(heading, elementsOf(rare), disclosures) : undefined;
+  if (fold) members.append(fold);
+  const element = disclosures.details(heading, false, { class: "group" }, summary, members);
   return {
-    // Beside the heading, not in it, since the heading itself works as a button.
-    element: el("div", { class: "group-place" }, padlock, details),
+    element,
     show(values, defaults) {
       const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;
       setText(changed, count === 0 ? "" : `${count} changed`);
+    },
+    hide(hidden) {
+      const areHidden = (some: readonly Parameter[]): boolean => some.every(({ key }) => hidden.has(key));
+      for (const { key } of parameters) {
+        const control = made.get(key)?.element;
+        if (control) control.hidden = hidden.has(key);
+      }
+      element.hidden = areHidden(parameters);
+      if (fold) fold.hidden = areHidden(rare);
     },
   };
 }

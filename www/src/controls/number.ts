@@ -1,8 +1,7 @@
-/** The control of a number: a slider for trying values, and a field for an exact value. */
+/** The control of a number: a slider for trying values, and a field for an exact value or, in front, the value written. */
 
-import { el, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/table.ts";
-import { type Change, type Field, fieldId, helpId } from "./field.ts";
+import { el, setText, setValue } from "../browser/dom.ts";
+import { type Change, type Field, fieldId, helpId, type Shown } from "./field.ts";
 import { LOG_STEPS, logStep, nearestText, position, type Range, share, spoken, textAt } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";
 
@@ -30,9 +29,9 @@ const AUTOMATIC = "auto";
 const RESHAPING: ReadonlySet<string> = new Set(["reach", "kill", "step", "momentum", "curl", "stretch", "sensitivity"]);
 const DETENTS = 20;
 
-export function numberControl(parameter: Parameter, range: Range, change: Change): Field {
+export function numberControl(parameter: Shown, range: Range, change: Change): Field {
   const slider = sliderFor(parameter, range);
-  const exact = exactField(parameter);
+  const aside = parameter.inFront === undefined ? exactAside(parameter, change) : writtenAside(parameter);
   const commit = (text: string) => change(parameter.key, text);
   let shown = parameter.default;
 
@@ -45,16 +44,15 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
         : nearestText(Number(shown) + direction * wheelStep(range), range),
     );
   });
-  exact.addEventListener("change", () => commit(exact.value.trim() === AUTOMATIC ? "0" : exact.value));
 
   return {
     element: slider,
     label: el("label", { for: slider.id }, parameter.label),
-    aside: unitAside(exact, parameter.unit),
+    aside: aside.element,
     ...(RESHAPING.has(parameter.key) ? { remark: "Each notch is another river." } : {}),
     show(text, automatic) {
       shown = automatic ?? text;
-      setValue(exact, automatic === undefined ? text : AUTOMATIC);
+      aside.show(automatic === undefined ? text : AUTOMATIC);
       showOnSlider(slider, shown, range, parameter.unit);
       if (automatic !== undefined)
         slider.setAttribute("aria-valuetext", `automatic: ${spoken(automatic, parameter.unit)}`);
@@ -63,14 +61,21 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
   };
 }
 
-function sliderFor(parameter: Parameter, range: Range): HTMLInputElement {
+function sliderFor(parameter: Shown, range: Range): HTMLInputElement {
   const [min, max, finest] = range.isLog ? [0, LOG_STEPS, 1] : [range.min, range.max, range.step];
   const step = RESHAPING.has(parameter.key) ? Math.max(finest, (max - min) / DETENTS) : finest;
   return el("input", { type: "range", id: fieldId(parameter), min, max, step, "aria-describedby": helpId(parameter) });
 }
 
-function exactField({ key, label }: Parameter): HTMLInputElement {
-  return el("input", {
+/** The value beside a slider. */
+interface Aside {
+  element: HTMLElement;
+  show(text: string): void;
+}
+
+/** Makes a field for the exact value. */
+function exactAside({ key, label, unit }: Shown, change: Change): Aside {
+  const exact = el("input", {
     type: "text",
     class: "exact",
     id: `exact-${key}`,
@@ -78,10 +83,15 @@ function exactField({ key, label }: Parameter): HTMLInputElement {
     autocomplete: "off",
     "aria-label": `${label}, exact value`,
   });
+  exact.addEventListener("change", () => change(key, exact.value.trim() === AUTOMATIC ? "0" : exact.value));
+  const units = unit ? [el("span", { class: "unit" }, unit)] : [];
+  return { element: el("span", { class: "value" }, exact, ...units), show: (text) => setValue(exact, text) };
 }
 
-function unitAside(exact: HTMLInputElement, unit: string | undefined): HTMLElement {
-  return el("span", { class: "value" }, exact, ...(unit ? [el("span", { class: "unit" }, unit)] : []));
+/** Writes the value, hidden from screen readers, since the slider says it. */
+function writtenAside({ unit }: Shown): Aside {
+  const element = el("span", { class: "value word", "aria-hidden": "true" });
+  return { element, show: (text) => setText(element, text === AUTOMATIC ? text : spoken(text, unit)) };
 }
 
 function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit: string | undefined): void {

@@ -13,19 +13,21 @@ const DRAWING = "M4.500 7.500h7v6h-7zM5.500 7.500V5.500a2.500 2.500 0 0 1 5 0v2"
 export class Padlocks {
   readonly #kept = new Set<string>();
   readonly #made: { button: HTMLElement; keys: readonly string[] }[] = [];
+  /** The keys that were kept at the last visit. */
+  readonly #remembered: ReadonlySet<unknown>;
 
   constructor(private readonly keeper: () => Keeper) {
-    for (const key of this.#remembered()) if (typeof key === "string") this.#kept.add(key);
+    this.#remembered = new Set(this.#read());
   }
 
-  /** The keys whose values are kept. */
+  /** The keys whose values are kept. Each is under a padlock that shows it: nothing is kept unseen. */
   get kept(): ReadonlySet<string> {
     return this.#kept;
   }
 
   /**
-   * Makes a padlock for some keys, which may be shared with others. It is shut when all of them are kept, and mixed
-   * when some are.
+   * Makes a padlock for some keys. It is shut when all of them are kept, and mixed when some are. Those that were kept
+   * at the last visit are kept again.
    */
   padlock(label: string, keys: readonly string[]): HTMLElement {
     const title = `Keep ${label} when a country or a pattern is chosen`;
@@ -33,6 +35,7 @@ export class Padlocks {
     const button = el("button", attributes, icon(DRAWING));
     button.addEventListener("click", () => this.#turn(keys));
     this.#made.push({ button, keys });
+    for (const key of keys) if (this.#remembered.has(key)) this.#kept.add(key);
     this.#show();
     return button;
   }
@@ -58,7 +61,7 @@ export class Padlocks {
     }
   }
 
-  #remembered(): readonly unknown[] {
+  #read(): readonly unknown[] {
     try {
       const kept: unknown = JSON.parse(this.keeper().getItem(KEPT_AS) ?? "[]");
       return Array.isArray(kept) ? kept : [];

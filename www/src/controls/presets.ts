@@ -48,15 +48,25 @@ export class PresetButtons {
   readonly #made: { preset: Preset; button: HTMLButtonElement }[];
   #last: HTMLButtonElement | undefined;
 
-  /** `pictureOf` returns the address of a preset's picture, if they have any. */
+  /**
+   * `pictureOf` returns the address of a preset's picture, if they have any. `first` is the number of presets that are
+   * in sight before somebody asks for more.
+   */
   constructor(
     name: string,
     all: readonly Preset[],
     choose: (preset: Preset) => void,
     pictureOf?: (preset: Preset) => string,
+    first = all.length,
   ) {
-    this.#made = all.map((preset) => {
-      const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
+    this.#made = all.map((preset, rank) => {
+      const attributes = {
+        type: "button",
+        class: "preset",
+        "aria-pressed": "false",
+        title: preset.help,
+        hidden: rank >= first,
+      };
       const picture = pictureOf ? [el("img", { src: pictureOf(preset), alt: "", ...PICTURE })] : [];
       const button = el("button", attributes, ...picture, preset.label);
       button.addEventListener("click", () => {
@@ -66,6 +76,7 @@ export class PresetButtons {
       return { preset, button };
     });
     const buttons = el("div", { class: "preset-buttons" }, ...this.#made.map(({ button }) => button));
+    if (first < all.length) buttons.append(this.#moreButton(name));
     this.element = el("div", { class: "presets", role: "group", "aria-label": name }, buttons);
   }
 
@@ -73,7 +84,20 @@ export class PresetButtons {
   show(shown: ReadonlyMap<string, string>): Preset | undefined {
     const current = this.#made.find(({ preset }) => isShown(preset, shown));
     for (const one of this.#made) one.button.setAttribute("aria-pressed", String(one === current));
+    if (current) current.button.hidden = false;
     return current?.preset;
+  }
+
+  /** Makes the button that shows all presets, for good: who looks for one may look for another. */
+  #moreButton(name: string): HTMLButtonElement {
+    const more = el("button", { type: "button", class: "preset more-presets" }, `More ${name.toLowerCase()}`);
+    more.addEventListener("click", () => {
+      const hidden = this.#made.filter(({ button }) => button.hidden);
+      for (const { button } of hidden) button.hidden = false;
+      more.remove();
+      hidden[0]?.button.focus();
+    });
+    return more;
   }
 
   /** Puts the focus on the button that was pressed last. */

@@ -1,7 +1,8 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import { FRONT, isAdjustable } from "../../src/controls/controls.ts";
+import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine } from "../core.ts";
 import { table } from "../table.ts";
+import { violations } from "./axe.ts";
 import {
   address,
   expectAddress,
@@ -9,6 +10,8 @@ import {
   finished,
   fixChance,
   openFinished,
+  openFold,
+  openSettings,
   openUnfolded,
   ownClock,
   recordPhases,
@@ -24,16 +27,18 @@ const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1&style=ink&lab
 /** As rivers grow unless a link says otherwise; with fewer parcels they hardly capture one another. */
 const DRAINED = "seed=kauri&attractors=3000&edition=1&style=ink&labels=none";
 
-/** By the names that they have in the panel. */
-const adjustable = table.parameters
-  .filter(isAdjustable)
-  .map((parameter) => ({ ...parameter, label: new Map(FRONT).get(parameter.key) ?? parameter.label }));
+const adjustable = table.parameters.filter(isAdjustable);
 
 /** Those with a control of the table's own: names are a list (`names.spec.ts`). */
 const controlled = adjustable.filter(({ key }) => key !== "names");
 
 /** Those that a picture of a few attractors shows at once: labels and scenery come later, and want room. */
 const drawn = controlled.filter(({ stage }) => stage !== "name");
+
+/** Land is in front, and the style on the strip: their rows are not among those that are hidden without effect. */
+function isAtHand(key: string): boolean {
+  return key === "land" || key === "style";
+}
 
 function reasonIn(link: string, key: string): string | undefined {
   return new Map(engine.readLink(link).idle).get(key);
@@ -91,6 +96,8 @@ for (const link of CONTEXTS) {
   }) => {
     await openUnfolded(page, link);
     await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
+    const idle = controlled.filter(({ key }) => reasonIn(link, key) !== undefined && !isAtHand(key));
+    await expect(page.locator(".idle-line")).toContainText(`${idle.length} settings have no effect on this map.`);
     const rows = await rowsIn(
       page,
       controlled.map(({ key }) => key),
@@ -118,6 +125,47 @@ test("an idle control keeps its value and has it again @core", async ({ page }) 
   await land.selectOption("island");
   await expect(sea).toHaveValue("0.3");
   await expectPictureOfAddress(page);
+});
+
+test("settings without effect are counted and hidden, with headings that have no others, until they are asked for @core", async ({
+  page,
+}) => {
+  await openFinished(page, SMALL);
+  await openSettings(page);
+  const idle = controlled.filter(({ key }) => reasonIn(SMALL, key) !== undefined && !isAtHand(key));
+  const line = page.locator(".idle-line");
+  await expect(line).toContainText(`${idle.length} settings have no effect on this map.`);
+  await openFold(page, "Bends");
+  await expect(row(page, "curl")).toBeVisible();
+  await expect(row(page, "channel-area")).toBeHidden();
+  await openFold(page, "Growth");
+  await expect(row(page, "reach")).toBeVisible();
+  await expect(row(page, "sensitivity")).toBeHidden();
+  const shown = line.getByRole("checkbox", { name: "Show, with the reasons" });
+  await shown.check();
+  await expect(row(page, "sensitivity")).toContainText("No effect: ");
+  await page.reload();
+  await finished(page);
+  await expect(shown).toBeChecked();
+  await expect(row(page, "sensitivity")).toBeVisible();
+  await shown.uncheck();
+  await expect(row(page, "sensitivity")).toBeHidden();
+  // All that rivers without meanders leave idle.
+  await openFold(page, "Meanders");
+  await row(page, "meander").getByRole("combobox").selectOption("none");
+  await expect(row(page, "meander-rounds")).toBeHidden();
+  await expect(page.getByText("More of Meanders")).toBeHidden();
+  expect(await violations(page)).toEqual([]);
+});
+
+test("in a window too low for the strip the style is among the settings", async ({ page }) => {
+  await page.setViewportSize({ width: 844, height: 390 });
+  await openFinished(page, SMALL);
+  await openSettings(page);
+  await row(page, "style").getByRole("combobox").selectOption("survey");
+  await expectAddress(page, "style", "survey");
+  await page.setViewportSize({ width: 844, height: 900 });
+  await expect(row(page, "style")).toBeHidden();
 });
 
 test("rivers that do not meander leave their controls idle, and have them again", async ({ page }) => {
@@ -243,7 +291,7 @@ test("a slider of meanders that is dragged shows rivers on the way and grows not
   expect((await phases()).slice(began)).not.toContain("growing");
 });
 
-for (const [link, few] of byContext(drawn.filter(({ kind }) => kind === "choice"))) {
+for (const [link, few] of byContext(drawn.filter(({ key, kind }) => kind === "choice" && key !== "style"))) {
   test(`the choices of each of these change the picture: ${keysOf(few)}`, async ({ page }) => {
     test.setTimeout(few.length * 120_000);
     await openUnfolded(page, link);
@@ -368,7 +416,8 @@ test("everything can be reached and used by keyboard alone @core", async ({ page
     expect(order).toContain(id);
   for (const { label } of table.presets) expect(order).toContain(label);
   for (const { key, kind } of controlled) {
-    if (kind === "sides") continue;
+    // The strip has the style.
+    if (kind === "sides" || key === "style") continue;
     if (reasonIn(SMALL, key) === undefined) expect(order).toContain(`field-${key}`);
     else expect(order).not.toContain(`field-${key}`);
   }

@@ -4,7 +4,7 @@ import {
   complaints,
   finished,
   openFinished,
-  openPanel,
+  openSettings,
   openStopped,
   ownClock,
   recordStates,
@@ -98,7 +98,7 @@ test("replay grows the same river again", async ({ page }) => {
 test("speed goes up to instant, by keys", async ({ page }) => {
   await page.goto("./?seed=hinau&attractors=300&style=ink&labels=none");
   await finished(page);
-  await openPanel(page);
+  await openSettings(page);
   const speed = page.getByRole("slider", { name: "Speed of growth" });
   await speed.focus();
   await page.keyboard.press("End");

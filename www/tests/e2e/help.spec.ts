@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { address, expectAddress, openFinished, openUnfolded, openWithPanel } from "./riverpage.ts";
+import { address, expectAddress, openFinished, openUnfolded, openWithPanel, showCountries } from "./riverpage.ts";
 
 const LINK = "seed=kauri&attractors=1000&style=ink&labels=none";
 
@@ -49,6 +49,7 @@ test("a macro sets what it stands for, and its lock keeps that from presets", as
   await expectAddress(page, "channel-area", "1");
   await expect(rivers).toHaveAttribute("aria-valuetext", "very many");
   await page.getByRole("button", { name: "Keep How many rivers" }).click();
+  await showCountries(page);
   await page.getByRole("button", { name: "Desert" }).click();
   await expectAddress(page, "land", "continent");
   expect(address(page).get("channel-area")).toBe("1");

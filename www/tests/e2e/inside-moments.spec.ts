@@ -4,7 +4,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { dotsOf, linesOf, ringsOf } from "../../src/browser/path-text.ts";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
-import { complaints, finished, openFinished, openPanel, ownClock, runUntil, stopClock } from "./riverpage.ts";
+import { complaints, finished, openFinished, openFold, ownClock, runUntil, stopClock } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
 const COLONIZED =
@@ -172,7 +172,7 @@ test("the circles of reach and kill go with the pointer, and are as large as the
 
 test("what a way of growing does not have cannot be asked for", async ({ page }) => {
   await openFinished(page, DRAINED);
-  await openPanel(page);
+  await openFold(page, "For the curious");
   await expect(page.getByRole("button", { name: "Reach and kill" })).toBeDisabled();
   await page.keyboard.press("k");
   await expect(card(page)).toBeHidden();

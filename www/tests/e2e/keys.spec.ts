@@ -72,7 +72,7 @@ test("each Escape takes one thing back, the innermost first", async ({ page }) =
   await page.locator("#frame").focus();
   await page.keyboard.press("n");
   await expect(riverCard(page)).toBeVisible();
-  await page.locator("#exact-sea").focus();
+  await page.getByRole("slider", { name: "How much sea" }).focus();
   const open = (): Promise<boolean[]> =>
     Promise.all([riverCard(page), page.locator("#panel"), overlayCard(page)].map((one) => one.isVisible()));
   expect(await open()).toEqual([true, true, true]);

@@ -1,6 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
+import { complaints, finished, openFinished, openFold } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 const KEYS = { a: "attractors", t: "sources", o: "orders", b: "basins", d: "flow", f: "held", x: "captures" };
@@ -51,7 +51,7 @@ test("the legend of orders counts streams as the picture's alternative counts so
 
 test("buttons in the panel do the same, one at a time, and Escape takes it away", async ({ page }) => {
   await openFinished(page, LINK);
-  await openPanel(page);
+  await openFold(page, "For the curious");
   const orders = page.getByRole("button", { name: "Orders" });
   const basins = page.getByRole("button", { name: "Basins", exact: true }).and(page.locator(".inside-buttons *"));
   await orders.click();
@@ -85,7 +85,7 @@ test("it is laid over the next map, too, and a Brownian tree has no attractors",
   await expect.poll(() => page.locator('.inside [data-kind="1"] path').getAttribute("d")).not.toBe(before);
   await page.goto(`./?${LINK.replace("drainage", "brownian")}&sensitivity=40`);
   await finished(page);
-  await openPanel(page);
+  await openFold(page, "For the curious");
   for (const name of ["Attractors or parcels", "Reach and kill", "Captured streams"]) {
     await expect(page.getByRole("button", { name })).toBeDisabled();
     await expect(page.getByRole("button", { name })).toHaveAttribute("title", /has none/);
@@ -105,7 +105,7 @@ for (const colorScheme of ["light", "dark"] as const) {
       await page.locator("#frame").focus();
       await page.keyboard.press("n");
       await expect(page.locator(".river-card")).toBeVisible();
-      await openPanel(page);
+      await openFold(page, "For the curious");
       expect(await violations(page)).toEqual([]);
       const box = await card(page).boundingBox();
       expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(width);

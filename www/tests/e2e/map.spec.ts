@@ -81,7 +81,9 @@ test("the map is dragged, and keys move and zoom it @core", async ({ page }) => 
   expect(dragged[1]).toBeCloseTo(last[1] - (40 / width) * last[2], 5);
 });
 
-test("buttons zoom: in first, then out while there is a way out, and no button moves for that @core", async ({ page }) => {
+test("buttons zoom: in first, then out while there is a way out, and no button moves for that @core", async ({
+  page,
+}) => {
   await openFinished(page, LINK);
   const [closer, farther, all] = ["Zoom in", "Zoom out", "Show all of the map"].map((name) =>
     page.getByRole("button", { name }),
@@ -294,7 +296,7 @@ test("the panel opens beside the map, is remembered, and Escape closes it @core"
   await page.reload();
   await finished(page);
   await expect(panel).toBeVisible();
-  await page.locator("#exact-sea").focus();
+  await page.getByRole("slider", { name: "How much sea" }).focus();
   await page.keyboard.press("Escape");
   await expect(panel).toBeHidden();
   await expect(open).toBeFocused();

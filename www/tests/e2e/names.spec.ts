@@ -9,7 +9,9 @@ import {
   expectAddress,
   finished,
   openFinished,
+  openFold,
   openPanel,
+  openSettings,
   openWithPanel,
   shown,
 } from "./riverpage.ts";
@@ -44,7 +46,8 @@ test("a map without labels fetches nothing of what makes them, and one that gets
   await openWithPanel(page, `${LINK}&labels=none`);
   expect(urls.filter((url) => TELLER.test(url))).toEqual([]);
   const bare = await picture(page);
-  await page.getByRole("heading", { name: "Names" }).click();
+  await openSettings(page);
+  await openFold(page, "Names");
   await page.getByLabel("Labels", { exact: true }).selectOption("some");
   await expect.poll(() => picture(page)).not.toBe(bare);
   const rivers = greatest(LINK).filter(([mark]) => /^\d/.test(mark ?? ""));

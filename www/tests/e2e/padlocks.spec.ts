@@ -1,6 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { expectAddress, finished, openWithPanel } from "./riverpage.ts";
+import { address, expectAddress, finished, openWithPanel, showCountries } from "./riverpage.ts";
 
 const LINK = "seed=rimu&land=valley&attractors=1500&meander-rounds=4&aspect=1.2&style=ink&labels=none";
 
@@ -12,45 +12,57 @@ function country(page: Page, name: string) {
   return page.getByRole("group", { name: "Countries" }).getByRole("button", { name });
 }
 
-test("the padlock of a group keeps all its values, those too that stand in front @core", async ({ page }) => {
+async function press(page: Page, name: string): Promise<void> {
+  await showCountries(page);
+  await country(page, name).click();
+}
+
+test("there is a padlock for each that stands in front, and that of the land keeps its shape, too @core", async ({
+  page,
+}) => {
   await openWithPanel(page, LINK);
-  await padlock(page, "all of Land").click();
-  for (const name of ["all of Land", "Land", "How much sea", "How wild a coast"])
-    await expect(padlock(page, name)).toHaveAttribute("aria-pressed", "true");
-  await expect(padlock(page, "all of Growth")).toHaveAttribute("aria-pressed", "false");
-  await country(page, "Rainforest").click();
+  await expect(page.locator(".keep")).toHaveCount(7);
+  await padlock(page, "Land").click();
+  await expect(padlock(page, "Land")).toHaveAttribute("aria-pressed", "true");
+  await expect(padlock(page, "How much sea")).toHaveAttribute("aria-pressed", "false");
+  await press(page, "Rainforest");
   await expectAddress(page, "attractors", "45000");
   for (const [key, value] of [
     ["land", "valley"],
     ["aspect", "1.2"],
-    ["sea", null],
   ] as const)
     await expectAddress(page, key, value);
   expect(await violations(page)).toEqual([]);
 });
 
-test("a group of which some is kept says so, is shut by a press and opened by another; all is remembered", async ({
+test("what is kept is remembered, and a padlock of which some is kept says so, is shut by a press and opened by another", async ({
   page,
 }) => {
+  await page.addInitScript(() => localStorage.setItem("riverseed-kept", '["meander-rounds","sea"]'));
   await openWithPanel(page, LINK);
-  await padlock(page, "How much sea").click();
-  await expect(padlock(page, "all of Land")).toHaveAttribute("aria-pressed", "mixed");
-  await page.reload();
-  await finished(page);
   await expect(padlock(page, "How much sea")).toHaveAttribute("aria-pressed", "true");
-  await expect(padlock(page, "all of Land")).toHaveAttribute("aria-pressed", "mixed");
-  await padlock(page, "all of Land").click();
-  await expect(padlock(page, "all of Land")).toHaveAttribute("aria-pressed", "true");
-  await padlock(page, "all of Land").press("Enter");
-  for (const name of ["all of Land", "How much sea"])
-    await expect(padlock(page, name)).toHaveAttribute("aria-pressed", "false");
-  // The heading beside it opens and closes, and nothing else does.
-  await expect(page.locator(".group:has(> summary :text-is('Land'))")).not.toHaveAttribute("open");
+  await expect(padlock(page, "How winding")).toHaveAttribute("aria-pressed", "mixed");
+  await padlock(page, "How winding").click();
+  await expect(padlock(page, "How winding")).toHaveAttribute("aria-pressed", "true");
+  await padlock(page, "How winding").press("Enter");
+  await expect(padlock(page, "How winding")).toHaveAttribute("aria-pressed", "false");
+  expect(await page.evaluate(() => localStorage.getItem("riverseed-kept"))).toBe('["sea"]');
+});
+
+test("what was kept by a padlock that is gone is kept no longer", async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem("riverseed-kept", '["drowning","concavity","width"]'));
+  await openWithPanel(page, `${LINK}&drowning=0.5&width=9`);
+  await press(page, "Archipelago");
+  await expectAddress(page, "land", "archipelago");
+  await expectAddress(page, "width", "9");
+  expect(address(page).get("drowning")).not.toBe("0.5");
+  await padlock(page, "How wide").click();
+  expect(await page.evaluate(() => localStorage.getItem("riverseed-kept"))).toBe("[]");
 });
 
 test("a pattern changes nothing that is kept, and does not say that it did", async ({ page }) => {
   await openWithPanel(page, "seed=rimu&growth=colonize&attractors=800&meander-rounds=4");
-  await padlock(page, "all of Meanders").click();
+  await padlock(page, "How winding").click();
   await page.getByText("For the curious").click();
   const pattern = page.getByRole("group", { name: "Presets" }).getByRole("button").first();
   await pattern.click();

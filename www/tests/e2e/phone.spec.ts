@@ -8,7 +8,7 @@ import {
   finished,
   fixChance,
   openFinished,
-  openWithPanel,
+  openSettings,
 } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
@@ -115,7 +115,8 @@ test("one tap is a river's, and a pinch zooms @core", async ({ page }) => {
 });
 
 test("the speed of growth is in the panel, and shown in words", async ({ page }) => {
-  await openWithPanel(page, LINK);
+  await openFinished(page, LINK);
+  await openSettings(page);
   const speed = page.getByRole("slider", { name: "Speed of growth" });
   for (const name of ["2×", "4×", "8×", "instant"]) {
     await speed.press("ArrowRight");

@@ -107,7 +107,25 @@ export async function openPanel(page: Page): Promise<void> {
   if ((await button.getAttribute("aria-expanded")) === "false") await button.click();
 }
 
-/** The same with every group of controls unfolded, once the map is painted beside the panel. */
+/** Opens the panel, and in it one of its doors or headings, unless it is open. */
+export async function openFold(page: Page, name: string): Promise<void> {
+  await openPanel(page);
+  const fold = page.locator("details.group").filter({ has: page.locator(`:scope > summary :text-is("${name}")`) });
+  if ((await fold.getAttribute("open")) === null) await fold.locator(":scope > summary").click();
+}
+
+/** Opens the panel and the door to all settings. */
+export async function openSettings(page: Page): Promise<void> {
+  await openFold(page, "All settings");
+}
+
+/** Shows all kinds of country. */
+export async function showCountries(page: Page): Promise<void> {
+  await openPanel(page);
+  await page.getByRole("button", { name: "More countries" }).click();
+}
+
+/** The same with every group of controls unfolded and those without effect shown, once the map is painted beside the panel. */
 export async function openUnfolded(page: Page, link = ""): Promise<void> {
   await openFinished(page, link);
   await unfold(page);
@@ -124,6 +142,9 @@ export async function unfold(page: Page): Promise<void> {
         details.setAttribute("open", "");
       });
     await Promise.all(folded.map(opened));
+  });
+  await page.locator("#show-idle").evaluate((box: HTMLInputElement) => {
+    if (!box.checked) box.click();
   });
 }
 

@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { neverFullScreen, openFinished, openPanel, resize } from "./riverpage.ts";
+import { neverFullScreen, openFinished, openPanel, openSettings, resize } from "./riverpage.ts";
 import { OPENED } from "./states.ts";
 import { core } from "./tiers.ts";
 
@@ -75,7 +75,7 @@ test("from right to left the panel and the styles are on the left, and the map b
 test("from right to left a click beside a slider's thumb goes where the hand points", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openMirrored(page, SEEDS.Hebrew);
-  await openPanel(page);
+  await openSettings(page);
   const speed = page.locator("#speed");
   await speed.scrollIntoViewIfNeeded();
   const box = await speed.boundingBox();

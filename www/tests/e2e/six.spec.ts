@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { pixelsOf } from "./pixels.ts";
-import { address, complaints, expectAddress, finished, openFinished, openPanel } from "./riverpage.ts";
+import { address, complaints, expectAddress, finished, openFinished, openFold } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&attractors=400&style=ink&labels=none";
 const NAMES = ["Original", "Momentum", "Curl", "Trimmed original", "Trimmed momentum", "Trimmed curl"];
@@ -19,9 +19,7 @@ async function allFinished(page: Page): Promise<void> {
 }
 
 async function openFromPanel(page: Page): Promise<void> {
-  await openPanel(page);
-  const fold = page.locator("details", { hasText: "For the curious" });
-  if ((await fold.getAttribute("open")) === null) await fold.locator("summary").first().click();
+  await openFold(page, "For the curious");
   await page.getByRole("button", { name: "Compare all six" }).click();
   await expect(sheet(page)).toBeVisible();
 }

@@ -10,7 +10,7 @@ import {
   expectPictureOfAddress,
   finished,
   openFinished,
-  openPanel,
+  openSettings,
   shown,
   WORKER,
 } from "./riverpage.ts";
@@ -152,7 +152,7 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
 test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
   await page.goto("./?seed=miro&attractors=4000&meander-rounds=400&style=ink&labels=none");
   await finished(page);
-  await openPanel(page);
+  await openSettings(page);
   await page.getByRole("slider", { name: "Speed of growth" }).press("Home");
   await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");

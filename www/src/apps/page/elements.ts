@@ -113,5 +113,6 @@ export const elements = {
   countries: find("#countries", HTMLElement),
   presets: find("#presets", HTMLElement),
   controls: find("#controls", HTMLElement),
+  film: find("#film", HTMLElement),
   inside: find("#inside", HTMLElement),
 };

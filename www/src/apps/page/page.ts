@@ -118,7 +118,7 @@ class Page {
     });
     this.#presetNote = new PresetNote(table.parameters, (link) => this.#undoPresets(link));
     const disclosures = new Disclosures(() => localStorage);
-    this.#choices = new Choices(engine, table, disclosures, this.#names.list, {
+    this.#choices = new Choices(engine, table, disclosures, this.#names.list.element, {
       set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
@@ -137,6 +137,7 @@ class Page {
       { class: "group" },
       forTheCurious(),
       this.#choices.presets,
+      elements.inside,
     );
     this.#measures = new MeasuresView(disclosures, {
       measures: () => this.#viewport.measures(),
@@ -301,9 +302,19 @@ class Page {
     this.#address.show(link, isStep);
     document.documentElement.dataset["style"] = values.get("style") ?? "";
     this.#choices.show(this.#recipe);
+    this.#offerReset();
     this.#ownLand.show(values);
     this.#showName();
     this.#showNotices();
+  }
+
+  /** Offers to reset all while there is something to reset. */
+  #offerReset(): void {
+    const { values, defaults } = this.#recipe;
+    const isUsual = [...defaults].every(([key, text]) => key === "seed" || values.get(key) === text);
+    const { reset, panel } = elements;
+    if (isUsual && document.activeElement === reset) panel.close.focus();
+    reset.hidden = isUsual;
   }
 
   /** Shows the name of the country. */

@@ -1,6 +1,6 @@
 /** The controls by which a visitor chooses a map: seed, country, land, style, presets, and the panel's controls. */
 
-import type { Control } from "../../../controls/control.ts";
+import { el } from "../../../browser/dom.ts";
 import { type Controls, controls } from "../../../controls/controls.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
 import { LandChoice } from "../../../controls/land-choice.ts";
@@ -30,6 +30,9 @@ export interface ChoicesEvents {
   failed(error: unknown): void;
 }
 
+/** The number of kinds of country, in the table's order, that are in sight from the beginning. */
+const FIRST_COUNTRIES = 5;
+
 /** The folder of the pictures that build/button-pictures.ts draws, beside the page. */
 const COUNTRY_PICTURES = "./countries";
 
@@ -48,20 +51,21 @@ export class Choices {
     private readonly engine: SteerCore["engine"],
     table: Table,
     disclosures: Disclosures,
-    /** The control of names. */
-    names: Control,
+    /** The list of names. */
+    names: HTMLElement,
     private readonly events: ChoicesEvents,
   ) {
     const { parameters } = table;
     const parameter = (wanted: string): Parameter | undefined => parameters.find(({ key }) => key === wanted);
     const choose = (values: Values): void => this.#choose(values);
-    this.#controls = controls(parameters, choose, disclosures, this.#padlocks, new Map([["names", names]]));
+    this.#controls = controls(parameters, choose, disclosures, this.#padlocks, elements.film);
     this.#presets = presets(table.presets, (preset) => events.press(preset));
     this.#countries = new PresetButtons(
       "Countries",
       table.countries,
       (country) => this.#goToCountry(country),
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
+      FIRST_COUNTRIES,
     );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
       events.set([["seed", seed]], "still", true),
@@ -73,7 +77,8 @@ export class Choices {
       country: (country) => this.#goToCountry(country),
     });
     elements.dice.addEventListener("click", () => this.#throwDice());
-    elements.controls.replaceChildren(this.#controls.element);
+    const { front, settings } = this.#controls;
+    elements.controls.replaceChildren(front, namesDoor(names, disclosures), settings);
     elements.countries.replaceChildren(this.#countries.element);
   }
 
@@ -145,6 +150,18 @@ export class Choices {
       this.events.failed(error);
     }
   }
+}
+
+/** Makes the door to the list of names. */
+function namesDoor(names: HTMLElement, disclosures: Disclosures): HTMLElement {
+  const summary = el("summary", {}, el("h2", {}, "Names on the map"));
+  return disclosures.details(
+    "Names on the map",
+    false,
+    { class: "group" },
+    summary,
+    el("div", { class: "members" }, names),
+  );
 }
 
 /** Gives the seed box of index.html the length and help text from the table. */
