@@ -96,7 +96,9 @@ function watch() {
 /** Returns the sliders that have an effect. */
 function slidersOf() {
   // Those in front with a name of their own have another behind the door.
-  const all = document.querySelectorAll("#controls fieldset:not(:disabled) input[type=range]:not([id^=field-front-])");
+  const all = document.querySelectorAll(
+    ":is(#front, #controls) fieldset:not(:disabled) input[type=range]:not([id^=field-front-])",
+  );
   return [...all].map(({ id }) => id.replace(/^field-/, ""));
 }
 

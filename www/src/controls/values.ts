@@ -75,6 +75,12 @@ export function share(value: number, range: Range): number {
   return high > low ? (position(value, range) - low) / (high - low) : 0;
 }
 
+/** Returns the value at a place along its slider, from 0 to 1, as text. */
+export function placeText(place: number, range: Range): string {
+  const [low, high] = range.isLog ? [0, LOG_STEPS] : [range.min, range.max];
+  return textAt(low + (high - low) * place, range);
+}
+
 /** Splits a value into sides, of which it lists the initials (`sw`). */
 export function sidesOf(text: string): string[] {
   return [...text];

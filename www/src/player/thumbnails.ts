@@ -1,4 +1,4 @@
-/** Small pictures of one finished map in many styles, made a little at a time. */
+/** Small pictures of finished maps, made a little at a time: of one map in many styles, or of another map. */
 
 import { named } from "../engine/errors.ts";
 import type { SteeredRiver } from "../engine/steer.ts";
@@ -7,13 +7,18 @@ import { isEngineUnsure } from "../engine/unsure.ts";
 /** The time for making them in one task. */
 const BUDGET_MS = 8;
 
-export interface Thumbnail {
-  style: string;
+export interface Picture {
   width: number;
   height: number;
   /** RGBA, row by row. */
   pixels: Uint8ClampedArray<ArrayBuffer>;
 }
+
+export interface Thumbnail extends Picture {
+  style: string;
+}
+
+type Pause = () => Promise<boolean>;
 
 /**
  * Makes a thumbnail in each style of a river, which it takes over and frees. `pause` is called between tasks and
@@ -25,14 +30,14 @@ export async function* thumbnails(
   memory: WebAssembly.Memory,
   styles: readonly string[],
   { width, height }: { width: number; height: number },
-  pause: () => Promise<boolean>,
+  pause: Pause,
 ): AsyncGenerator<Thumbnail> {
   let mayFree = true;
   try {
     river.resize(width, height);
     for (const style of styles) {
       if (!(await pause())) return;
-      const pixels = await pixelsIn(style, river, memory, pause).catch((thrown: unknown) => {
+      const pixels = await pixelsOf(inStyle(river.link, style), river, memory, pause).catch((thrown: unknown) => {
         mayFree = !isEngineUnsure(named(thrown));
         if (!mayFree) throw thrown;
       });
@@ -44,28 +49,58 @@ export async function* thumbnails(
   }
 }
 
-async function pixelsIn(
-  style: string,
+/**
+ * Makes a picture of the finished map of a link from a river, which it takes over and frees. Returns nothing if `pause`
+ * stopped it before.
+ */
+export async function pictureOf(
+  link: string,
   river: SteeredRiver,
   memory: WebAssembly.Memory,
-  pause: () => Promise<boolean>,
-): Promise<Thumbnail["pixels"] | "stopped"> {
-  river.change(inStyle(river.link, style));
+  { width, height }: { width: number; height: number },
+  pause: Pause,
+): Promise<Picture | undefined> {
+  let mayFree = true;
+  try {
+    river.resize(width, height);
+    const pixels = await pixelsOf(bare(link), river, memory, pause);
+    return pixels === "stopped" ? undefined : { width, height, pixels };
+  } catch (thrown) {
+    mayFree = !isEngineUnsure(named(thrown));
+    throw thrown;
+  } finally {
+    if (mayFree) river.free();
+  }
+}
+
+async function pixelsOf(
+  link: string,
+  river: SteeredRiver,
+  memory: WebAssembly.Memory,
+  pause: Pause,
+): Promise<Picture["pixels"] | "stopped"> {
+  river.change(link);
   if (!(await inSlices(() => river.advance(1), pause))) return "stopped";
   if (!(await inSlices(() => river.paint(), pause))) return "stopped";
   return new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
 
-/** Returns a link with another style, and without labels and scenery, which would be too small to see. */
+/** Returns a link with another style, as a thumbnail shows it. */
 function inStyle(link: string, style: string): string {
-  const values = new URLSearchParams(link);
+  const values = new URLSearchParams(bare(link));
   values.set("style", style);
+  return values.toString();
+}
+
+/** Returns a link without labels and scenery, which would be too small to see. */
+function bare(link: string): string {
+  const values = new URLSearchParams(link);
   for (const key of ["labels", "cartouche", "woods", "hills"]) values.delete(key);
   return values.toString();
 }
 
 /** Repeats a step until there is no more to do. Returns false if `pause` stopped it before. */
-async function inSlices(step: () => boolean, pause: () => Promise<boolean>): Promise<boolean> {
+async function inSlices(step: () => boolean, pause: Pause): Promise<boolean> {
   let end = performance.now() + BUDGET_MS;
   while (step()) {
     if (performance.now() < end) continue;

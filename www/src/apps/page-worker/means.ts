@@ -7,7 +7,7 @@ import type { Means } from "../../host/renderer.ts";
 import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
-import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
+import { type Picture, pictureOf, type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
 import { Inspections } from "./inspections.ts";
 import { landBoundsOf } from "./land-bounds.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
@@ -40,6 +40,8 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
         }
         case "thumbnails":
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
+        case "picture":
+          return pictureFrom(playerIn(question.of, playerOf), core, question);
         case "measures":
           return measuresOf(playerIn(question.of, playerOf));
         case "river":
@@ -77,7 +79,7 @@ async function loadWriter() {
   return write.loadWriter();
 }
 
-/** Makes a river of a link for a file: a copy of the one on show, which then changes independently. */
+/** Makes a river of a link, for a file or a picture: a copy of the one on show, which then changes independently. */
 function copyFor(link: string, player: Player | undefined, { engine }: SteerCore): SteeredRiver {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
@@ -115,8 +117,24 @@ async function thumbnailsOf(
   if (!player || !river || player.state !== "finished") return;
   const { link } = player;
   const stays = (): boolean => player.link === link && player.state === "finished";
-  const pause = (): Promise<boolean> => new Promise((done) => setTimeout(() => done(stays())));
+  const pause = pauseWhile(stays);
   const made: Thumbnail[] = [];
   for await (const thumbnail of thumbnails(river.copy(), memory, styles, size, pause)) made.push(thumbnail);
   return stays() ? made : undefined;
+}
+
+/** Makes a picture of another map in slices. It is not wanted any more when the map on show has changed. */
+async function pictureFrom(
+  player: Player | undefined,
+  core: SteerCore,
+  { link, size }: QuestionAbout<"picture">,
+): Promise<Picture | undefined> {
+  const from = player?.link;
+  const pause = pauseWhile(() => player?.link === from);
+  return pictureOf(link, copyFor(link, player, core), core.memory, size, pause);
+}
+
+/** Returns a pause between slices, in which other messages are handled. It tells whether to go on. */
+function pauseWhile(isWanted: () => boolean): () => Promise<boolean> {
+  return () => new Promise((done) => setTimeout(() => done(isWanted())));
 }

@@ -3,7 +3,7 @@
 import type { Kind } from "../../engine/mark.ts";
 import type { Measure, RiverFacts } from "../../engine/types.ts";
 import type { Format, RasterOrder } from "../../files/format-names.ts";
-import type { Thumbnail } from "../../player/thumbnails.ts";
+import type { Picture, Thumbnail } from "../../player/thumbnails.ts";
 
 /** The names on a map, as the engine lists them, three texts each. */
 export interface Names {
@@ -111,6 +111,11 @@ interface Questions {
    * it changes before they are made.
    */
   thumbnails: { of: number | undefined; styles: readonly string[]; size: { width: number; height: number } };
+  /**
+   * Asks for a small picture of another map, finished, with `size` in device pixels; none if the river of `of` changes
+   * before it is made.
+   */
+  picture: { of: number | undefined; link: string; size: { width: number; height: number } };
   /** Asks for the measures of a river's finished map; none while it is not finished. */
   measures: { of: number | undefined };
   /** Asks for the river at a place of a finished map; none where there is none, and while it is not finished. */
@@ -135,6 +140,7 @@ export interface Answers {
   names: Names | undefined;
   renamed: string;
   thumbnails: readonly Thumbnail[] | undefined;
+  picture: Picture | undefined;
   measures: readonly Measure[] | undefined;
   river: PointedRiver | undefined;
   nameables: Nameables | undefined;

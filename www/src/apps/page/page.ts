@@ -48,6 +48,7 @@ import { Track } from "./timeline/track.ts";
 import { Transport } from "./timeline/transport.ts";
 import { typeAtOnce } from "./type-at-once.ts";
 import { Undo } from "./undo.ts";
+import { Variations } from "./variations/variations.ts";
 import { Welcome } from "./welcome.ts";
 
 class Page {
@@ -152,6 +153,11 @@ class Page {
       failed: (error) => this.#failBeside(error),
     });
     this.#choices.presets.append(this.#six.button);
+    new Variations(elements.variations, table.parameters, {
+      map: () => ({ values: this.#recipe.values, idle: this.#recipe.idle, kept: this.#choices.kept }),
+      picture: (link, size) => this.#viewport.picture(link, size),
+      take: (values) => this.#set(values, "still"),
+    });
     this.#welcome = new Welcome(
       elements.welcome,
       { address: location, referrer: document.referrer, isElsewhere: this.#six.areAskedFor },

@@ -72,3 +72,16 @@ test("a name of one's own is added to those there are", async () => {
   expect(names).toBe(teller.FinishedMap.renamed("", "12", "Home"));
   expect(await ask({ about: "renamed", names: names as string, mark: "12", name: undefined })).toBe("");
 });
+
+test("a picture of another map leaves the one on show as it is, finished or not, and needs none", async () => {
+  const size = { width: 60, height: 40 };
+  const link = "seed=kauri&attractors=200&style=ink&labels=none";
+  const alone = await ask({ about: "picture", of: undefined, link, size });
+  expect(alone).toMatchObject(size);
+  for (const steps of [3, 100_000]) {
+    const one = river(steps);
+    const before = one.summary();
+    expect(await ask({ about: "picture", of: 1, link, size }, one)).toEqual(alone);
+    expect([one.link, one.summary()]).toEqual([river(steps).link, before]);
+  }
+});

@@ -11,7 +11,7 @@ import type { Format, RasterOrder } from "../../../files/format-names.ts";
 import type { Report } from "../../../host/protocol.ts";
 import type { State } from "../../../player/frame-loop.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
-import type { Thumbnail } from "../../../player/thumbnails.ts";
+import type { Picture, Thumbnail } from "../../../player/thumbnails.ts";
 import type {
   About,
   Answer,
@@ -191,6 +191,14 @@ export class RiverViewport {
    */
   async thumbnails(styles: readonly string[], size: { width: number; height: number }): Promise<readonly Thumbnail[]> {
     return (await this.#ask({ about: "thumbnails", of: this.#id, styles, size })) ?? [];
+  }
+
+  /**
+   * Draws the finished map of another link, without letters; `size` is in device pixels. Returns nothing if another map
+   * is shown before it is drawn.
+   */
+  picture(link: string, size: { width: number; height: number }): Promise<Picture | undefined> {
+    return this.#ask({ about: "picture", of: this.#id, link, size });
   }
 
   /** Measures the finished map on show. */

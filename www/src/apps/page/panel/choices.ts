@@ -78,7 +78,8 @@ export class Choices {
     });
     elements.dice.addEventListener("click", () => this.#throwDice());
     const { front, settings } = this.#controls;
-    elements.controls.replaceChildren(front, namesDoor(names, disclosures), settings);
+    elements.front.replaceChildren(front);
+    elements.controls.replaceChildren(namesDoor(names, disclosures), settings);
     elements.countries.replaceChildren(this.#countries.element);
   }
 
