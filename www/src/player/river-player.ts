@@ -151,12 +151,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   pause(): void {
-    this.#attempt(() => this.#loop.pause());
+    this.#onWanted(() => this.#loop.pause());
   }
 
   /** Pauses, and shows the river as it is. */
   hold(): void {
-    this.#attempt(() => this.#loop.hold());
+    this.#onWanted(() => this.#loop.hold());
   }
 
   replay(): void {
@@ -170,7 +170,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
 
   /** Goes to a share of the progress and pauses there. */
   seek(share: number): void {
-    this.#attempt(() => this.#loop.seek(share));
+    this.#onWanted(() => this.#loop.seek(share));
   }
 
   /** Makes no steps until `wake`, while nobody sees the river. */
@@ -362,6 +362,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
    */
   #followWanted(): void {
     if (this.#wanted) this.#applyNow();
+  }
+
+  /** Does some work on the river that was requested last, which may still wait for a frame. */
+  #onWanted(work: () => void): void {
+    this.#followWanted();
+    this.#attempt(work);
   }
 
   #fit(): void {

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { neverFullScreen, openFinished, openPanel, openUnfolded, resize } from "./riverpage.ts";
+import { neverFullScreen, openFinished, openPanel, openUnfolded, resize, showAll } from "./riverpage.ts";
 import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
 import { core } from "./tiers.ts";
 
@@ -91,6 +91,7 @@ for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
     await neverFullScreen(page);
     await resize(page, ...WINDOWS[0]);
     await openFinished(page, linkOfSeed(seed));
+    await showAll(page);
     await inEach(page, WINDOWS, async () => {
       // Told that something else covers it, Playwright would not click.
       await page.getByRole("button", { name: "A new seed by chance" }).click({ trial: true });

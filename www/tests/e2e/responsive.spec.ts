@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { openFinished, openPanel, openUnfolded, resize } from "./riverpage.ts";
+import { openFinished, openPanel, openUnfolded, resize, showAll } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
 type Size = readonly [number, number];
@@ -28,9 +28,7 @@ for (const [where, sizes] of Object.entries(ROWS)) {
       page,
     }) => {
       await opened(page, openFinished, link);
-      // A phone shows the land of a wide map first.
-      const all = page.getByRole("button", { name: "Show all of the map" });
-      if (await all.isVisible()) await all.click();
+      await showAll(page);
       for (const [width, height] of sizes) {
         await resize(page, width, height);
         await expectWhole(page, width, Number(new URLSearchParams(link).get("aspect") ?? 1.6));

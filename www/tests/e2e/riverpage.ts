@@ -96,7 +96,13 @@ export async function openFinished(page: Page, link = ""): Promise<void> {
   await finished(page);
 }
 
-/** The same with the panel open. */
+/** Shows all of the map: a phone shows the land of a wide one first. */
+export async function showAll(page: Page): Promise<void> {
+  const all = page.getByRole("button", { name: "Show all of the map" });
+  if (await all.isVisible()) await all.click();
+}
+
+/** Opens a link with its finished river and the panel. */
 export async function openWithPanel(page: Page, link = ""): Promise<void> {
   await openFinished(page, link);
   await openPanel(page);

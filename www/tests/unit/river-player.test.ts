@@ -77,6 +77,24 @@ test("another style of a map that is held while it grows or meanders lets it sta
   }
 });
 
+test("who asks for another map and at once for a share of it, or for a pause, gets both", () => {
+  const link = "seed=rimu&land=island&attractors=600&style=ink&labels=none";
+  for (const how of ["watch", "still"] as const) {
+    const [sought, display] = player("seed=kea&land=island&attractors=600&style=ink&labels=none");
+    sought.start(how);
+    frames(display);
+    sought.show({ text: link }, "watch");
+    sought.seek(0.3);
+    frames(display);
+    expect([sought.state, sought.river?.seed]).toEqual(["paused", "rimu"]);
+    expect(sought.river?.phase).toBe("growing");
+    sought.show({ text: "seed=tay&attractors=600&style=ink&labels=none" }, "watch");
+    sought.pause();
+    frames(display);
+    expect([sought.state, sought.river?.seed]).toEqual(["paused", "tay"]);
+  }
+});
+
 test("the sea is seen rising by who watches, and not by who wants no motion", () => {
   const link = "seed=kea&land=island&attractors=600&drowning=0.6";
   const picturesOf = (how: "watch" | "still"): Set<string> => {
