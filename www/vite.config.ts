@@ -20,7 +20,7 @@ export default defineConfig({
     poster("index.html"),
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
-    typefaces("index.html"),
+    typefaces("index.html", "real-or-grown.html"),
     buttonPictures(),
     offline("index.html"),
     tellsOfMissingFiles("index.html"),

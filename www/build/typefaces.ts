@@ -23,5 +23,5 @@ export function typefaces(...pages: readonly string[]): Plugin {
  */
 const DECIDES = `requestAnimationFrame(() => setTimeout(() => {
   const faces = [...document.fonts].filter(({ family }) => family.includes("Garamond"));
-  if (faces.some(({ status }) => status !== "loaded")) document.documentElement.classList.add("own-serif");
+  if (faces.some(({ status }) => status !== "loaded")) document.documentElement.classList.add("fallback-serif");
 }, 100));`;

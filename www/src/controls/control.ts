@@ -16,12 +16,12 @@ export interface Control {
 }
 
 /**
- * Makes a control that stands in front, under a label in everyday words. A number has another behind the door, with a
- * field for the exact value.
+ * Makes a control that stands in front, under a label in everyday words. A number has another under *All settings*, with
+ * a field for the exact value.
  */
 export function frontControl(parameter: Parameter, label: string, change: Change): Control {
   const isNumber = rangeOf(parameter) !== undefined;
-  return control({ ...parameter, label, ...(isNumber ? { inFront: `front-${parameter.key}` } : {}) }, change);
+  return control({ ...parameter, label, ...(isNumber ? { idSuffix: `front-${parameter.key}` } : {}) }, change);
 }
 
 export function control(parameter: Shown, change: Change): Control {
@@ -36,7 +36,7 @@ export function control(parameter: Shown, change: Change): Control {
   const element = el("fieldset", {
     role: "none",
     class: `control control-${parameter.kind}`,
-    ...(parameter.inFront === undefined ? { "data-key": parameter.key } : { "data-macro": parameter.key }),
+    ...(parameter.idSuffix === undefined ? { "data-key": parameter.key } : { "data-front": parameter.key }),
     title: parameter.help,
   });
   field.element.classList.add("field");

@@ -1,6 +1,6 @@
 /**
  * The controls of the recipe except the seed and the names, generated from the parameter table: in front what shapes a
- * map most, and behind one door every parameter under its heading.
+ * map most, and under *All settings* the other parameters by their headings.
  */
 
 import { el } from "../browser/dom.ts";
@@ -16,7 +16,7 @@ import { rangeOf } from "./values.ts";
 export interface Controls {
   /** The parameters and macros in front. */
   readonly front: HTMLElement;
-  /** The door to all parameters. */
+  /** All settings, folded away. */
   readonly settings: HTMLElement;
   show(values: Values): void;
 }
@@ -67,17 +67,17 @@ const KEPT_WITH: ReadonlyMap<string, readonly string[]> = new Map([["land", ["ou
  */
 const ELSEWHERE: ReadonlySet<string> = new Set(["land", "names", "style"]);
 
-/** Makes the controls. `film` is a setting of the page and not of the recipe. */
+/** Makes the controls. `speed` is a setting of the page and not of the recipe. */
 export function controls(
   table: readonly Parameter[],
   changeMany: ChangeOfMany,
   disclosures: Disclosures,
   padlocks: Padlocks,
-  film: HTMLElement,
+  speed: HTMLElement,
 ): Controls {
   const change = (key: string, text: string): void => changeMany([[key, text]]);
   const byKey = new Map(table.filter(isAdjustable).map((parameter) => [parameter.key, parameter]));
-  const inFront = frontControls(byKey, changeMany, padlocks);
+  const front = frontControls(byKey, changeMany, padlocks);
   const single = new Map(
     [...byKey].filter(([key]) => !ELSEWHERE.has(key)).map(([key, one]) => [key, control(one, change)]),
   );
@@ -85,14 +85,14 @@ export function controls(
     group(heading, parameters, single, disclosures),
   );
   const style = styleControl(byKey.get("style"), change);
-  const settings = new Settings(groups, disclosures, [...style.map(({ element }) => element), film]);
+  const settings = new Settings(groups, disclosures, [...style.map(({ element }) => element), speed]);
   const all: [string, Control][] = [
-    ...inFront.single,
+    ...front.single,
     ...single,
     ...style.map((one): [string, Control] => ["style", one]),
   ];
   return {
-    front: inFront.element,
+    front: front.element,
     settings: settings.element,
     show({ values, defaults, idle }) {
       for (const [key, one] of all) {
@@ -100,7 +100,8 @@ export function controls(
         if (text === undefined) continue;
         one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(byKey.get(key), values));
       }
-      for (const one of inFront.macros) one.show(values, defaults);
+      for (const [key, one] of front.single) one.element.hidden = idle.has(key);
+      for (const one of front.macros) one.show(values, defaults);
       for (const one of groups) one.show(values, defaults);
       settings.show(new Set([...idle.keys()].filter((key) => single.has(key))));
     },

@@ -2,12 +2,10 @@
 
 import type { Parameter } from "../engine/table.ts";
 
-/**
- * A parameter as a control shows it. One in front, besides another behind the door, has a name for its elements, and
- * no field for an exact value.
- */
+/** A parameter as a control shows it. */
 export interface Shown extends Parameter {
-  inFront?: string;
+  /** Set for a number in front, so that its ids differ from those under *All settings*. It has no field for an exact value. */
+  idSuffix?: string;
 }
 
 /** Takes a change: the key, and the new value as link text. */
@@ -25,10 +23,10 @@ export interface Field {
   focus(): void;
 }
 
-export function fieldId({ key, inFront = key }: Shown): string {
-  return `field-${inFront}`;
+export function fieldId({ key, idSuffix = key }: Shown): string {
+  return `field-${idSuffix}`;
 }
 
-export function helpId({ key, inFront = key }: Shown): string {
-  return `help-${inFront}`;
+export function helpId({ key, idSuffix = key }: Shown): string {
+  return `help-${idSuffix}`;
 }

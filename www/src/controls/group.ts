@@ -1,4 +1,4 @@
-/** Controls under a heading that fold away. The heading always shows how many of them differ from their default. */
+/** Controls under a heading that fold away. The heading shows how many of those in sight differ from their default. */
 
 import { el, setText } from "../browser/dom.ts";
 import type { Parameter } from "../engine/table.ts";
@@ -10,8 +10,9 @@ const RARE = new Set(["flat-share", "neck", "oxbows", "clearance", "taper"]);
 
 export interface Group {
   readonly element: HTMLElement;
+  /** Takes the values, before `hide` is called. */
   show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
-  /** Hides the controls of some parameters, and headings with nothing under them. */
+  /** Hides the controls of some parameters, and headings with nothing under them. The rest is counted. */
   hide(hidden: ReadonlySet<string>): void;
 }
 
@@ -30,13 +31,15 @@ export function group(
   const fold = rare.length > 0 ? more(heading, elementsOf(rare), disclosures) : undefined;
   if (fold) members.append(fold);
   const element = disclosures.details(heading, false, { class: "group" }, summary, members);
+  let differing: readonly string[] = [];
   return {
     element,
     show(values, defaults) {
-      const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;
-      setText(changed, count === 0 ? "" : `${count} changed`);
+      differing = parameters.map(({ key }) => key).filter((key) => values.get(key) !== defaults.get(key));
     },
     hide(hidden) {
+      const count = differing.filter((key) => !hidden.has(key)).length;
+      setText(changed, count === 0 ? "" : `${count} changed`);
       const areHidden = (some: readonly Parameter[]): boolean => some.every(({ key }) => hidden.has(key));
       for (const { key } of parameters) {
         const control = made.get(key)?.element;

@@ -31,7 +31,7 @@ const DETENTS = 20;
 
 export function numberControl(parameter: Shown, range: Range, change: Change): Field {
   const slider = sliderFor(parameter, range);
-  const aside = parameter.inFront === undefined ? exactAside(parameter, change) : writtenAside(parameter);
+  const aside = parameter.idSuffix === undefined ? exactAside(parameter, change) : writtenAside(parameter);
   const commit = (text: string) => change(parameter.key, text);
   let shown = parameter.default;
 

@@ -1,5 +1,5 @@
 /**
- * Padlocks: the values under a shut one are kept when a country or a pattern sets many at a time. Their state is
+ * Padlocks: the values under a shut one are kept when a country, a pattern or a variation sets many at a time. Their state is
  * remembered if the browser allows storage.
  */
 
@@ -30,7 +30,7 @@ export class Padlocks {
    * at the last visit are kept again.
    */
   padlock(label: string, keys: readonly string[]): HTMLElement {
-    const title = `Keep ${label} when a country or a pattern is chosen`;
+    const title = `Keep ${label} when a country, a pattern or a variation is chosen`;
     const attributes = { type: "button", class: "keep", "aria-label": `Keep ${label}`, title };
     const button = el("button", attributes, icon(DRAWING));
     button.addEventListener("click", () => this.#turn(keys));

@@ -88,7 +88,7 @@ export class PresetButtons {
     return current?.preset;
   }
 
-  /** Makes the button that shows all presets, for good: who looks for one may look for another. */
+  /** Makes the button that shows all presets, for good: whoever looks for one may look for another. */
   #moreButton(name: string): HTMLButtonElement {
     const more = el("button", { type: "button", class: "preset more-presets" }, `More ${name.toLowerCase()}`);
     more.addEventListener("click", () => {

@@ -1,5 +1,5 @@
 /**
- * The door to all single parameters. Those without effect on the map on show are hidden: a line tells how many they are,
+ * Every individual setting, folded away. Those without effect on the map on show are hidden: a line tells how many they are,
  * and a switch shows them with the reasons.
  */
 
@@ -20,7 +20,7 @@ export class Settings {
     { class: "idle-line", hidden: true },
     this.#count,
     " ",
-    el("label", { for: this.#shown.id }, this.#shown, "Show, with the reasons"),
+    el("label", { for: this.#shown.id }, this.#shown, "Show them, and why"),
   );
   #idle: ReadonlySet<string> = new Set();
 

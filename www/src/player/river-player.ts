@@ -143,11 +143,11 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   toggle(): void {
-    this.#attempt(() => this.#loop.toggle());
+    this.#onWanted(() => this.#loop.toggle());
   }
 
   play(): void {
-    this.#attempt(() => this.#loop.play());
+    this.#onWanted(() => this.#loop.play());
   }
 
   pause(): void {
@@ -160,7 +160,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   replay(): void {
-    this.#attempt(() => this.#loop.replay());
+    this.#onWanted(() => this.#loop.replay());
   }
 
   /** Goes to the finished river without animation. */

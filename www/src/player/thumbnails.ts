@@ -37,7 +37,7 @@ export async function* thumbnails(
     river.resize(width, height);
     for (const style of styles) {
       if (!(await pause())) return;
-      const pixels = await pixelsOf(inStyle(river.link, style), river, memory, pause).catch((thrown: unknown) => {
+      const pixels = await pixelsIn(style, river, memory, pause).catch((thrown: unknown) => {
         mayFree = !isEngineUnsure(named(thrown));
         if (!mayFree) throw thrown;
       });
@@ -50,11 +50,10 @@ export async function* thumbnails(
 }
 
 /**
- * Makes a picture of the finished map of a link from a river, which it takes over and frees. Returns nothing if `pause`
- * stopped it before.
+ * Makes a picture of a river's finished map, without letters and scenery. It takes the river over and frees it. Returns
+ * nothing if `pause` stopped it before.
  */
-export async function pictureOf(
-  link: string,
+export async function finishedPicture(
   river: SteeredRiver,
   memory: WebAssembly.Memory,
   { width, height }: { width: number; height: number },
@@ -63,7 +62,7 @@ export async function pictureOf(
   let mayFree = true;
   try {
     river.resize(width, height);
-    const pixels = await pixelsOf(bare(link), river, memory, pause);
+    const pixels = await pixelsOf(river, memory, pause);
     return pixels === "stopped" ? undefined : { width, height, pixels };
   } catch (thrown) {
     mayFree = !isEngineUnsure(named(thrown));
@@ -73,28 +72,30 @@ export async function pictureOf(
   }
 }
 
-async function pixelsOf(
-  link: string,
+async function pixelsIn(
+  style: string,
   river: SteeredRiver,
   memory: WebAssembly.Memory,
   pause: Pause,
 ): Promise<Picture["pixels"] | "stopped"> {
-  river.change(link);
+  river.change(inStyle(river.link, style));
+  return pixelsOf(river, memory, pause);
+}
+
+async function pixelsOf(
+  river: SteeredRiver,
+  memory: WebAssembly.Memory,
+  pause: Pause,
+): Promise<Picture["pixels"] | "stopped"> {
   if (!(await inSlices(() => river.advance(1), pause))) return "stopped";
   if (!(await inSlices(() => river.paint(), pause))) return "stopped";
   return new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
 
-/** Returns a link with another style, as a thumbnail shows it. */
+/** Returns a link with another style, and without labels and scenery, which would be too small to see. */
 function inStyle(link: string, style: string): string {
-  const values = new URLSearchParams(bare(link));
-  values.set("style", style);
-  return values.toString();
-}
-
-/** Returns a link without labels and scenery, which would be too small to see. */
-function bare(link: string): string {
   const values = new URLSearchParams(link);
+  values.set("style", style);
   for (const key of ["labels", "cartouche", "woods", "hills"]) values.delete(key);
   return values.toString();
 }

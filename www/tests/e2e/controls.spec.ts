@@ -141,7 +141,7 @@ test("settings without effect are counted and hidden, with headings that have no
   await openFold(page, "Growth");
   await expect(row(page, "reach")).toBeVisible();
   await expect(row(page, "sensitivity")).toBeHidden();
-  const shown = line.getByRole("checkbox", { name: "Show, with the reasons" });
+  const shown = line.getByRole("checkbox", { name: "Show them, and why" });
   await shown.check();
   await expect(row(page, "sensitivity")).toContainText("No effect: ");
   await page.reload();

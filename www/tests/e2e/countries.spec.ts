@@ -45,7 +45,7 @@ test("on phones the kinds of country stand in one row, and what follows is in si
     .locator("#countries .preset:visible")
     .evaluateAll((all) => all.map((one) => (one as HTMLElement).offsetTop));
   expect(new Set(tops).size).toBe(1);
-  await expect(page.locator("[data-macro=sea]")).toBeInViewport();
+  await expect(page.locator("[data-front=sea]")).toBeInViewport();
 });
 
 /** The button of a style on the strip, and the country that goes with it. */

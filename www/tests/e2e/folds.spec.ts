@@ -3,7 +3,7 @@ import { openFinished, openSettings, openWithPanel } from "./riverpage.ts";
 
 const SMALL = "seed=kauri&growth=colonize&attractors=300&style=ink&labels=none";
 
-/** A heading behind the door to all settings. */
+/** A heading under All settings. */
 function group(page: Page, heading: string): Locator {
   return page.locator(".settings .group").filter({ has: page.locator(`h2:text-is("${heading}")`) });
 }

@@ -96,15 +96,19 @@ test("replay grows the same river again", async ({ page }) => {
 });
 
 test("speed goes up to instant, by keys", async ({ page }) => {
-  await page.goto("./?seed=hinau&attractors=300&style=ink&labels=none");
-  await finished(page);
+  await ownClock(page);
+  await openFinished(page, "seed=hinau&attractors=300&style=ink&labels=none");
   await openSettings(page);
   const speed = page.getByRole("slider", { name: "Speed of growth" });
   await speed.focus();
   await page.keyboard.press("End");
   await expect(speed).toHaveAttribute("aria-valuetext", "instant");
+  await stopClock(page);
   await page.getByRole("button", { name: "Replay" }).click();
-  await finished(page);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  // Far less than a growth of two seconds.
+  await page.clock.runFor(200);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 });
 
 test("another window size shows the same river, drawn for that size", async ({ page }) => {

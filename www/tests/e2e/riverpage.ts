@@ -120,7 +120,7 @@ export async function openFold(page: Page, name: string): Promise<void> {
   if ((await fold.getAttribute("open")) === null) await fold.locator(":scope > summary").click();
 }
 
-/** Opens the panel and the door to all settings. */
+/** Opens the panel and All settings in it. */
 export async function openSettings(page: Page): Promise<void> {
   await openFold(page, "All settings");
 }

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import { chanceOf, oneOf } from "../../src/apps/study/chance.ts";
 import { type Dealt, dealOf, FIVE, type Is, keepSaid, resultLine, saidOn, today } from "../../src/apps/study/daily.ts";
 import { linkBy, RECIPE_NAMES } from "../../src/apps/study/recipes.ts";
 import { count, forget, ORIGINS, tallyIn, totalOf } from "../../src/apps/study/tally.ts";
 import { nameOf } from "../../src/apps/study/told.ts";
+import { chanceOf, oneOf } from "../../src/browser/chance.ts";
 
 const LENGTHS = Array.from({ length: 32 }, (_, i) => 350 + 10 * i);
 const DATES = Array.from({ length: 366 }, (_, i) => today(new Date(Date.UTC(2028, 0, 1 + i))));

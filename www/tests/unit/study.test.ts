@@ -1,12 +1,12 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { chanceOf } from "../../src/apps/study/chance.ts";
 import { type Grown, grownPiece } from "../../src/apps/study/grown.ts";
 import { isWellCovered, lengthOf, measure, SIDE } from "../../src/apps/study/piece.ts";
 import { piecesIn } from "../../src/apps/study/real.ts";
 import { linkBy, type Range, RECIPE_NAMES, RECIPES } from "../../src/apps/study/recipes.ts";
 import { tellTale } from "../../src/apps/study/tell-tale.ts";
 import { thin } from "../../src/apps/study/thin.ts";
+import { chanceOf } from "../../src/browser/chance.ts";
 import { engine, memory } from "../core.ts";
 import { parameter, table } from "../table.ts";
 

@@ -1,6 +1,6 @@
 import { createHash } from "node:crypto";
 import { expect, it } from "vitest";
-import { pictureOf as pictureFrom, type Thumbnail, thumbnails } from "../../src/player/thumbnails.ts";
+import { finishedPicture, type Thumbnail, thumbnails } from "../../src/player/thumbnails.ts";
 import { engine, memory, pictureOf } from "../core.ts";
 
 const LINK = "seed=rimu&attractors=300&labels=none";
@@ -63,7 +63,8 @@ it("leaves out a style that fails, and makes the others", async () => {
 it("draws another map from a river as the engine draws that map, bare of labels", async () => {
   const { river, freed } = finished(LINK);
   const other = LINK.replace("attractors=300", "attractors=500&width=9");
-  const made = await pictureFrom(`${other.replace("none", "many")}&woods=0.5`, river, memory, SIZE, async () => true);
+  river.change(`${other.replace("none", "many")}&woods=0.5`);
+  const made = await finishedPicture(river, memory, SIZE, async () => true);
   const sha256 = createHash("sha256")
     .update(made?.pixels ?? "")
     .digest("hex");
@@ -73,8 +74,8 @@ it("draws another map from a river as the engine draws that map, bare of labels"
 
 it("draws no other map that is not wanted any more, and gives the river back", async () => {
   const { river, freed } = finished(LINK);
-  const other = LINK.replace("attractors=300", "attractors=30000");
-  expect(await pictureFrom(other, river, memory, SIZE, async () => false)).toBeUndefined();
+  river.change(LINK.replace("attractors=300", "attractors=30000"));
+  expect(await finishedPicture(river, memory, SIZE, async () => false)).toBeUndefined();
   expect(freed()).toBe(1);
 });
 

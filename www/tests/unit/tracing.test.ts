@@ -1,11 +1,11 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { chanceOf } from "../../src/apps/study/chance.ts";
 import { curveOf } from "../../src/apps/study/drawing.ts";
 import { type Piece, SIDE } from "../../src/apps/study/piece.ts";
 import { piecesIn } from "../../src/apps/study/real.ts";
 import { thin } from "../../src/apps/study/thin.ts";
 import { chainsOf, graphOf, isTreeLike, type Line, trace } from "../../src/apps/study/trace.ts";
+import { chanceOf } from "../../src/browser/chance.ts";
 
 const real = await piecesIn(new Uint8Array(readFileSync("src/apps/study/real.png")));
 

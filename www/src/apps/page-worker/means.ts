@@ -7,7 +7,7 @@ import type { Means } from "../../host/renderer.ts";
 import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
-import { type Picture, pictureOf, type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
+import { finishedPicture, type Picture, type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
 import { Inspections } from "./inspections.ts";
 import { landBoundsOf } from "./land-bounds.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
@@ -20,6 +20,8 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
   const maker = { ...core, loadTeller, loadWriter };
   const inspections = new Inspections(loadTeller);
   const timelines = new Timelines();
+  /** The number of pictures that were asked for. Only the last one is still wanted. */
+  let pictures = 0;
   return {
     maker,
     // There is only one river.
@@ -40,8 +42,10 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
         }
         case "thumbnails":
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
-        case "picture":
-          return pictureFrom(playerIn(question.of, playerOf), core, question);
+        case "picture": {
+          const number = ++pictures;
+          return pictureFrom(playerIn(question.of, playerOf), core, question, () => number === pictures);
+        }
         case "measures":
           return measuresOf(playerIn(question.of, playerOf));
         case "river":
@@ -123,15 +127,16 @@ async function thumbnailsOf(
   return stays() ? made : undefined;
 }
 
-/** Makes a picture of another map in slices. It is not wanted any more when the map on show has changed. */
+/** Makes a picture of another map in slices, unless the map on show changes or another picture is asked for meanwhile. */
 async function pictureFrom(
   player: Player | undefined,
   core: SteerCore,
   { link, size }: QuestionAbout<"picture">,
+  isLatest: () => boolean,
 ): Promise<Picture | undefined> {
   const from = player?.link;
-  const pause = pauseWhile(() => player?.link === from);
-  return pictureOf(link, copyFor(link, player, core), core.memory, size, pause);
+  const pause = pauseWhile(() => isLatest() && player?.link === from);
+  return finishedPicture(copyFor(link, player, core), core.memory, size, pause);
 }
 
 /** Returns a pause between slices, in which other messages are handled. It tells whether to go on. */

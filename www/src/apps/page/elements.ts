@@ -122,6 +122,6 @@ export const elements = {
     pictures: find("#variations-pictures", HTMLElement),
   },
   controls: find("#controls", HTMLElement),
-  film: find("#film", HTMLElement),
+  speedSetting: find("#speed-setting", HTMLElement),
   inside: find("#inside", HTMLElement),
 };

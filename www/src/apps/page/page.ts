@@ -8,6 +8,7 @@ import { answerEscape } from "../../browser/keys.ts";
 import { turn } from "../../browser/turn.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named, type PageError } from "../../engine/errors.ts";
+import { linkText } from "../../engine/link-text.ts";
 import { Recipe } from "../../engine/recipe.ts";
 import type { SteerCore } from "../../engine/steer.ts";
 import { loadTable, type Preset, type Table } from "../../engine/table.ts";
@@ -37,7 +38,7 @@ import { MapNames } from "./panel/map-names.ts";
 import { MeasuresView } from "./panel/measures.ts";
 import { Panel } from "./panel/panel.ts";
 import { PresetNote } from "./panel/preset-note.ts";
-import { firstLink, prefersDark } from "./preferences.ts";
+import { firstLink, prefersDark, shapeOfWindow } from "./preferences.ts";
 import { Downloads } from "./save/downloads.ts";
 import { SaveDialog } from "./save/save-dialog.ts";
 import { SendDialog } from "./share/send-dialog.ts";
@@ -198,7 +199,7 @@ class Page {
   }
 
   #listen(): void {
-    elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    elements.reset.addEventListener("click", () => this.#reset());
     const downloads = new Downloads(this.#recipe, this.#country, {
       make: (link, format, rasters) => this.#viewport.file(link, format, rasters),
       failed: (error) => this.#failBeside(error),
@@ -314,10 +315,25 @@ class Page {
     this.#showNotices();
   }
 
+  /** Opens the map of all defaults for this word, in the window's shape. */
+  #reset(): void {
+    this.#open(
+      linkText([
+        ["seed", this.#recipe.seed],
+        ["aspect", this.#usualAspect],
+      ]),
+    );
+  }
+
+  get #usualAspect(): string {
+    return shapeOfWindow(this.#recipe.defaults.get("aspect") ?? "");
+  }
+
   /** Offers to reset all while there is something to reset. */
   #offerReset(): void {
     const { values, defaults } = this.#recipe;
-    const isUsual = [...defaults].every(([key, text]) => key === "seed" || values.get(key) === text);
+    const usual = new Map([...defaults, ["aspect", this.#usualAspect], ["seed", this.#recipe.seed]]);
+    const isUsual = [...usual].every(([key, text]) => values.get(key) === text);
     const { reset, panel } = elements;
     if (isUsual && document.activeElement === reset) panel.close.focus();
     reset.hidden = isUsual;

@@ -21,7 +21,11 @@ export function firstLink(): string {
 
 /** Returns the shape of a fresh map in this window: the shape that the map has, if somebody chose that. */
 export function freshAspect(now: string, usual: string): string {
-  if (now !== usual && now !== UPRIGHT) return now;
+  return now !== usual && now !== UPRIGHT ? now : shapeOfWindow(usual);
+}
+
+/** Returns the shape of a map for which nobody chose one, in this window. */
+export function shapeOfWindow(usual: string): string {
   return isUpright() ? UPRIGHT : usual;
 }
 

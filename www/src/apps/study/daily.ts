@@ -1,6 +1,6 @@
 /** The five pieces of a day, which follow from its date and are the same for everybody, and the line that tells how it went. */
 
-import { chanceOf, oneOf } from "./chance.ts";
+import { chanceOf, oneOf } from "../../browser/chance.ts";
 import type { Order } from "./grown.ts";
 import { RECIPE_NAMES } from "./recipes.ts";
 

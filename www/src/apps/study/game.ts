@@ -1,7 +1,7 @@
 /** A game: some pieces, one after the other, and what is said of them. */
 
+import { chance, oneOf } from "../../browser/chance.ts";
 import type { SteerCore } from "../../engine/steer.ts";
-import { chance, oneOf } from "./chance.ts";
 import { type Dealt, dealOf, type Is, keepSaid, saidOn } from "./daily.ts";
 import { type Grown, grownPiece } from "./grown.ts";
 import { lengthOf } from "./piece.ts";

@@ -1,8 +1,8 @@
 /** Grows pieces of rivers for the study, each from another map. */
 
+import type { Chance } from "../../browser/chance.ts";
 import { turn } from "../../browser/turn.ts";
 import type { SteerCore } from "../../engine/steer.ts";
-import type { Chance } from "./chance.ts";
 import { isWellCovered, lengthOf, type Piece, SIDE } from "./piece.ts";
 import { linkBy, type RecipeName } from "./recipes.ts";
 import { thin } from "./thin.ts";

@@ -3,7 +3,7 @@
  * drainage.
  */
 
-import type { Chance } from "./chance.ts";
+import type { Chance } from "../../browser/chance.ts";
 
 /** The range of a value, both ends included, and the distance of its steps. */
 export interface Range {

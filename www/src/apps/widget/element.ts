@@ -23,7 +23,7 @@ import {
 } from "./attributes.ts";
 import { announceEnd, DOES, describeRiver } from "./description.ts";
 import type { Audible, CompleteDetail, RiverSeedEventMap } from "./events.ts";
-import { report } from "./failure.ts";
+import { reportFailure } from "./failure.ts";
 import { askForPng, askForSvg, type BlobOptions } from "./files.ts";
 import { HostedRiver, type Opening, type Order, type Request } from "./hosted-river.ts";
 import { isStill, reducedMotion } from "./motion.ts";
@@ -365,7 +365,7 @@ export class RiverSeed extends Base {
     }
     // If an earlier link failed, the requested rivers are still to come.
     if (!isMap && (this.#hasFailed || links === this.#river.links)) this.#requested.fail(error);
-    void report(error, (detail) => this.#emit("error", detail));
+    void reportFailure(error, (detail) => this.#emit("error", detail));
   }
 
   #describe(): void {

@@ -73,6 +73,15 @@ test("a name of one's own is added to those there are", async () => {
   expect(await ask({ about: "renamed", names: names as string, mark: "12", name: undefined })).toBe("");
 });
 
+test("of pictures that are asked for at once only the last is made", async () => {
+  const size = { width: 60, height: 40 };
+  const { answer } = meansOf({ engine, memory });
+  const asked = ["kauri", "rimu", "tay"].map((seed) =>
+    answer({ about: "picture", of: undefined, link: `seed=${seed}&attractors=2000&style=ink`, size }, () => undefined),
+  );
+  expect(await Promise.all(asked)).toEqual([undefined, undefined, expect.objectContaining(size)]);
+});
+
 test("a picture of another map leaves the one on show as it is, finished or not, and needs none", async () => {
   const size = { width: 60, height: 40 };
   const link = "seed=kauri&attractors=200&style=ink&labels=none";

@@ -61,7 +61,7 @@ class Element {
   }
 
   getBoundingClientRect(): object {
-    return { x: 0, y: 0, width: 300, height: 200 };
+    return { x: 0, y: 0, width: 300, height: windowHeight };
   }
 
   cloneNode(): Element {
@@ -74,6 +74,8 @@ class Element {
 }
 
 const SUMMARY = {} as Summary;
+/** The height of all elements, which are 300 wide. */
+let windowHeight = 200;
 
 /** The width of a place over its height. */
 function shapeOf({ style }: Element): number {
@@ -81,6 +83,7 @@ function shapeOf({ style }: Element): number {
 }
 
 beforeEach(() => {
+  windowHeight = 200;
   vi.stubGlobal("window", { devicePixelRatio: 2, matchMedia: () => ({ matches: false }) });
   vi.stubGlobal("requestAnimationFrame", (draw: () => void) => queueMicrotask(draw));
   const canvas = { setAttribute: () => {}, append: () => {}, getContext: () => null };
@@ -107,7 +110,7 @@ function map(link: string): MapLink {
   return { link, aspect: Number(/aspect=(.*)/.exec(link)?.[1] ?? 1.6) };
 }
 
-async function opened(isHeard = true) {
+async function opened(isHeard = true, isFromElsewhere = false) {
   const host = new StandIn();
   const zoom = { closer: new Element(), farther: new Element(), all: new Element() };
   const elements = { frame: new Element(), canvas: new Element(), mapPlace: new Element(), zoom };
@@ -118,7 +121,7 @@ async function opened(isHeard = true) {
     map("seed=one"),
     () => ({ left: 0, top: 0, right: 0, bottom: 0 }),
   );
-  viewport.start("watch", false);
+  viewport.start("watch", isFromElsewhere);
   if (isHeard) viewport.listen(events);
   await Promise.resolve();
   await Promise.resolve();
@@ -298,4 +301,49 @@ test("a viewport that is closed gives its river up, and files can be had from an
   await viewport.file("seed=one", "svg");
   expect(host.last("ask")).toMatchObject({ question: { about: "file", of: undefined, link: "seed=one" } });
   expect(events.failed).not.toHaveBeenCalled();
+});
+
+const LAND = { left: 0.25, top: 0.25, right: 0.75, bottom: 0.75 };
+
+/** Opens a link from elsewhere in an upright window. */
+async function openedUpright() {
+  windowHeight = 600;
+  const made = await opened(true, true);
+  made.host.answer = LAND;
+  const width = (): number => Number.parseFloat(String(made.elements.mapPlace.style["width"]));
+  const asksForLand = (): boolean => made.host.sent.some((sent) => sent.do === "ask" && sent.question.about === "land");
+  return { ...made, width, asksForLand };
+}
+
+test("a wide map from elsewhere shows its land alone in an upright window, once it is finished", async () => {
+  const { elements, shown, width, asksForLand } = await openedUpright();
+  shown("seed=one", 0);
+  expect([width(), asksForLand()]).toEqual([300, false]);
+  shown("seed=one", 0, "finished");
+  expect(elements.frame.dataset).toHaveProperty("pending", "");
+  await vi.waitFor(() => expect(elements.frame.dataset).not.toHaveProperty("pending"));
+  expect(width()).toBe(600);
+});
+
+test("the whole map stays where the land cannot be told", async () => {
+  const { host, elements, shown, width } = await openedUpright();
+  host.ask = () => Promise.reject(new Error("no engine"));
+  shown("seed=one", 0, "finished");
+  await vi.waitFor(() => expect(elements.frame.dataset).not.toHaveProperty("pending"));
+  expect(width()).toBe(300);
+});
+
+test("a hand that moves the map first, or another word, decides what is seen", async () => {
+  const moved = await openedUpright();
+  moved.shown("seed=one", 0);
+  moved.elements.zoom.closer.click();
+  moved.shown("seed=one", 0, "finished");
+  const other = await openedUpright();
+  other.shown("seed=one", 0);
+  other.viewport.show(map("seed=two"), "still");
+  other.shown("seed=two", 1, "finished");
+  for (const { asksForLand, elements } of [moved, other]) {
+    expect(asksForLand()).toBe(false);
+    expect(elements.frame.dataset).not.toHaveProperty("pending");
+  }
 });

@@ -19,6 +19,14 @@ export interface Stage extends Size {
   aspect: number;
 }
 
+/** The bounds of a part of the map, in shares of its sides. */
+export interface Bounds {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
 export interface Point {
   x: number;
   y: number;
@@ -51,8 +59,8 @@ export class Camera {
     this.#at = { x: 0.5, y: 0.5 };
   }
 
-  /** Shows a part of the map as large as its place allows, given in shares of the map's sides. */
-  show({ left, top, right, bottom }: Insets, stage: Stage): void {
+  /** Shows a part of the map as large as its place allows. */
+  show({ left, top, right, bottom }: Bounds, stage: Stage): void {
     const { across, down } = freePartOf(stage);
     const width = widthOf(stage);
     const zoom = Math.min(across / ((right - left) * width), (down * stage.aspect) / ((bottom - top) * width));

@@ -166,7 +166,10 @@ export class RiverViewport {
 
   show({ link, aspect }: MapLink, how: ShowMode): void {
     // Another word is another country, of which nobody knows where to look.
-    if (seedOf(link) !== seedOf(this.#wanted.link)) this.#camera.reset();
+    if (seedOf(link) !== seedOf(this.#wanted.link)) {
+      this.#camera.reset();
+      this.#isToShowLand = false;
+    }
     this.#wholeMap.forget();
     this.#wanted = { link, aspect, how, number: this.#wanted.number, framing: this.#wanted.framing };
     this.#asked = undefined;
@@ -394,6 +397,7 @@ export class RiverViewport {
   #listenToHand(): void {
     const { frame, zoom } = this.elements;
     const follow = (move: (stage: Stage) => void): void => {
+      this.#isToShowLand = false;
       this.#keepWhole();
       move(this.#stage());
       this.#lastPicture.drop();

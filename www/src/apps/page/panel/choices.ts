@@ -58,7 +58,7 @@ export class Choices {
     const { parameters } = table;
     const parameter = (wanted: string): Parameter | undefined => parameters.find(({ key }) => key === wanted);
     const choose = (values: Values): void => this.#choose(values);
-    this.#controls = controls(parameters, choose, disclosures, this.#padlocks, elements.film);
+    this.#controls = controls(parameters, choose, disclosures, this.#padlocks, elements.speedSetting);
     this.#presets = presets(table.presets, (preset) => events.press(preset));
     this.#countries = new PresetButtons(
       "Countries",
@@ -79,7 +79,7 @@ export class Choices {
     elements.dice.addEventListener("click", () => this.#throwDice());
     const { front, settings } = this.#controls;
     elements.front.replaceChildren(front);
-    elements.controls.replaceChildren(namesDoor(names, disclosures), settings);
+    elements.controls.replaceChildren(foldedNames(names, disclosures), settings);
     elements.countries.replaceChildren(this.#countries.element);
   }
 
@@ -153,8 +153,8 @@ export class Choices {
   }
 }
 
-/** Makes the door to the list of names. */
-function namesDoor(names: HTMLElement, disclosures: Disclosures): HTMLElement {
+/** Folds the list of names away. */
+function foldedNames(names: HTMLElement, disclosures: Disclosures): HTMLElement {
   const summary = el("summary", {}, el("h2", {}, "Names on the map"));
   return disclosures.details(
     "Names on the map",

@@ -107,7 +107,7 @@ export class StyleStrip {
     for (const { country, button } of this.#best) button.hidden = country.style !== style || changesNothing(country);
   }
 
-  /** Shows all styles, for good: who looks for one may look for another. */
+  /** Shows all styles, for good: whoever looks for one may look for another. */
   #showMore(): void {
     const hidden = [...this.#buttons.values()].filter(({ button }) => button.hidden);
     for (const { button } of hidden) button.hidden = false;

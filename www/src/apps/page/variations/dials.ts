@@ -34,7 +34,7 @@ const MOVES: Readonly<Record<string, Omit<Dial, "place" | "at">>> = {
 /** The map that is varied. */
 export interface Varied {
   values: ReadonlyMap<string, string>;
-  /** The keys of values without effect on it. */
+  /** The reasons why values have no effect on it, by key. */
   idle: ReadonlyMap<string, string>;
   /** The keys of values that are to stay. */
   kept: ReadonlySet<string>;

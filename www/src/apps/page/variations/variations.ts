@@ -32,7 +32,7 @@ export interface VariationsEvents {
   take(values: Values): void;
 }
 
-const NOTHING_TO_VARY = "All that could vary is kept by padlocks, or has no effect on this map.";
+const NOTHING_TO_VARY = "All that could vary is locked, or has no effect on this map.";
 
 /** A place for a picture, and the link of the map that it shows. */
 interface Place {
@@ -87,7 +87,8 @@ export class Variations {
     setText(status, neighbours.length === 0 ? NOTHING_TO_VARY : "");
     // All are as large as this one, and drawn in one size, so that equal maps are equal pictures.
     const size = backingSize(middle.canvas.getBoundingClientRect(), window.devicePixelRatio);
-    void this.#draw(round === 0 ? [middle, ...places] : places, size);
+    const isDrawn = middle.button.dataset["state"] === "drawn";
+    void this.#draw(isDrawn ? places : [middle, ...places], size);
   }
 
   /** Draws pictures one after another, until others are asked for or the dialog is closed. */

@@ -18,6 +18,16 @@ export function chanceOf(text: string): Chance {
   };
 }
 
+/** Returns some items in another order. */
+export function shuffled<Item>(items: readonly Item[], chance: Chance): Item[] {
+  const all = [...items];
+  for (let last = all.length - 1; last > 0; last--) {
+    const other = chance(last + 1);
+    [all[last], all[other]] = [all[other] as Item, all[last] as Item];
+  }
+  return all;
+}
+
 /** Returns one of several. */
 export function oneOf<Type>(several: readonly [Type, ...Type[]], chance: Chance): Type {
   return several[chance(several.length)] ?? several[0];
