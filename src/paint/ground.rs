@@ -297,9 +297,10 @@ impl Shades {
     }
 }
 
-/// The distance from the sea up to which land is taken to rise as long as its relief is not known, in units, and the
-/// height there, in metres: that of the middle of an island of usual size, without its mountains.
+/// The distance from the sea up to which land is taken to rise as long as its relief is not known, in units.
 const TINTED: f32 = 150.0;
+/// The height that land is taken to have there and beyond, in metres: that of the middle of a usual island, without its
+/// mountains.
 const TINTED_METRES: f32 = 560.0;
 
 /// The colour at a distance from the coast, in units and positive on land, and the fourth channel there.
@@ -375,7 +376,12 @@ mod tests {
             let land = Land::new(&domain, coast_distance, Vec::new());
             let mut pixels = Vec::new();
             let coast = ShownCoast { smooth: &shown, detail: None };
-            Ground::new(&view, &land, &shown, (palette(Style::Skeleton), None)).paint(&view, coast, 0..1000, &mut pixels);
+            Ground::new(&view, &land, &shown, (palette(Style::Skeleton), None)).paint(
+                &view,
+                coast,
+                0..1000,
+                &mut pixels,
+            );
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))

@@ -61,9 +61,8 @@ fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>)
         |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
     let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
     // A title without its second line, or a number without its bar, says nothing: what is not shown whole is not shown.
-    let is_cut = |(_, around): &(u32, Box)| {
-        corners.iter().any(|label| stands_in(label, around) && !is_shown(input, label))
-    };
+    let is_cut =
+        |(_, around): &(u32, Box)| corners.iter().any(|label| stands_in(label, around) && !is_shown(input, label));
     let (cut, kept): (Vec<_>, Vec<_>) = kept.into_iter().partition(is_cut);
     corners.retain(|label| !left_out.iter().chain(&cut).any(|(_, around)| stands_in(label, around)));
     let mut boxes = kept;

@@ -8,6 +8,7 @@ import {
   finished,
   fixChance,
   openFinished,
+  openPanel,
   openSettings,
 } from "./riverpage.ts";
 import { core } from "./tiers.ts";
@@ -170,4 +171,17 @@ test("a map in the shape of the phone is shown whole, and so is one of land alon
     await openFinished(page, link);
     await expect(page.locator("#frame")).not.toHaveAttribute("data-zoomed");
   }
+});
+
+test("all is reset in the shape of the phone, if there is anything to reset", async ({ page }) => {
+  await openFinished(page);
+  await openPanel(page);
+  const reset = page.getByRole("button", { name: "Reset all" });
+  await expect(reset).toBeHidden();
+  await page.getByRole("slider", { name: "How wild a coast" }).press("Home");
+  await expectAddress(page, "roughness", "0");
+  await reset.click();
+  await expectAddress(page, "roughness", null);
+  expect(address(page).get("aspect")).toBe("0.75");
+  await expect(reset).toBeHidden();
 });
