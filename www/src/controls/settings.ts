@@ -27,7 +27,7 @@ export class Settings {
   constructor(
     private readonly groups: readonly Group[],
     disclosures: Disclosures,
-    /** What stands at the end, under no heading. */
+    /** Elements at the end, under no heading. */
     others: readonly HTMLElement[],
   ) {
     const summary = el("summary", {}, el("h2", {}, NAME));

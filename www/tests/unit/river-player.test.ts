@@ -95,6 +95,18 @@ test("who asks for another map and at once for a share of it, or for a pause, ge
   }
 });
 
+test("who asks for another map and at once for its growth sees that map grow", () => {
+  for (const grow of ["play", "replay"] as const) {
+    const [grown, display] = player("seed=kea&land=island&attractors=600&style=ink&labels=none");
+    grown.start("still");
+    frames(display);
+    grown.show({ text: "seed=rimu&land=island&attractors=600&style=ink&labels=none" }, "still");
+    grown[grow]();
+    for (let i = 0; i < 3; i++) display.frame();
+    expect([grown.state, grown.river?.seed, grown.river?.phase]).toEqual(["growing", "rimu", "growing"]);
+  }
+});
+
 test("the sea is seen rising by who watches, and not by who wants no motion", () => {
   const link = "seed=kea&land=island&attractors=600&drowning=0.6";
   const picturesOf = (how: "watch" | "still"): Set<string> => {

@@ -31,7 +31,7 @@ async function enter(
   await river.enter(CLIENT, undefined, signal, () => opening(how));
 }
 
-/** What the host was told, and how a river that it opened is shown. */
+/** The orders that the host was given, and the way in which it shows a river. */
 function told(): string[] {
   return host.sent.map((command) => [command.do, command.how].filter(Boolean).join(" "));
 }

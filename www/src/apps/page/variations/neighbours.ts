@@ -5,7 +5,7 @@ import type { Parameter } from "../../../engine/table.ts";
 import { type Dial, dialsOf, type Values, type Varied } from "./dials.ts";
 
 export interface Neighbour {
-  /** What is different, in words: “more rivers, less winding”. */
+  /** The difference, in words: “more rivers, less winding”. */
   words: string;
   values: Values;
 }
