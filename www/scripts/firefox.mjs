@@ -66,7 +66,8 @@ async function changesAndKeepsItsAddress() {
   const { page, complaints } = await open("?seed=kauri&growth=colonize&attractors=300&curl=0");
   await page.waitForSelector("#shape:not([disabled])");
   await page.click("#shape");
-  await page.click(".group:has(#field-curl) > summary");
+  await page.click(".settings > summary");
+  await page.click(".settings .group:has(#field-curl) > summary");
   await page.focus("#field-curl");
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
   await page.waitForFunction(() => new URLSearchParams(location.search).get("curl") === "0.5");
