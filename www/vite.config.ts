@@ -2,6 +2,7 @@ import { defineConfig } from "vite";
 import { buttonPictures } from "./build/button-pictures.ts";
 import { tellsOfMissingFiles } from "./build/changed.ts";
 import { crawlers } from "./build/crawlers.ts";
+import { DOCS_SCRIPT, DOCS_SHEET, docs } from "./build/docs/plugin.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
 import { offline } from "./build/offline.ts";
@@ -30,6 +31,7 @@ export default defineConfig({
     widgetFiles(),
     licences(),
     gallery(process.env["RIVERSEED_SITE"]),
+    docs(process.env["RIVERSEED_SITE"]),
     crawlers(process.env["RIVERSEED_SITE"]),
   ],
   // The digest page imports tests/digest.txt, one folder up.
@@ -39,7 +41,16 @@ export default defineConfig({
     assetsInlineLimit: 0,
     target: targets(),
     rolldownOptions: {
-      input: ["index.html", "real-or-grown.html", "digest.html", "embed.html", "examples/blog.html", SHEET],
+      input: [
+        "index.html",
+        "real-or-grown.html",
+        "digest.html",
+        "embed.html",
+        "examples/blog.html",
+        SHEET,
+        DOCS_SHEET,
+        DOCS_SCRIPT,
+      ],
     },
   },
 });

@@ -1,6 +1,8 @@
 /** Writes the files for crawlers: robots.txt and, if the site's address is known, a sitemap. */
 
 import type { Plugin } from "vite";
+import { addressOf, contents } from "./docs/contents.ts";
+import { FOLDER } from "./docs/frame.ts";
 import { filesOf } from "./gallery/pages.ts";
 import { recipes } from "./gallery/recipes.ts";
 import { baseOf } from "./social.ts";
@@ -23,7 +25,13 @@ export function robots(site: string | undefined): string {
 
 /** Writes the sitemap, with addresses escaped for XML. */
 export function sitemap(site: string): string {
-  const pages = ["", "gallery/", ...recipes.map(({ slug }) => `gallery/${filesOf(slug).page}`)];
+  const documents = contents().flatMap(({ articles }) => articles.map(({ source }) => addressOf(source)));
+  const pages = [
+    "",
+    "gallery/",
+    ...recipes.map(({ slug }) => `gallery/${filesOf(slug).page}`),
+    ...["", ...documents].map((address) => `${FOLDER}/${address}`),
+  ];
   const base = baseOf(site).replaceAll("&", "&amp;");
   return `<?xml version="1.0" encoding="UTF-8"?>
 <urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">

@@ -5,17 +5,21 @@ import type { Plugin } from "vite";
 
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
 /**
- * The npm packages whose code is in the site: for the archives of game packs, for videos, and for keeping the page
- * offline.
+ * The npm packages whose code is in the site: for the archives of game packs, for videos, for the search of the
+ * documentation, and for keeping the page offline.
  */
 const PACKAGES = [
   "fflate",
   "mediabunny",
+  "minisearch",
   "workbox-core",
   "workbox-precaching",
   "workbox-routing",
   "workbox-strategies",
 ];
+
+/** The names of licence files that are called otherwise. */
+const FILES: Readonly<Record<string, string>> = { minisearch: "LICENSE.txt" };
 
 /** The additional text that the Mozilla Public License requires. */
 const SOURCES: Readonly<Record<string, string>> = {
@@ -32,7 +36,7 @@ export function licences(): Plugin {
         this.emitFile({ type: "asset", fileName, source });
       }
       for (const name of PACKAGES) {
-        const source = readFileSync(new URL(`../node_modules/${name}/LICENSE`, import.meta.url));
+        const source = readFileSync(new URL(`../node_modules/${name}/${FILES[name] ?? "LICENSE"}`, import.meta.url));
         const said = SOURCES[name] ?? "";
         this.emitFile({ type: "asset", fileName: `LICENSE-${name}.txt`, source: said + source });
       }

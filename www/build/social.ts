@@ -5,6 +5,9 @@
 
 import type { Plugin } from "vite";
 
+/** The stand-in for the address of the site in what readers paste. */
+export const SOME_SITE = "https://example.org/riverseed/";
+
 const IMAGE = /(<meta (?:property="og:image"|name="twitter:image") content=")([^"]*)/g;
 
 export function wholeAddresses(site: string | undefined): Plugin {

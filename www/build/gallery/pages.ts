@@ -2,7 +2,7 @@
 
 import { elementSnippet, escaped, titleOf } from "../../src/apps/page/share/snippets.ts";
 import { policyFor } from "../policy.ts";
-import { baseOf } from "../social.ts";
+import { baseOf, SOME_SITE } from "../social.ts";
 import type { Entry } from "./recipes.ts";
 import { CARD, overviewShot, pageShot } from "./shots.ts";
 
@@ -16,12 +16,11 @@ export interface Place {
   readonly hasPolicy: boolean;
 }
 
-/** The address in snippets if the site's is not known. */
-const SOME_SITE = "https://example.org/riverseed/";
 /** The number of pictures on the first screen, which are not loaded lazily. */
 const FIRST = 6;
 
-const ICON =
+/** The icon of pages that are written during the build. */
+export const ICON =
   "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'%3E%3Crect width='32' height='32' rx='3' fill='%23f4eee0'/%3E%3Cpath d='M16 31c0-7-3-8-3-13 0-4 4-5 4-10M13 19C10 16 8 14 8 8M14.500 24c5-4 8-5 9-13' fill='none' stroke='%231c5876' stroke-width='2.500' stroke-linecap='round'/%3E%3C/svg%3E";
 
 /** Returns the names of a map's files. */
@@ -40,7 +39,7 @@ export function overviewPage(entries: readonly Entry[], place: Place): string {
     address: "",
     card: first && { file: filesOf(first.slug).card, alt: alternativeOf(first) },
     body: `<header>
-      <p><a href="../">Riverseed</a></p>
+      <p><a href="../">Riverseed</a> <span aria-hidden="true">·</span> <a href="../docs/">Documentation</a></p>
       <h1>Gallery</h1>
       <p class="lead">${entries.length} maps, each grown from a word. Open one, and change it.</p>
     </header>
@@ -102,6 +101,7 @@ export function pageOf(entry: Entry, around: { before: Entry; after: Entry }, pl
         <a href="${filesOf(around.before.slug).page}" rel="prev">← ${escaped(around.before.title)}</a>
         <a href="./">All maps</a>
         <a href="${filesOf(around.after.slug).page}" rel="next">${escaped(around.after.title)} →</a>
+        <a href="../docs/">Documentation</a>
       </nav>
     </main>`,
   });

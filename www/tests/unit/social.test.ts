@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { robots, sitemap } from "../../build/crawlers.ts";
+import { contents } from "../../build/docs/contents.ts";
 import { recipes } from "../../build/gallery/recipes.ts";
 import { completed } from "../../build/social.ts";
 
@@ -30,7 +31,9 @@ test("who looks for pages may, and is told of all where the site knows its addre
   expect(robots(undefined)).toBe("User-agent: *\nAllow: /\n");
   expect(robots("https://rivers.example/maps")).toContain("\nSitemap: https://rivers.example/maps/sitemap.xml\n");
   const pages = [...sitemap("https://rivers.example/a&b/").matchAll(/<loc>([^<]*)<\/loc>/g)].map(([, page]) => page);
-  expect(pages).toHaveLength(recipes.length + 2);
+  const documents = contents().flatMap(({ articles }) => articles);
+  expect(pages).toHaveLength(recipes.length + documents.length + 3);
   expect(pages.slice(0, 2)).toEqual(["https://rivers.example/a&amp;b/", "https://rivers.example/a&amp;b/gallery/"]);
   expect(pages).toContain(`https://rivers.example/a&amp;b/gallery/${recipes[0]?.slug}.html`);
+  expect(pages).toContain("https://rivers.example/a&amp;b/docs/for/teachers.html");
 });

@@ -1,0 +1,111 @@
+/** The frame of every page: head, header with the search, list of contents. */
+
+import { escaped } from "../../src/apps/page/share/snippets.ts";
+import { ICON } from "../gallery/pages.ts";
+import { policyFor } from "../policy.ts";
+import { baseOf } from "../social.ts";
+import type { Article } from "./article.ts";
+import { addressOf, type Group, wayUp } from "./contents.ts";
+
+/** The folder of the pages in the site. */
+export const FOLDER = "docs";
+/** The file with the index of the search, in that folder. */
+export const INDEX = "search.json";
+
+/** The site for which the pages are made. */
+export interface Place {
+  /** The site's address, if it is known. */
+  readonly site: string | undefined;
+  /** The addresses of style sheet and script, relative to the site. */
+  readonly sheet: string;
+  readonly script: string;
+  /** True if pages have a Content-Security-Policy, which those of the dev server do not. */
+  readonly hasPolicy: boolean;
+}
+
+interface Content {
+  readonly title: string;
+  readonly description: string;
+  /** The page's address, relative to the folder of the pages. */
+  readonly address: string;
+  /** The page's own class. */
+  readonly kind: "first" | "article";
+  readonly body: string;
+  readonly groups: readonly Group[];
+  /** The page that the list of contents marks, if it is one of them. */
+  readonly current?: Article;
+}
+
+/** The most characters of a description: more is cut off by those who show it. */
+const LONGEST = 200;
+
+export function documentOf({ site, sheet, script, hasPolicy }: Place, content: Content): string {
+  const { title, description, address, kind, body, groups, current } = content;
+  const way = wayUp(address);
+  const root = `${way}../`;
+  const meta = (name: string, text: string) =>
+    `<meta ${name.startsWith("og:") ? "property" : "name"}="${name}" content="${escaped(text)}" />`;
+  const said = shortened(description || title);
+  const head = [
+    '<meta charset="utf-8" />',
+    '<meta name="viewport" content="width=device-width, initial-scale=1" />',
+    `<title>${escaped(title)}</title>`,
+    meta("description", said),
+    meta("color-scheme", "light dark"),
+    meta("og:title", title),
+    meta("og:description", said),
+    meta("og:type", "article"),
+    ...(site === undefined ? [] : [`<link rel="canonical" href="${escaped(wholeAddress(address, site))}" />`]),
+    `<link rel="icon" href="${ICON}" />`,
+    `<link rel="stylesheet" href="${escaped(root + sheet)}" />`,
+    `<script type="module" src="${escaped(root + script)}"></script>`,
+  ];
+  const policy = hasPolicy ? `<meta http-equiv="Content-Security-Policy" content="${policyFor("")}" />\n    ` : "";
+  return `<!doctype html>
+<html lang="en">
+  <head>
+    ${policy}${head.join("\n    ")}
+  </head>
+  <body class="${kind}" data-root="${root}">
+    <header class="top">
+      <p class="places"><a href="${root}">Riverseed</a> <span aria-hidden="true">/</span> <a href="${way || "./"}"${kind === "first" ? ' aria-current="page"' : ""}>Documentation</a></p>
+      ${searchOf(way)}
+      <a class="to-contents" href="#contents">Contents</a>
+    </header>
+    ${body}
+    ${contentsOf(groups, way, current)}
+  </body>
+</html>
+`;
+}
+
+function wholeAddress(address: string, site: string): string {
+  return new URL(`${FOLDER}/${address}`, baseOf(site)).href;
+}
+
+/** Returns a description that is no longer than is shown, whole words only. */
+function shortened(text: string): string {
+  return text.length <= LONGEST ? text : `${text.slice(0, text.lastIndexOf(" ", LONGEST - 2))} …`;
+}
+
+/** Writes the search, which the script shows. */
+function searchOf(way: string): string {
+  return `<search id="search" hidden data-way="${way}" data-index="${way}${INDEX}">
+        <input type="search" aria-label="Search the documentation" placeholder="Search" aria-keyshortcuts="/" autocomplete="off" autocapitalize="none" spellcheck="false" enterkeyhint="go" />
+        <kbd aria-hidden="true">/</kbd>
+        <div class="found"><ul aria-label="Results" hidden></ul><p role="status"></p></div>
+      </search>`;
+}
+
+function contentsOf(groups: readonly Group[], way: string, current: Article | undefined): string {
+  const item = (article: Article) => {
+    const mark = article.source === current?.source ? ' aria-current="page"' : "";
+    return `<li><a href="${way}${addressOf(article.source)}"${mark}>${escaped(article.title)}</a></li>`;
+  };
+  const parts = groups.map(
+    ({ title, articles }) => `<section><h2>${escaped(title)}</h2><ul>${articles.map(item).join("")}</ul></section>`,
+  );
+  return `<nav class="contents" id="contents" aria-label="Contents">
+      ${parts.join("\n      ")}
+    </nav>`;
+}

@@ -1,0 +1,77 @@
+/** Writes the page of a document. */
+
+import { escaped } from "../../src/apps/page/share/snippets.ts";
+import { filesOf } from "../gallery/pages.ts";
+import type { Entry } from "../gallery/recipes.ts";
+import { pageShot } from "../gallery/shots.ts";
+import type { Article, Heading } from "./article.ts";
+import { addressOf, type Group, wayUp } from "./contents.ts";
+import { documentOf, type Place } from "./frame.ts";
+import { READERS, sourceOf } from "./readers.ts";
+import { type Body, bodyOf } from "./rendering.ts";
+
+/** The least number of sections of a page that lists them. */
+const FEWEST = 3;
+
+/** The maps of the gallery by their names. */
+export type Maps = ReadonlyMap<string, Entry>;
+
+/** A page of the documentation. */
+export interface Page {
+  readonly html: string;
+  readonly figures: Body["figures"];
+}
+
+export function pageOf(article: Article, groups: readonly Group[], maps: Maps, place: Place): Page {
+  const articles = groups.flatMap((group) => group.articles);
+  const all = new Map(articles.map((one) => [one.source, one]));
+  const { html, figures } = bodyOf(article, all, place.site);
+  const at = articles.findIndex(({ source }) => source === article.source);
+  const sections = article.headings.filter(({ depth }) => depth === 2);
+  const lists = sections.length >= FEWEST ? sections : [];
+  const reader = READERS.find((one) => sourceOf(one) === article.source);
+  const body = `<main${reader ? ' class="reader"' : ""}>
+      ${withSections(withPicture(html, maps.get(reader?.picture ?? ""), article), lists)}
+      ${aroundOf(article, articles[at - 1], articles[at + 1])}
+    </main>
+    ${lists.length > 0 ? `<nav class="sections" aria-labelledby="sections"><h2 id="sections">On this page</h2>${listOf(lists)}</nav>` : ""}`;
+  return {
+    html: documentOf(place, {
+      title: `${article.title} · Riverseed`,
+      description: article.lead,
+      address: addressOf(article.source),
+      kind: "article",
+      body,
+      groups,
+      current: article,
+    }),
+    figures,
+  };
+}
+
+/** Adds a folded list of the sections for windows that have no room beside the text. */
+function withSections(html: string, sections: readonly Heading[]): string {
+  if (sections.length === 0) return html;
+  const fold = `<details class="fold"><summary>On this page</summary>${listOf(sections)}</details>`;
+  return html.replace(/(?=<h2 )/, () => `${fold}\n`);
+}
+
+function listOf(sections: readonly Heading[]): string {
+  return `<ul>${sections.map(({ id, text }) => `<li><a href="#${escaped(id)}">${escaped(text)}</a></li>`).join("")}</ul>`;
+}
+
+/** Shows the map that a reader's first code makes below that code. */
+function withPicture(html: string, entry: Entry | undefined, { source }: Article): string {
+  if (!entry) return html;
+  const root = `${wayUp(addressOf(source))}../`;
+  const { width, height } = pageShot(Number(entry.aspect));
+  const picture = `<a class="makes" href="${escaped(`${root}?${entry.link}`)}"><img src="${root}gallery/${filesOf(entry.slug).picture}" width="${width}" height="${height}" alt="The map that this makes: ${escaped(entry.sentence)}" /></a>`;
+  return html.replace("</figure>", () => `</figure>\n${picture}`);
+}
+
+function aroundOf({ source }: Article, before: Article | undefined, after: Article | undefined): string {
+  const way = wayUp(addressOf(source));
+  const link = (to: Article | undefined, rel: "prev" | "next", text: (title: string) => string) =>
+    to ? `<a href="${way}${addressOf(to.source)}" rel="${rel}">${text(escaped(to.title))}</a>` : "<span></span>";
+  return `<nav class="around" aria-label="Before and after">${link(before, "prev", (title) => `← ${title}`)}${link(after, "next", (title) => `${title} →`)}</nav>`;
+}

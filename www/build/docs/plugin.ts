@@ -1,0 +1,65 @@
+/** Adds the documentation to the site: during the build, or in the dev server when a page is requested. */
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Plugin, Rolldown } from "vite";
+import { indexOf } from "../../src/apps/docs/index.ts";
+import { entries } from "../gallery/recipes.ts";
+import { addressOf, contents, REPOSITORY } from "./contents.ts";
+import { firstPage } from "./first.ts";
+import { FOLDER, INDEX, type Place } from "./frame.ts";
+import { pageOf } from "./page.ts";
+import { sectionsOf } from "./sections.ts";
+
+/** The pages' style sheet and script, which are inputs of the build. */
+export const DOCS_SHEET = "src/style/docs.css";
+export const DOCS_SCRIPT = "src/apps/docs/docs.ts";
+
+export function docs(site: string | undefined): Plugin {
+  return {
+    name: "docs",
+    configureServer: ({ middlewares }) => {
+      const place: Place = { site, sheet: DOCS_SHEET, script: DOCS_SCRIPT, hasPolicy: false };
+      middlewares.use((request, response, next) => {
+        const file = /^\/docs\/([^?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
+        if (file === undefined) return next();
+        const source = writtenFor(place).get(file || "index.html");
+        if (source === undefined) return next();
+        response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
+        response.end(source);
+      });
+    },
+    generateBundle(_options, bundle) {
+      const place: Place = { site, ...builtFilesOf(bundle), hasPolicy: true };
+      for (const [file, source] of writtenFor(place))
+        this.emitFile({ type: "asset", fileName: `${FOLDER}/${file}`, source });
+    },
+  };
+}
+
+const TYPES: Readonly<Record<string, string>> = { json: "application/json", svg: "image/svg+xml" };
+
+/** Finds the style sheet and the script of the pages among what was built. */
+function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "script"> {
+  const files = Object.values(bundle);
+  const sheet = files.find(({ type, fileName }) => type === "asset" && /docs-[\w-]+\.css$/.test(fileName));
+  const script = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith(DOCS_SCRIPT));
+  if (!sheet || !script) throw new Error("the build has no style sheet or no script for the documentation");
+  return { sheet: sheet.fileName, script: script.fileName };
+}
+
+/** Writes all files of the documentation, by their names in its folder. */
+export function writtenFor(place: Place): Map<string, string> {
+  const groups = contents();
+  const maps = new Map(entries().map((entry) => [entry.slug, entry]));
+  const articles = groups.flatMap((group) => group.articles);
+  const files = new Map([["index.html", firstPage(groups, maps, place)]]);
+  for (const article of articles) {
+    const { html, figures } = pageOf(article, groups, maps, place);
+    files.set(addressOf(article.source), html);
+    for (const figure of figures)
+      files.set(figure.slice(`${FOLDER}/`.length), readFileSync(join(REPOSITORY, figure), "utf8"));
+  }
+  files.set(INDEX, indexOf(articles.flatMap(sectionsOf)));
+  return files;
+}
