@@ -12,7 +12,7 @@
 import puppeteer from "puppeteer-core";
 import { preview } from "vite";
 
-const PAGES = ["", "gallery/", "gallery/skye.html"];
+const PAGES = ["", "gallery/", "gallery/skye.html", "docs/", "docs/for/novelists.html"];
 const GATES = ["accessibility", "best-practices", "seo"];
 /** The most layout shift. Lighthouse calls a tenth good. */
 const MOST_SHIFT = 0.02;

@@ -3,6 +3,7 @@
 import { Lexer, type Token, type Tokens } from "marked";
 import { anchors } from "./anchors.ts";
 import { wordsOf } from "./plain.ts";
+import { rowNames } from "./rows.ts";
 
 export interface Heading {
   /** Its name in addresses. */
@@ -18,6 +19,8 @@ export interface Block {
   readonly line: number;
   /** The heading that it is, if it is one. */
   readonly heading?: Heading;
+  /** The names in addresses of the rows that it has, if it is a table. */
+  readonly rows?: readonly (string | undefined)[];
 }
 
 export interface Article {
@@ -47,8 +50,19 @@ export function articleOf(source: string, text: string): Article {
   const headings = blocks.flatMap(({ heading }) => heading ?? []);
   const [title, ...others] = headings.filter(({ depth }) => depth === 1);
   if (!title || others.length > 0) throw new Error(`${source}: a page has one heading of the first rank, its title`);
+  const taken = new Set(headings.map(({ id }) => id));
   const lead = blocks.find(({ token }) => token.type === "paragraph");
-  return { source, title: title.text, lead: wordsOf(lead ? [lead.token] : []), blocks, headings };
+  return {
+    source,
+    title: title.text,
+    lead: wordsOf(lead ? [lead.token] : []),
+    blocks: blocks.map((block) => withRows(block, taken)),
+    headings,
+  };
+}
+
+function withRows(block: Block, taken: Set<string>): Block {
+  return block.token.type === "table" ? { ...block, rows: rowNames(block.token as Tokens.Table, taken) } : block;
 }
 
 function headingOf({ depth, tokens }: Tokens.Heading, nameOf: (heading: string) => string): Heading {

@@ -1,20 +1,18 @@
 /** Writes the page of a document. */
 
 import { escaped } from "../../src/apps/page/share/snippets.ts";
-import { filesOf } from "../gallery/pages.ts";
-import type { Entry } from "../gallery/recipes.ts";
-import { pageShot } from "../gallery/shots.ts";
 import type { Article, Heading } from "./article.ts";
 import { addressOf, type Group, wayUp } from "./contents.ts";
 import { documentOf, type Place } from "./frame.ts";
+import type { Picture, Pictures } from "./pictures.ts";
 import { READERS, sourceOf } from "./readers.ts";
 import { type Body, bodyOf } from "./rendering.ts";
 
 /** The least number of sections of a page that lists them. */
 const FEWEST = 3;
 
-/** The maps of the gallery by their names. */
-export type Maps = ReadonlyMap<string, Entry>;
+/** The share of the size of a gallery's picture at which a page shows it, so that one of any shape leaves room for the text. */
+const SHOWN = 0.64;
 
 /** A page of the documentation. */
 export interface Page {
@@ -22,7 +20,7 @@ export interface Page {
   readonly figures: Body["figures"];
 }
 
-export function pageOf(article: Article, groups: readonly Group[], maps: Maps, place: Place): Page {
+export function pageOf(article: Article, groups: readonly Group[], pictures: Pictures, place: Place): Page {
   const articles = groups.flatMap((group) => group.articles);
   const all = new Map(articles.map((one) => [one.source, one]));
   const { html, figures } = bodyOf(article, all, place.site);
@@ -31,7 +29,7 @@ export function pageOf(article: Article, groups: readonly Group[], maps: Maps, p
   const lists = sections.length >= FEWEST ? sections : [];
   const reader = READERS.find((one) => sourceOf(one) === article.source);
   const body = `<main${reader ? ' class="reader"' : ""}>
-      ${withSections(withPicture(html, maps.get(reader?.picture ?? ""), article), lists)}
+      ${withSections(withPicture(html, pictures.get(reader?.name ?? ""), article), lists)}
       ${aroundOf(article, articles[at - 1], articles[at + 1])}
     </main>
     ${lists.length > 0 ? `<nav class="sections" aria-labelledby="sections"><h2 id="sections">On this page</h2>${listOf(lists)}</nav>` : ""}`;
@@ -61,11 +59,12 @@ function listOf(sections: readonly Heading[]): string {
 }
 
 /** Shows the map that a reader's first code makes below that code. */
-function withPicture(html: string, entry: Entry | undefined, { source }: Article): string {
-  if (!entry) return html;
+function withPicture(html: string, shown: Picture | undefined, { source }: Article): string {
+  if (!shown) return html;
   const root = `${wayUp(addressOf(source))}../`;
-  const { width, height } = pageShot(Number(entry.aspect));
-  const picture = `<a class="makes" href="${escaped(`${root}?${entry.link}`)}"><img src="${root}gallery/${filesOf(entry.slug).picture}" width="${width}" height="${height}" alt="The map that this makes: ${escaped(entry.sentence)}" /></a>`;
+  const { link, sentence, page } = shown;
+  const [width, height] = [page.width, page.height].map((side) => Math.round(side * SHOWN));
+  const picture = `<a class="makes" href="${escaped(`${root}?${link}`)}"><img src="${root}${page.address}" width="${width}" height="${height}" alt="The map that this makes: ${escaped(sentence)}" /></a>`;
   return html.replace("</figure>", () => `</figure>\n${picture}`);
 }
 

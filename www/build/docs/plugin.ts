@@ -4,11 +4,11 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Plugin, Rolldown } from "vite";
 import { indexOf } from "../../src/apps/docs/index.ts";
-import { entries } from "../gallery/recipes.ts";
 import { addressOf, contents, REPOSITORY } from "./contents.ts";
 import { firstPage } from "./first.ts";
 import { FOLDER, INDEX, type Place } from "./frame.ts";
 import { pageOf } from "./page.ts";
+import { drawn, pictures } from "./pictures.ts";
 import { sectionsOf } from "./sections.ts";
 
 /** The pages' style sheet and script, which are inputs of the build. */
@@ -23,21 +23,28 @@ export function docs(site: string | undefined): Plugin {
       middlewares.use((request, response, next) => {
         const file = /^\/docs\/([^?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
         if (file === undefined) return next();
-        const source = writtenFor(place).get(file || "index.html");
-        if (source === undefined) return next();
-        response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
-        response.end(source);
+        made(file || "index.html", place).then((source) => {
+          if (source === undefined) return next();
+          response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
+          response.end(source);
+        }, next);
       });
     },
-    generateBundle(_options, bundle) {
+    async generateBundle(_options, bundle) {
       const place: Place = { site, ...builtFilesOf(bundle), hasPolicy: true };
       for (const [file, source] of writtenFor(place))
         this.emitFile({ type: "asset", fileName: `${FOLDER}/${file}`, source });
+      for (const [fileName, source] of await drawn()) this.emitFile({ type: "asset", fileName, source });
     },
   };
 }
 
-const TYPES: Readonly<Record<string, string>> = { json: "application/json", svg: "image/svg+xml" };
+const TYPES: Readonly<Record<string, string>> = { json: "application/json", svg: "image/svg+xml", webp: "image/webp" };
+
+/** Makes a file of the documentation, if there is one of this name. */
+async function made(file: string, place: Place): Promise<string | Uint8Array | undefined> {
+  return writtenFor(place).get(file) ?? (file.endsWith(".webp") ? (await drawn()).get(`${FOLDER}/${file}`) : undefined);
+}
 
 /** Finds the style sheet and the script of the pages among what was built. */
 function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "script"> {
@@ -51,11 +58,11 @@ function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "scr
 /** Writes all files of the documentation, by their names in its folder. */
 export function writtenFor(place: Place): Map<string, string> {
   const groups = contents();
-  const maps = new Map(entries().map((entry) => [entry.slug, entry]));
+  const shown = pictures();
   const articles = groups.flatMap((group) => group.articles);
-  const files = new Map([["index.html", firstPage(groups, maps, place)]]);
+  const files = new Map([["index.html", firstPage(groups, shown, place)]]);
   for (const article of articles) {
-    const { html, figures } = pageOf(article, groups, maps, place);
+    const { html, figures } = pageOf(article, groups, shown, place);
     files.set(addressOf(article.source), html);
     for (const figure of figures)
       files.set(figure.slice(`${FOLDER}/`.length), readFileSync(join(REPOSITORY, figure), "utf8"));

@@ -9,8 +9,17 @@ export interface Reader {
   /** A line to paste that works by itself, for the first page of all. */
   readonly line: string;
   readonly lang: "html" | "text" | "sh" | "js";
-  /** The map of the gallery that the reader's page begins with; readers who write programs have none. */
-  readonly picture?: string;
+  /** The map that the reader's page begins with: one of the gallery, or its own. Readers who write programs have none. */
+  readonly map?: string | OwnMap;
+}
+
+/** A map that is drawn for a page alone. */
+export interface OwnMap {
+  readonly link: string;
+  /** Width over height, as a link writes it. */
+  readonly aspect: string;
+  /** A description of the picture in plain English. */
+  readonly sentence: string;
 }
 
 export const READERS: readonly Reader[] = [
@@ -19,35 +28,39 @@ export const READERS: readonly Reader[] = [
     who: "Bloggers",
     line: `<script type="module" src="${SOME_SITE}widget/river-seed.js"></script><river-seed seed="skye"></river-seed>`,
     lang: "html",
-    picture: "skye",
+    map: "skye",
   },
   {
     name: "novelists",
     who: "Novelists",
     line: `${SOME_SITE}?seed=rimu&style=parchment`,
     lang: "text",
-    picture: "rimu",
+    map: "rimu",
   },
   {
     name: "game-makers",
     who: "Game makers",
     line: 'riverseed render "seed=juan&land=archipelago" -o juan.zip',
     lang: "sh",
-    picture: "juan",
+    map: "juan",
   },
   {
     name: "teachers",
     who: "Teachers",
-    line: `${SOME_SITE}?seed=few&attractors=2500&trim=40`,
+    line: `${SOME_SITE}?seed=lesson&land=rectangle&mouths=1&attractors=900&trim=40`,
     lang: "text",
-    picture: "few",
+    map: {
+      link: "seed=lesson&aspect=1.4&land=rectangle&mouths=1&attractors=900&channel-area=6&trim=40&width=24&meander-rounds=40&style=ink&labels=none",
+      aspect: "1.4",
+      sentence: "One river in ink, and all that joins it: 25 springs, few enough to number by hand.",
+    },
   },
   {
     name: "scientists",
     who: "Scientists",
     line: 'riverseed measure "seed=loire&land=rectangle&mouths=1"',
     lang: "sh",
-    picture: "loire",
+    map: "loire",
   },
   { name: "rust", who: "Rust", line: "cargo add riverseed --path ../riverseed", lang: "sh" },
   { name: "python", who: "Python", line: "pip install ./python", lang: "sh" },

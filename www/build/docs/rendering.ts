@@ -82,14 +82,14 @@ function rendererOf(context: Context): RendererObject {
       return `${codeOf(text, lang, `${wayUp(addressOf(article.source))}../`, site)}\n`;
     },
     table(table: Tokens.Table) {
-      const row = (cells: readonly Tokens.TableCell[], tag: "th" | "td") =>
-        `<tr>${cells.map(({ tokens }) => `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`).join("")}</tr>`;
+      const row = (cells: readonly Tokens.TableCell[], tag: "th" | "td", id?: string) =>
+        `<tr${id === undefined ? "" : ` id="${escaped(id)}"`}>${cells.map(({ tokens }) => `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`).join("")}</tr>`;
       const titles = wordsOf(table.header.flatMap(({ tokens }) => tokens)) === "" ? "" : row(table.header, "th");
       const head = titles && `<thead>${titles}</thead>\n`;
       const label = `Table: ${titles ? table.header.map(({ tokens }) => wordsOf(tokens)).join(", ") : article.title}`;
       return `<div class="table" tabindex="0" role="region" aria-label="${escaped(label)}"><table>
 ${head}<tbody>
-${table.rows.map((cells) => row(cells, "td")).join("\n")}
+${table.rows.map((cells, i) => row(cells, "td", block.rows?.[i])).join("\n")}
 </tbody></table></div>\n`;
     },
     html({ text }: Tokens.HTML | Tokens.Tag) {

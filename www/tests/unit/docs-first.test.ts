@@ -4,8 +4,8 @@ import { readFileSync } from "node:fs";
 import { marked, type Tokens } from "marked";
 import { parse } from "smol-toml";
 import { expect, test } from "vitest";
+import { pictures } from "../../build/docs/pictures.ts";
 import { READERS, sourceOf } from "../../build/docs/readers.ts";
-import { recipes } from "../../build/gallery/recipes.ts";
 import { SOME_SITE } from "../../build/social.ts";
 import { attributeOf } from "../../src/engine/attribute-names.ts";
 import { engine } from "../steer.ts";
@@ -13,6 +13,7 @@ import { table } from "../table.ts";
 
 const read = (file: string) => readFileSync(new URL(`../../../${file}`, import.meta.url), "utf8");
 const PAGES = READERS.map((reader) => ({ ...reader, source: sourceOf(reader), text: read(sourceOf(reader)) }));
+const shown = pictures();
 const KEYS = new Set(table.parameters.map(({ key }) => key));
 
 function codesIn(text: string): Tokens.Code[] {
@@ -43,10 +44,10 @@ test.each(PAGES)("$name: after the title one sentence or two, and then what to p
   expect(lead?.raw.length).toBeLessThan(190);
 });
 
-test.each(PAGES)("$name: three to seven things that come next, and most lead on", ({ text }) => {
+test.each(PAGES)("$name: three to eight things that come next, and most lead on", ({ text }) => {
   const parts = text.split(/^## /m).slice(1);
   expect(parts.length).toBeGreaterThanOrEqual(3);
-  expect(parts.length).toBeLessThanOrEqual(7);
+  expect(parts.length).toBeLessThanOrEqual(8);
   expect(parts.filter((part) => part.includes("](")).length).toBeGreaterThan(parts.length / 2);
 });
 
@@ -62,14 +63,11 @@ function riversOf(link: string): Map<string, string> {
   return new Map(engine.readLink(link).values.filter(([key]) => !looks.includes(key)));
 }
 
-test.each(PAGES.filter(({ picture }) => picture))(
-  "$name: the picture is of the map that is pasted",
-  ({ picture, text }) => {
-    const [first] = codesIn(text);
-    const link = linksIn(first?.text ?? "")[0] ?? "";
-    expect(riversOf(link)).toEqual(riversOf(recipes.find(({ slug }) => slug === picture)?.link ?? ""));
-  },
-);
+test.each(PAGES.filter(({ map }) => map))("$name: the picture is of the map that is pasted", ({ name, text }) => {
+  const [first] = codesIn(text);
+  const link = linksIn(first?.text ?? "")[0] ?? "";
+  expect(riversOf(link)).toEqual(riversOf(shown.get(name)?.link ?? ""));
+});
 
 test("elements to paste have attributes that make a whole map, and the same as their links lead to", () => {
   const elements = CODES.flatMap(({ text }) =>
@@ -124,6 +122,14 @@ test("programs in JavaScript import what the npm package has", () => {
   const imported = [...programs.matchAll(/"riverseed(\/[\w-]+)?"/g)].map(([, path = ""]) => `.${path}`);
   expect(imported.length).toBeGreaterThan(1);
   for (const path of imported) expect(Object.keys(exports)).toContain(path);
+});
+
+test("the package to install has the version of the crate", () => {
+  const { package: crate } = parse(read("Cargo.toml")) as { package: { version: string } };
+  const named = CODES.flatMap(({ text }) =>
+    [...text.matchAll(/riverseed-([\d.]+)\.tgz/g)].map(([, version]) => version),
+  );
+  expect(new Set(named)).toEqual(new Set([crate.version]));
 });
 
 test("programs in Python give parameters that there are", () => {

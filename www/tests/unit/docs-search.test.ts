@@ -20,6 +20,9 @@ test.each([
   ["Strahl", "glossary.html#rivers"],
   ["meandring", "algorithms.html#meandering"],
   ["content security policy", "hosting.html#the-element"],
+  ["channel-area", "parameters.html#channel-area"],
+  ["wasm-url", "element.html#wasm-url"],
+  ["metres", "files.html#rasters"],
   ["GEOJSON", "files.html#geojson"],
 ])("“%s” leads to %s", (question, address) => {
   expect(addresses(question)).toContain(address);

@@ -2,6 +2,7 @@ import { posix } from "node:path";
 import { expect, test } from "vitest";
 import { articleOf } from "../../build/docs/article.ts";
 import { addressOf, contents, documentsIn } from "../../build/docs/contents.ts";
+import { pictures } from "../../build/docs/pictures.ts";
 import { writtenFor } from "../../build/docs/plugin.ts";
 import { bodyOf } from "../../build/docs/rendering.ts";
 import { filesOf } from "../../build/gallery/pages.ts";
@@ -42,6 +43,7 @@ const ELSEWHERE = new Set([
   "gallery/",
   "examples/blog.html",
   "real-or-grown.html",
+  ...[...pictures().values()].flatMap(({ card, page }) => [card.address, page.address]),
   ...recipes.flatMap(({ slug }) => Object.values(filesOf(slug)).map((file) => `gallery/${file}`)),
 ]);
 
@@ -52,7 +54,8 @@ test("whatever a page leads to is there, down to the heading", () => {
       const [path = "", anchor] = target.replace(/\?[^#]*/, "").split("#");
       const whole = path === "" ? `docs/${name}` : posix.join("docs", posix.dirname(name), path);
       const found = whole.endsWith("docs/") ? `${whole}index.html` : whole;
-      if (!found.startsWith("docs/")) expect(ELSEWHERE, `${name}: ${target}`).toContain(found === "./" ? "" : found);
+      if (!found.startsWith("docs/") || found.endsWith(".webp"))
+        expect(ELSEWHERE, `${name}: ${target}`).toContain(found === "./" ? "" : found);
       else {
         const page = files.get(found.slice("docs/".length));
         expect(page, `${name}: ${target}`).toBeDefined();
@@ -98,6 +101,12 @@ test("headings have the names that code hosts give them", () => {
     "twice",
     "twice-1",
   ]);
+});
+
+test("a row that explains a word of code has its name, once on a page", () => {
+  const text =
+    "# Title\n\n## Land\n\n| key | |\n| --- | --- |\n| `land` | a |\n| `sea` | b |\n| `sea` | c |\n| `a b` | d |\n| `e` f | |\n";
+  expect([...bodyOfText(text).matchAll(/<tr id="([^"]*)"/g)].map(([, id]) => id)).toEqual(["sea"]);
 });
 
 test("a document without a title, or with two, has no page", () => {
