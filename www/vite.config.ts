@@ -2,7 +2,7 @@ import { defineConfig } from "vite";
 import { buttonPictures } from "./build/button-pictures.ts";
 import { tellsOfMissingFiles } from "./build/changed.ts";
 import { crawlers } from "./build/crawlers.ts";
-import { DOCS_SCRIPT, DOCS_SHEET, docs } from "./build/docs/plugin.ts";
+import { DOCS_INPUTS, docs } from "./build/docs/plugin.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
 import { offline } from "./build/offline.ts";
@@ -48,8 +48,7 @@ export default defineConfig({
         "embed.html",
         "examples/blog.html",
         SHEET,
-        DOCS_SHEET,
-        DOCS_SCRIPT,
+        ...DOCS_INPUTS,
       ],
     },
   },

@@ -21,7 +21,8 @@ export function firstPage(groups: readonly Group[], pictures: Pictures, place: P
     groups,
     body: `<main>
       <h1>Documentation</h1>
-      <p class="lead">What do you want to do? Each of these pages begins with something to paste.</p>
+      <p class="lead">Each page begins with something to paste.</p>
+      <h2>What do you want to do?</h2>
       <ul class="cards">
         ${pictured.map(card).join("\n        ")}
       </ul>

@@ -16,9 +16,11 @@ export const INDEX = "search.json";
 export interface Place {
   /** The site's address, if it is known. */
   readonly site: string | undefined;
-  /** The addresses of style sheet and script, relative to the site. */
+  /** The addresses of the style sheet and the script, relative to the site. */
   readonly sheet: string;
   readonly script: string;
+  /** The address of the script that fills in the site's address. */
+  readonly siteScript: string;
   /** True if pages have a Content-Security-Policy, which those of the dev server do not. */
   readonly hasPolicy: boolean;
 }
@@ -39,7 +41,7 @@ interface Content {
 /** The most characters of a description: more is cut off by those who show it. */
 const LONGEST = 200;
 
-export function documentOf({ site, sheet, script, hasPolicy }: Place, content: Content): string {
+export function documentOf({ site, sheet, script, siteScript, hasPolicy }: Place, content: Content): string {
   const { title, description, address, kind, body, groups, current } = content;
   const way = wayUp(address);
   const root = `${way}../`;
@@ -58,6 +60,9 @@ export function documentOf({ site, sheet, script, hasPolicy }: Place, content: C
     ...(site === undefined ? [] : [`<link rel="canonical" href="${escaped(wholeAddress(address, site))}" />`]),
     `<link rel="icon" href="${ICON}" />`,
     `<link rel="stylesheet" href="${escaped(root + sheet)}" />`,
+    ...(site === undefined
+      ? [`<script type="module" blocking="render" src="${escaped(root + siteScript)}"></script>`]
+      : []),
     `<script type="module" src="${escaped(root + script)}"></script>`,
   ];
   const policy = hasPolicy ? `<meta http-equiv="Content-Security-Policy" content="${policyFor("")}" />\n    ` : "";
@@ -88,9 +93,9 @@ function shortened(text: string): string {
   return text.length <= LONGEST ? text : `${text.slice(0, text.lastIndexOf(" ", LONGEST - 2))} …`;
 }
 
-/** Writes the search, which the script shows. */
+/** Writes the search. The style sheet hides it where there are no scripts. */
 function searchOf(way: string): string {
-  return `<search id="search" hidden data-way="${way}" data-index="${way}${INDEX}">
+  return `<search id="search" data-way="${way}" data-index="${way}${INDEX}">
         <input type="search" aria-label="Search the documentation" placeholder="Search" aria-keyshortcuts="/" autocomplete="off" autocapitalize="none" spellcheck="false" enterkeyhint="go" />
         <kbd aria-hidden="true">/</kbd>
         <div class="found"><ul aria-label="Results" hidden></ul><p role="status"></p></div>

@@ -11,15 +11,17 @@ import { pageOf } from "./page.ts";
 import { drawn, pictures } from "./pictures.ts";
 import { sectionsOf } from "./sections.ts";
 
-/** The pages' style sheet and script, which are inputs of the build. */
-export const DOCS_SHEET = "src/style/docs.css";
-export const DOCS_SCRIPT = "src/apps/docs/docs.ts";
+const SHEET = "src/style/docs.css";
+const SCRIPT = "src/apps/docs/docs.ts";
+const SITE_SCRIPT = "src/apps/docs/docs-site.ts";
+/** The pages' style sheet and scripts, which are inputs of the build. */
+export const DOCS_INPUTS = [SHEET, SCRIPT, SITE_SCRIPT];
 
 export function docs(site: string | undefined): Plugin {
   return {
     name: "docs",
     configureServer: ({ middlewares }) => {
-      const place: Place = { site, sheet: DOCS_SHEET, script: DOCS_SCRIPT, hasPolicy: false };
+      const place: Place = { site, sheet: SHEET, script: SCRIPT, siteScript: SITE_SCRIPT, hasPolicy: false };
       middlewares.use((request, response, next) => {
         const file = /^\/docs\/([^?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
         if (file === undefined) return next();
@@ -46,13 +48,15 @@ async function made(file: string, place: Place): Promise<string | Uint8Array | u
   return writtenFor(place).get(file) ?? (file.endsWith(".webp") ? (await drawn()).get(`${FOLDER}/${file}`) : undefined);
 }
 
-/** Finds the style sheet and the script of the pages among what was built. */
-function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "script"> {
+/** Finds the style sheet and the scripts of the pages among what was built. */
+function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "script" | "siteScript"> {
   const files = Object.values(bundle);
   const sheet = files.find(({ type, fileName }) => type === "asset" && /docs-[\w-]+\.css$/.test(fileName));
-  const script = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith(DOCS_SCRIPT));
-  if (!sheet || !script) throw new Error("the build has no style sheet or no script for the documentation");
-  return { sheet: sheet.fileName, script: script.fileName };
+  const [script, siteScript] = [SCRIPT, SITE_SCRIPT].map((source) =>
+    files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith(source)),
+  );
+  if (!sheet || !script || !siteScript) throw new Error("the build lacks a style sheet or script of the documentation");
+  return { sheet: sheet.fileName, script: script.fileName, siteScript: siteScript.fileName };
 }
 
 /** Writes all files of the documentation, by their names in its folder. */

@@ -67,7 +67,7 @@ function rendererOf(context: Context): RendererObject {
       const inner = this.parser.parseInline(tokens);
       if (block.token === lead) return `<p class="lead">${inner}</p>\n`;
       if (!explainsStandIn(wordsOf(tokens))) return `<p>${inner}</p>\n`;
-      return site === undefined ? `<p data-stand-in>${inner}</p>\n` : "";
+      return site === undefined ? `<noscript><p>${inner}</p></noscript>\n` : "";
     },
     link({ href, tokens }: Tokens.Link) {
       const inner = this.parser.parseInline(tokens);

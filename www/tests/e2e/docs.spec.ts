@@ -28,7 +28,7 @@ test("with the keyboard alone one finds a section and goes there; the index come
   expect(asked.filter((path) => path.endsWith(".json"))).toEqual([]);
   await ask(page, "bifurcation ratio");
   const results = page.getByRole("list", { name: "Results" }).getByRole("link");
-  const measures = results.filter({ hasText: "Measures · Algorithms" });
+  const measures = results.and(page.getByRole("link", { name: "Measures · Algorithms" }));
   await expect(measures).toBeVisible();
   await expect(page.getByRole("status")).toHaveText(/^\d+ results$/);
   await page.keyboard.press("ArrowDown");

@@ -8,7 +8,13 @@ import { bodyOf } from "../../build/docs/rendering.ts";
 import { filesOf } from "../../build/gallery/pages.ts";
 import { recipes } from "../../build/gallery/recipes.ts";
 
-const place = { site: undefined, sheet: "assets/docs.css", script: "assets/docs.js", hasPolicy: true };
+const place = {
+  site: undefined,
+  sheet: "assets/docs.css",
+  script: "assets/docs.js",
+  siteScript: "assets/docs-site.js",
+  hasPolicy: true,
+};
 const files = writtenFor(place);
 const pages = [...files].filter(([name]) => name.endsWith(".html"));
 
@@ -40,6 +46,7 @@ const ELSEWHERE = new Set([
   "",
   "assets/docs.css",
   "assets/docs.js",
+  "assets/docs-site.js",
   "gallery/",
   "examples/blog.html",
   "real-or-grown.html",
@@ -126,7 +133,7 @@ test("comments are left out, other HTML is refused, and code stays text", () => 
 
 test("no page has a script or a style of its own, which its policy would not let run", () => {
   for (const [name, html] of pages) {
-    expect(html.match(/<script(?! type="module" src=")/g), name).toBeNull();
+    expect(html.match(/<script(?! type="module" (?:blocking="render" )?src=")/g), name).toBeNull();
     expect(html.match(/<style|<[^>]* (?:style|on\w+)=/g), name).toBeNull();
     expect(html, name).toContain('http-equiv="Content-Security-Policy"');
   }
@@ -147,7 +154,7 @@ test("what readers paste has the site's address if that is known, and is marked 
     "# Title\n\n```text\nhttps://example.org/riverseed/?seed=kea&curl=1\n```\n\n`https://example.org/riverseed/` stands for a site.\n";
   const unknown = bodyOfText(text);
   expect(unknown).toContain("<code><span data-site>https://example.org/riverseed/</span>?seed=kea&amp;curl=1</code>");
-  expect(unknown).toContain("<p data-stand-in>");
+  expect(unknown).toContain("<noscript><p>");
   const known = bodyOfText(text, 'https://rivers.example/"maps');
   expect(known).toContain("<code>https://rivers.example/&quot;maps/?seed=kea&amp;curl=1</code>");
   expect(known).not.toContain("stands for");

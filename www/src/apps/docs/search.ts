@@ -22,7 +22,6 @@ export class Search {
     this.#field = one(box, "input");
     this.#list = one(box, "ul");
     this.#status = one(box, "[role=status]");
-    box.hidden = false;
     this.#field.addEventListener("focus", () => void this.#load().catch(() => {}));
     this.#field.addEventListener("input", () => void this.#ask());
     box.addEventListener("keydown", (event) => this.#onKey(event));
@@ -33,6 +32,8 @@ export class Search {
       if (target instanceof Node && !box.contains(target)) this.#close();
     });
     document.addEventListener("keydown", (event) => this.#onSlash(event));
+    // Whoever was faster than this script has been typing.
+    if (document.activeElement === this.#field) void this.#ask();
   }
 
   /** Fetches the index, once; after a failure, again. */
