@@ -82,12 +82,17 @@ function rendererOf(context: Context): RendererObject {
       return `${codeOf(text, lang, `${wayUp(addressOf(article.source))}../`, site)}\n`;
     },
     table(table: Tokens.Table) {
+      const cell = ({ tokens }: Tokens.TableCell, tag: "th" | "td") => {
+        const inner = this.parser.parseInline(tokens);
+        return inner === "" ? "<td></td>" : `<${tag}>${inner}</${tag}>`;
+      };
       const row = (cells: readonly Tokens.TableCell[], tag: "th" | "td", id?: string) =>
-        `<tr${id === undefined ? "" : ` id="${escaped(id)}"`}>${cells.map(({ tokens }) => `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`).join("")}</tr>`;
+        `<tr${id === undefined ? "" : ` id="${escaped(id)}"`}>${cells.map((one) => cell(one, tag)).join("")}</tr>`;
       const titles = wordsOf(table.header.flatMap(({ tokens }) => tokens)) === "" ? "" : row(table.header, "th");
       const head = titles && `<thead>${titles}</thead>\n`;
-      const label = `Table: ${titles ? table.header.map(({ tokens }) => wordsOf(tokens)).join(", ") : article.title}`;
-      return `<div class="table" tabindex="0" role="region" aria-label="${escaped(label)}"><table>
+      const names = table.header.map(({ tokens }) => wordsOf(tokens)).filter((name) => name !== "");
+      const label = `Table: ${names.join(", ") || article.title}`;
+      return `<div class="table" tabindex="0" role="group" aria-label="${escaped(label)}"><table>
 ${head}<tbody>
 ${table.rows.map((cells, i) => row(cells, "td", block.rows?.[i])).join("\n")}
 </tbody></table></div>\n`;

@@ -10,7 +10,7 @@ export function showResults(list: HTMLElement, results: readonly Found[], way: s
 
 function itemOf({ address, page, heading, text, code, words }: Found, way: string): HTMLElement {
   const link = document.createElement("a");
-  link.href = way + address;
+  link.href = `./${way}${address}`;
   const place = heading === page ? [] : [spanOf("found-page", piecesOf(page, words))];
   link.append(
     spanOf("found-heading", piecesOf(heading, words)),
