@@ -17,7 +17,7 @@ export interface Group {
 
 const ORDER: readonly (readonly [title: string, sources: readonly string[]])[] = [
   ["Begin here", READERS.map(sourceOf)],
-  ["On web pages", ["docs/element.md", "docs/iframe.md", "docs/hosting.md", "docs/wordpress.md"]],
+  ["On web pages", ["docs/element.md", "docs/iframe.md", "docs/hosting.md"]],
   ["Maps and files", ["docs/parameters.md", "docs/files.md", "docs/engines.md", "docs/gis.md"]],
   ["In programs", ["docs/command-line.md", "docs/batch.md", "python/README.md"]],
   ["How it works", ["docs/algorithms.md", "docs/glossary.md", "docs/benchmarks.md"]],

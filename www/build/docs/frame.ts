@@ -41,14 +41,36 @@ interface Content {
 /** The most characters of a description: more is cut off by those who show it. */
 const LONGEST = 200;
 
-export function documentOf({ site, sheet, script, siteScript, hasPolicy }: Place, content: Content): string {
-  const { title, description, address, kind, body, groups, current } = content;
+export function documentOf(place: Place, content: Content): string {
+  const { address, kind, body, groups, current } = content;
   const way = wayUp(address);
-  const root = `${way}../`;
+  return `<!doctype html>
+<html lang="en">
+  <head>
+    ${headOf(place, content, `${way}../`).join("\n    ")}
+  </head>
+  <body class="${kind}" data-root="${way}../">
+    <header class="top">
+      <p class="places"><a href="${way}../">Riverseed</a> <span aria-hidden="true">/</span> <a href="${way || "./"}"${kind === "first" ? ' aria-current="page"' : ""}>Documentation</a></p>
+      ${searchOf(way)}
+      <a class="to-contents" href="#contents">Contents</a>
+    </header>
+    ${body}
+    ${contentsOf(groups, way, current)}
+  </body>
+</html>
+`;
+}
+
+/** Returns the elements of the head. `root` leads from the page to the site. */
+function headOf(place: Place, { title, description, address }: Content, root: string): string[] {
+  const { site, sheet, script, siteScript, hasPolicy } = place;
   const meta = (name: string, text: string) =>
     `<meta ${name.startsWith("og:") ? "property" : "name"}="${name}" content="${escaped(text)}" />`;
+  const module = (file: string, more = "") => `<script type="module"${more} src="${escaped(root + file)}"></script>`;
   const said = shortened(description || title);
-  const head = [
+  return [
+    ...(hasPolicy ? [`<meta http-equiv="Content-Security-Policy" content="${policyFor("")}" />`] : []),
     '<meta charset="utf-8" />',
     '<meta name="viewport" content="width=device-width, initial-scale=1" />',
     `<title>${escaped(title)}</title>`,
@@ -60,28 +82,9 @@ export function documentOf({ site, sheet, script, siteScript, hasPolicy }: Place
     ...(site === undefined ? [] : [`<link rel="canonical" href="${escaped(wholeAddress(address, site))}" />`]),
     `<link rel="icon" href="${ICON}" />`,
     `<link rel="stylesheet" href="${escaped(root + sheet)}" />`,
-    ...(site === undefined
-      ? [`<script type="module" blocking="render" src="${escaped(root + siteScript)}"></script>`]
-      : []),
-    `<script type="module" src="${escaped(root + script)}"></script>`,
+    ...(site === undefined ? [module(siteScript, ' blocking="render"')] : []),
+    module(script),
   ];
-  const policy = hasPolicy ? `<meta http-equiv="Content-Security-Policy" content="${policyFor("")}" />\n    ` : "";
-  return `<!doctype html>
-<html lang="en">
-  <head>
-    ${policy}${head.join("\n    ")}
-  </head>
-  <body class="${kind}" data-root="${root}">
-    <header class="top">
-      <p class="places"><a href="${root}">Riverseed</a> <span aria-hidden="true">/</span> <a href="${way || "./"}"${kind === "first" ? ' aria-current="page"' : ""}>Documentation</a></p>
-      ${searchOf(way)}
-      <a class="to-contents" href="#contents">Contents</a>
-    </header>
-    ${body}
-    ${contentsOf(groups, way, current)}
-  </body>
-</html>
-`;
 }
 
 function wholeAddress(address: string, site: string): string {

@@ -41,7 +41,12 @@ export function docs(site: string | undefined): Plugin {
   };
 }
 
-const TYPES: Readonly<Record<string, string>> = { json: "application/json", svg: "image/svg+xml", webp: "image/webp" };
+const TYPES: Readonly<Record<string, string>> = {
+  json: "application/json",
+  png: "image/png",
+  svg: "image/svg+xml",
+  webp: "image/webp",
+};
 
 /** Makes a file of the documentation, if there is one of this name. */
 async function made(file: string, place: Place): Promise<string | Uint8Array | undefined> {
@@ -60,16 +65,15 @@ function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "scr
 }
 
 /** Writes all files of the documentation, by their names in its folder. */
-export function writtenFor(place: Place): Map<string, string> {
+export function writtenFor(place: Place): Map<string, string | Uint8Array> {
   const groups = contents();
   const shown = pictures();
   const articles = groups.flatMap((group) => group.articles);
-  const files = new Map([["index.html", firstPage(groups, shown, place)]]);
+  const files = new Map<string, string | Uint8Array>([["index.html", firstPage(groups, shown, place)]]);
   for (const article of articles) {
     const { html, figures } = pageOf(article, groups, shown, place);
     files.set(addressOf(article.source), html);
-    for (const figure of figures)
-      files.set(figure.slice(`${FOLDER}/`.length), readFileSync(join(REPOSITORY, figure), "utf8"));
+    for (const figure of figures) files.set(figure.slice(`${FOLDER}/`.length), readFileSync(join(REPOSITORY, figure)));
   }
   files.set(INDEX, indexOf(articles.flatMap(sectionsOf)));
   return files;

@@ -1,15 +1,15 @@
 /** Writes a document as HTML. */
 
-import { readFileSync } from "node:fs";
-import { join, posix } from "node:path";
 import { Marked, type RendererObject, type Token, type Tokens } from "marked";
 import { escaped } from "../../src/apps/page/share/snippets.ts";
 import type { Article, Block } from "./article.ts";
 import { codeOf } from "./code.ts";
-import { addressOf, REPOSITORY, wayUp } from "./contents.ts";
+import { addressOf, wayUp } from "./contents.ts";
+import { figureOf } from "./figures.ts";
 import { targetOf } from "./links.ts";
 import { wordsOf } from "./plain.ts";
 import { explainsStandIn } from "./stand-in.ts";
+import { tableOf } from "./tables.ts";
 
 /** A document as HTML. */
 export interface Body {
@@ -18,6 +18,8 @@ export interface Body {
   readonly figures: readonly string[];
 }
 
+/** HTML that is nothing but comments. */
+const COMMENTS = /^(?:\s*<!--(?:(?!-->)[\s\S])*-->)*\s*$/;
 /** The most characters of a lead. */
 const LONGEST_LEAD = 190;
 
@@ -53,7 +55,7 @@ function lineOf({ token, line }: Block, near: string): number {
 }
 
 function rendererOf(context: Context): RendererObject {
-  const { article, all, site, block, fault } = context;
+  const { article, all, site, block, fault, figures } = context;
   const lead = leadOf(article);
   return {
     heading({ tokens, depth }: Tokens.Heading) {
@@ -76,31 +78,19 @@ function rendererOf(context: Context): RendererObject {
       return target.href === undefined ? inner : `<a href="${escaped(target.href)}">${inner}</a>`;
     },
     image(image: Tokens.Image) {
-      return pictureOf(image, context);
+      const figure = figureOf(image, article);
+      if ("fault" in figure) return fault(figure.fault, `](${image.href}`);
+      figures.push(figure.source);
+      return figure.html;
     },
     code({ text, lang = "" }: Tokens.Code) {
       return `${codeOf(text, lang, `${wayUp(addressOf(article.source))}../`, site)}\n`;
     },
     table(table: Tokens.Table) {
-      const cell = ({ tokens }: Tokens.TableCell, tag: "th" | "td") => {
-        const inner = this.parser.parseInline(tokens);
-        return inner === "" ? "<td></td>" : `<${tag}>${inner}</${tag}>`;
-      };
-      const row = (cells: readonly Tokens.TableCell[], tag: "th" | "td", id?: string) =>
-        `<tr${id === undefined ? "" : ` id="${escaped(id)}"`}>${cells.map((one) => cell(one, tag)).join("")}</tr>`;
-      const titles = wordsOf(table.header.flatMap(({ tokens }) => tokens)) === "" ? "" : row(table.header, "th");
-      const head = titles && `<thead>${titles}</thead>\n`;
-      const names = table.header.map(({ tokens }) => wordsOf(tokens)).filter((name) => name !== "");
-      const label = `Table: ${names.join(", ") || article.title}`;
-      return `<div class="table" tabindex="0" role="group" aria-label="${escaped(label)}"><table>
-${head}<tbody>
-${table.rows.map((cells, i) => row(cells, "td", block.rows?.[i])).join("\n")}
-</tbody></table></div>\n`;
+      return tableOf(table, block.rows ?? [], (tokens) => this.parser.parseInline(tokens));
     },
     html({ text }: Tokens.HTML | Tokens.Tag) {
-      return /^\s*<!--[\s\S]*-->\s*$/.test(text)
-        ? ""
-        : fault(`this is HTML, which pages do not take: ${text.trim()}`, text);
+      return COMMENTS.test(text) ? "" : fault(`this is HTML, which pages do not take: ${text.trim()}`, text);
     },
   };
 }
@@ -109,25 +99,4 @@ ${table.rows.map((cells, i) => row(cells, "td", block.rows?.[i])).join("\n")}
 function leadOf({ blocks, lead }: Article): Token | undefined {
   const token = blocks.find(({ token }) => token.type !== "heading" && token.type !== "space")?.token;
   return lead.length <= LONGEST_LEAD && token?.type === "paragraph" ? token : undefined;
-}
-
-/** Writes a picture with its size, so that nothing moves when it comes. */
-function pictureOf({ href, text }: Tokens.Image, { article, fault, figures }: Context): string {
-  const source = posix.join(posix.dirname(article.source), href);
-  if (!/^docs\/.*\.svg$/.test(source)) return fault(`${href} is no SVG in docs`, `](${href}`);
-  const size = sizeOf(source);
-  if (!size) return fault(`${href} cannot be read, or has no viewBox`, `](${href}`);
-  figures.push(source);
-  const address = wayUp(addressOf(article.source)) + source.replace(/^docs\//, "");
-  return `<img src="${escaped(address)}" width="${size.width}" height="${size.height}" alt="${escaped(text)}" loading="lazy" />`;
-}
-
-function sizeOf(source: string): { width: number; height: number } | undefined {
-  try {
-    const [, width, height] =
-      /<svg[^>]* viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(readFileSync(join(REPOSITORY, source), "utf8")) ?? [];
-    return width && height ? { width: Math.round(Number(width)), height: Math.round(Number(height)) } : undefined;
-  } catch {
-    return undefined;
-  }
 }

@@ -16,7 +16,11 @@ const place = {
   hasPolicy: true,
 };
 const files = writtenFor(place);
-const pages = [...files].filter(([name]) => name.endsWith(".html"));
+const pages = pagesOf(files);
+
+function pagesOf(written: ReturnType<typeof writtenFor>): [name: string, html: string][] {
+  return [...written].filter(([name]) => name.endsWith(".html")).map(([name, html]) => [name, `${html}`]);
+}
 
 function bodyOfText(text: string, site?: string): string {
   const article = articleOf("docs/some.md", text);
@@ -37,7 +41,7 @@ test("the list of contents has every page once", () => {
   const listed = contents().flatMap(({ articles }) => articles.map(({ source }) => source));
   expect(new Set(listed).size).toBe(listed.length);
   expect(listed).toHaveLength(pages.length - 1);
-  const html = files.get("index.html") ?? "";
+  const html = `${files.get("index.html")}`;
   for (const source of listed)
     expect(html.slice(html.indexOf('id="contents"'))).toContain(`href="${addressOf(source)}"`);
 });
@@ -64,9 +68,9 @@ test("whatever a page leads to is there, down to the heading", () => {
       if (!found.startsWith("docs/") || found.endsWith(".webp"))
         expect(ELSEWHERE, `${name}: ${target}`).toContain(found === "./" ? "" : found);
       else {
-        const page = files.get(found.slice("docs/".length));
-        expect(page, `${name}: ${target}`).toBeDefined();
-        if (anchor) expect(page, `${name}: ${target}`).toContain(` id="${anchor}"`);
+        expect([...files.keys()], `${name}: ${target}`).toContain(found.slice("docs/".length));
+        if (anchor)
+          expect(`${files.get(found.slice("docs/".length))}`, `${name}: ${target}`).toContain(` id="${anchor}"`);
       }
     }
 });
@@ -78,7 +82,7 @@ test("a broken link, an anchor that no heading has, and a missing picture are to
     [
       "docs/some.md:3: there is no nowhere.md",
       "docs/some.md:6: docs/some.md has no heading #none",
-      "docs/some.md:8: figures/none.svg cannot be read, or has no viewBox",
+      "docs/some.md:8: figures/none.svg cannot be read, or has no size",
     ].join("\n"),
   );
 });
@@ -123,6 +127,7 @@ test("a document without a title, or with two, has no page", () => {
 
 test("comments are left out, other HTML is refused, and code stays text", () => {
   expect(bodyOfText("# Title\n\n<!-- table: none -->\n\nwords\n")).not.toContain("table");
+  expect(() => bodyOfText("# Title\n\n<!-- a --><b>words</b><!-- b -->\n")).toThrow("docs/some.md:3: ");
   expect(() => bodyOfText("# Title\n\n<b>words</b>\n")).toThrow("docs/some.md:3: ");
   expect(() => bodyOfText("# Title\n\nsome <i>words</i>\n")).toThrow("docs/some.md:3: ");
   const html = bodyOfText(
@@ -159,4 +164,13 @@ test("what readers paste has the site's address if that is known, and is marked 
   expect(known).toContain("<code>https://rivers.example/&quot;maps/?seed=kea&amp;curl=1</code>");
   expect(known).not.toContain("stands for");
   for (const html of [unknown, known]) expect(html).toContain('<a href="../?seed=kea&amp;curl=1">Open it</a>');
+});
+
+test("a site that knows its address has it wherever the stand-in was, and needs no script for that", () => {
+  for (const [name, html] of pagesOf(writtenFor({ ...place, site: "https://rivers.example/maps" }))) {
+    expect(html, name).not.toMatch(/docs-site|data-site/);
+    // One page tells how the stand-in is used.
+    if (name !== "adding.html") expect(html, name).not.toContain("example.org");
+    expect(html, name).toMatch(/rel="canonical" href="https:\/\/rivers\.example\/maps\/docs\//);
+  }
 });
