@@ -23,6 +23,10 @@ test.each([
   ["channel-area", "parameters.html#channel-area"],
   ["wasm-url", "element.html#wasm-url"],
   ["metres", "files.html#rasters"],
+  ["csp", "hosting.html#the-element"],
+  ["offline", "hosting.html#the-site"],
+  ["how do I install it", "python.html#install"],
+  ["license", "element.html#security"],
   ["GEOJSON", "files.html#geojson"],
 ])("“%s” leads to %s", (question, address) => {
   expect(addresses(question)).toContain(address);
@@ -31,6 +35,10 @@ test.each([
 test("a word in a heading counts more than one in the text", () => {
   expect(addresses("woods and hills")[0]).toBe("algorithms.html#woods-and-hills");
   expect(addresses("exit codes")[0]).toBe("command-line.html#exit-codes");
+});
+
+test("a word as it was typed counts more than one that is like it", () => {
+  expect(addresses("react")[0]).toMatch(/framework/);
 });
 
 test("all words are wanted, and some of them if no section has all", () => {

@@ -6,11 +6,22 @@ import type { Section } from "./section.ts";
 /** The most results that are shown. */
 const MOST = 12;
 
+/** Words that stand everywhere and say nothing of a section. */
+// biome-ignore format: a list of words
+const EMPTY: ReadonlySet<string> = new Set([
+  "a", "an", "and", "are", "as", "at", "be", "by", "can", "do", "does", "for", "from", "how", "i", "if", "in", "is", "it", "its", "my", "of", "on",
+  "or", "so", "that", "the", "their", "then", "they", "this", "to", "what", "where", "which", "with", "you", "your",
+]);
+
 /** How the index is made. It must be read with the same settings. */
 const OPTIONS: Options<Section> = {
   idField: "address",
   fields: ["heading", "page", "text", "code"],
   storeFields: ["address", "heading", "page", "text", "code"],
+  processTerm: (term) => {
+    const word = term.toLowerCase();
+    return EMPTY.has(word) ? null : word;
+  },
 };
 
 /** A section that was found, with the words of it that fit the question. */
@@ -45,9 +56,10 @@ export class Index {
     return this.#index.search(question, {
       combineWith,
       boost: { heading: 4, page: 2, code: 0.3 },
-      // The word that is being typed may be anywhere.
+      // A word may be one that is still being typed, or have a fault. Both count far less than the word itself.
       prefix: true,
       fuzzy: (word) => (word.length > 4 ? 0.2 : false),
+      weights: { prefix: 0.25, fuzzy: 0.05 },
     });
   }
 }
