@@ -46,6 +46,8 @@ export interface Link {
   readonly rel?: string;
 }
 
+const FOLDER = new URL("../../../crates/cli/src/page/templates/", import.meta.url);
+
 const templates = Handlebars.create();
 templates.registerPartial("head", textOf("head"));
 const page = templates.compile<MapPage>(textOf("page"));
@@ -76,8 +78,6 @@ export function pageWith(head: Head, body: string): string {
 export function icon(): string {
   return readFileSync(new URL("icon.txt", FOLDER), "utf8").trim();
 }
-
-const FOLDER = new URL("../../../crates/cli/src/page/templates/", import.meta.url);
 
 function textOf(name: string): string {
   return readFileSync(new URL(`${name}.hbs`, FOLDER), "utf8");

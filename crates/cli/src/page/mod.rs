@@ -59,7 +59,7 @@ pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let content = Content {
         title: name.clone(),
         description: own("description").unwrap_or_else(|| words::description(&map, &names)),
-        alternative: words::alternative(&name, &recipe),
+        alternative: words::alternative(&names, &name),
         settings: words::settings(&link::write(&recipe))?,
         aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
         ratio: Domain::of(&recipe).size,

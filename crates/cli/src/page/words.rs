@@ -4,7 +4,7 @@ use riverseed::Map;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::KILOMETRE;
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Kind, Parameter, Recipe, Style, link, shown};
+use riverseed::recipe::{Kind, Parameter, Recipe, link, shown};
 use serde_json::{Value, json};
 
 use super::super::Failure;
@@ -36,8 +36,8 @@ pub fn description(map: &Map, names: &Names) -> String {
 }
 
 /// The words for readers who do not see the picture.
-pub fn alternative(name: &str, recipe: &Recipe) -> String {
-    format!("The map {name}, in the style {}", recipe.get::<Style>().word().label)
+pub fn alternative(names: &Names, name: &str) -> String {
+    if names.title.is_empty() { format!("A map: {name}") } else { format!("A map of {} and its rivers", names.title) }
 }
 
 /// The settings of a link, as labels and values for a template.
