@@ -18,6 +18,7 @@ pub fn command() -> Command {
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommand(render_command())
+        .subcommand(page_command())
         .subcommand(outline_command())
         .subcommand(measure_command())
         .subcommand(names_command())
@@ -77,6 +78,47 @@ fn render_command() -> Command {
         )
         .args(batch_arguments())
         .args(TABLE.iter().map(render_option))
+}
+
+fn page_command() -> Command {
+    Command::new("page")
+        .about("Writes a map's page as a folder for any static host: page, pictures, a card for chats, an embed page that blogs unfold, and the element")
+        .after_help(MIXED)
+        .args(recipe_arguments())
+        .args(page_arguments())
+        .args(TABLE.iter().map(option))
+}
+
+fn page_arguments() -> [Arg; 9] {
+    let argument = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
+    [
+        argument("output", "FOLDER")
+            .short('o')
+            .required(true)
+            .help("The folder to write, which is made if need be. {seed} in it stands for the seed")
+            .value_parser(value_parser!(PathBuf)),
+        argument("address", "URL")
+            .help("The address where the folder will be. Cards and oEmbed need it; without it the page has neither"),
+        argument("element", "FOLDER|URL")
+            .help("The folder with the files of <river-seed>, which are copied, or the address of one [default: $RIVERSEED_ELEMENT]")
+            .value_parser(value_parser!(OsString)),
+        Arg::new("no-element")
+            .long("no-element")
+            .action(ArgAction::SetTrue)
+            .conflicts_with("element")
+            .help("Show the picture only"),
+        argument("maker", "URL").help("The address of a page of Riverseed, where readers can change the map"),
+        argument("title", "TEXT").help("The heading [default: the map's name]"),
+        argument("description", "TEXT").help("A sentence under it [default: of the rivers]"),
+        argument("size", "PIXELS")
+            .default_value("1600")
+            .help("The longer side of the picture")
+            .value_parser(value_parser!(u32).range(256..=i64::from(LONGEST_SIDE))),
+        Arg::new("replace")
+            .long("replace")
+            .action(ArgAction::SetTrue)
+            .help("Overwrite an index.html that is not of this command"),
+    ]
 }
 
 /// The options for many maps in one call.

@@ -1,5 +1,5 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
+//! land, `riverseed page` writes a map's page as a folder for any host, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
 //! table` explains recipes, and `riverseed verify` checks that this machine draws like all others.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
@@ -16,6 +16,7 @@ mod names;
 mod order;
 mod outline;
 mod output;
+mod page;
 mod render;
 mod stdout;
 mod table;
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Failure> {
     match commands::command().get_matches().subcommand() {
         Some(("render", matches)) => render::render(matches),
+        Some(("page", matches)) => page::page(matches),
         Some(("outline", matches)) => outline::outline(matches),
         Some(("measure", matches)) => measure::measure(matches),
         Some(("names", matches)) => names::names(matches),
@@ -104,6 +106,15 @@ enum Failure {
     SeedBesides,
     #[error("{}: {reason}", path.display())]
     Pattern { path: PathBuf, reason: &'static str },
+    #[error("{option} {text}: {reason}")]
+    Address { option: &'static str, text: String, reason: String },
+    #[error(
+        "the page needs the files of the element <river-seed>: name their folder with --element or RIVERSEED_ELEMENT \
+         (www/dist-widget after 'make widget', or that of the npm package), or leave it out with --no-element"
+    )]
+    NoElement,
+    #[error("{}: this page is not one of 'riverseed page'; --replace overwrites it", path.display())]
+    OtherPage { path: PathBuf },
     #[error("{failed} of {all} maps were not made")]
     Maps { failed: u64, all: u64 },
     #[error("{failure}: stopped before all {all} maps were there{advice}")]
@@ -127,12 +138,15 @@ impl Failure {
             | Self::Land { .. }
             | Self::Seeds { .. }
             | Self::SeedBesides
+            | Self::Address { .. }
+            | Self::NoElement
             | Self::Pattern { .. } => ExitCode::from(2),
             Self::Session(_)
             | Self::Paint(_)
             | Self::Digest(_)
             | Self::File { .. }
             | Self::Picture { .. }
+            | Self::OtherPage { .. }
             | Self::Differs { .. }
             | Self::Maps { .. }
             | Self::Stopped { .. }

@@ -12,3 +12,4 @@ mod little_memory;
 mod maps;
 #[cfg(target_os = "linux")]
 mod output;
+mod page;

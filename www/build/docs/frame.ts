@@ -1,7 +1,7 @@
 /** The frame of every page: head, header with the search, list of contents. */
 
 import { escaped } from "../../src/apps/page/share/snippets.ts";
-import { ICON } from "../gallery/pages.ts";
+import { icon } from "../gallery/templates.ts";
 import { policyFor } from "../policy.ts";
 import { baseOf } from "../social.ts";
 import type { Article } from "./article.ts";
@@ -80,7 +80,7 @@ function headOf(place: Place, { title, description, address }: Content, root: st
     meta("og:description", said),
     meta("og:type", "article"),
     ...(site === undefined ? [] : [`<link rel="canonical" href="${escaped(wholeAddress(address, site))}" />`]),
-    `<link rel="icon" href="${ICON}" />`,
+    `<link rel="icon" href="${icon()}" />`,
     `<link rel="stylesheet" href="${escaped(root + sheet)}" />`,
     ...(site === undefined ? [module(siteScript, ' blocking="render"')] : []),
     module(script),

@@ -2,7 +2,7 @@
 
 import type { Plugin } from "vite";
 import { drawAll } from "./drawing.ts";
-import { filesOf, overviewPage, type Place, pageOf, shapesSheet } from "./pages.ts";
+import { filesOf, oembedOf, overviewPage, type Place, pageOf, shapesSheet } from "./pages.ts";
 import { type Entry, entries } from "./recipes.ts";
 import { cardShot, overviewShot, pageShot } from "./shots.ts";
 
@@ -62,6 +62,7 @@ function writtenFor(all: readonly Entry[], place: Place): Map<string, string> {
     const before = all.at(i - 1) ?? entry;
     const after = all[(i + 1) % all.length] ?? entry;
     files.set(filesOf(entry.slug).page, pageOf(entry, { before, after }, place));
+    if (place.site !== undefined) files.set(filesOf(entry.slug).oembed, oembedOf(entry, place.site));
   }
   return files;
 }

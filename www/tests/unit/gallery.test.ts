@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { overviewPage, pageOf } from "../../build/gallery/pages.ts";
+import { oembedOf, overviewPage, pageOf } from "../../build/gallery/pages.ts";
 import { type Entry, entries, recipes } from "../../build/gallery/recipes.ts";
 import { cardShot } from "../../build/gallery/shots.ts";
 import { engine } from "../steer.ts";
@@ -64,6 +64,22 @@ test("a site that knows its address says it on every card, and in what others pa
   expect(html).toContain(`rel="canonical" href="https://rivers.example/maps/gallery/${entry.slug}.html"`);
   expect(html).toContain("https://rivers.example/maps/widget/river-seed.js");
   expect(html).not.toContain("example.org");
+});
+
+test("a site that knows its address names an oEmbed response on each map's page, whose frame shows that map", () => {
+  const [entry] = all;
+  if (!entry) throw new Error("the gallery is empty");
+  const around = { before: entry, after: entry };
+  const html = pageOf(entry, around, { ...place, site: "https://rivers.example/maps/" });
+  const address = `https://rivers.example/maps/gallery/${entry.slug}-oembed.json`;
+  expect(html).toContain(`<link rel="alternate" type="application/json+oembed" href="${address}"`);
+  expect(pageOf(entry, around, place)).not.toContain("oembed");
+  const response = JSON.parse(oembedOf({ ...entry, title: '"><b>' }, "https://rivers.example/maps"));
+  expect(response).toMatchObject({ version: "1.0", type: "rich", title: '"><b>', width: 720 });
+  expect(response.height).toBe(Math.round(720 / Number(entry.aspect)));
+  const [, frame = "", title] = /^<iframe src="([^"]*)" title="([^"]*)"/.exec(response.html) ?? [];
+  expect(title).toBe("&quot;&gt;&lt;b&gt;");
+  expect(frame.replaceAll("&amp;", "&")).toBe(`https://rivers.example/maps/embed.html?${entry.link}`);
 });
 
 test("what stands in a page is text, whatever a recipe says", () => {

@@ -59,6 +59,14 @@ impl Pattern {
     }
 }
 
+/// A path with the escaped seed in each place for it, of one map. Escaped seeds name no other folder.
+pub fn with_seed(path: &Path, seed: &str) -> PathBuf {
+    match path.to_str() {
+        Some(text) if text.contains(PLACE) => text.replace(PLACE, &escaped(seed)).into(),
+        _ => path.into(),
+    }
+}
+
 /// The greatest length of an escaped seed, in bytes. Most disks allow names of 255.
 const LONGEST: usize = 200;
 

@@ -1,0 +1,26 @@
+//! The attributes of the element `<river-seed>` for a link.
+
+use riverseed::recipe::link;
+use serde_json::{Value, json};
+
+use super::super::Failure;
+
+/// Parameters whose names mean something else in HTML. As attributes they have a prefix.
+const PREFIXED: [&str; 2] = ["style", "width"];
+
+/// The attributes for a link, as names and values for a template.
+///
+/// # Errors
+/// Fails if the link cannot be read.
+pub fn of(link: &str) -> Result<Vec<Value>, Failure> {
+    Ok(link::pairs(link)?.into_iter().map(|(key, value)| attribute(&named(&key), &value)).collect())
+}
+
+/// An attribute for a template.
+pub fn attribute(name: &str, value: &str) -> Value {
+    json!({ "name": name, "value": value })
+}
+
+fn named(key: &str) -> String {
+    if PREFIXED.contains(&key) { format!("river-{key}") } else { key.into() }
+}

@@ -1,0 +1,112 @@
+//! The element's files: a folder to copy them from, or the address where they are.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use riverseed::recipe::link;
+use riverseed::recipe::reading::{ReadOptions, read};
+
+use super::super::order::Order;
+use super::super::{Failure, say};
+use super::address::Address;
+
+/// The element's script, which must be in the folder.
+const SCRIPT: &str = "river-seed.js";
+/// The single-file variant for pages opened from disk. Pages of a server do not load it.
+const CLASSIC: &str = "river-seed.classic.js";
+/// The folder of the element in that of the page.
+pub const FOLDER: &str = "element";
+/// Names the folder of the element's files where `--element` does not.
+const VARIABLE: &str = "RIVERSEED_ELEMENT";
+
+/// The element that a page shows.
+#[derive(Clone, Debug)]
+pub enum Element {
+    /// No element: the page shows the picture.
+    None,
+    /// Files that are copied into the page's folder.
+    Files(Vec<PathBuf>),
+    /// Files of another host.
+    Elsewhere(Address),
+}
+
+impl Element {
+    /// The element that a call asks for. A map that is too large for the element gets none.
+    ///
+    /// # Errors
+    /// Fails if the files are not where they are said to be, or if nothing says where they are.
+    pub fn asked(matches: &ArgMatches, order: &Order) -> Result<Self, Failure> {
+        if matches.get_flag("no-element") {
+            return Ok(Self::None);
+        }
+        let reading = read(&link::write(&order.recipe), ReadOptions { widget: true, dark: false });
+        if let Some(notice) = reading.notices.first() {
+            say(&format!("the page shows a picture instead of the element: {}", notice.message));
+            return Ok(Self::None);
+        }
+        if order.land.is_some() {
+            say("the page shows a picture instead of the element: no attribute holds the land of a picture");
+            return Ok(Self::None);
+        }
+        match matches.get_one::<OsString>("element").cloned() {
+            Some(given) => Self::given(given),
+            None => match env::var_os(VARIABLE).or_else(beside_the_program) {
+                Some(folder) => Self::given(folder),
+                None => Err(Failure::NoElement),
+            },
+        }
+    }
+
+    fn given(place: OsString) -> Result<Self, Failure> {
+        match place.to_str().filter(|text| text.contains("://")) {
+            Some(address) => Address::read("--element", address).map(Self::Elsewhere),
+            None => files(Path::new(&place)).map(Self::Files),
+        }
+    }
+
+    /// The address of the script as the page names it; `None` if the page has no element.
+    pub fn script(&self) -> Option<String> {
+        match self {
+            Self::None => None,
+            Self::Files(_) => Some(format!("{FOLDER}/{SCRIPT}")),
+            Self::Elsewhere(address) => Some(address.of(SCRIPT)),
+        }
+    }
+
+    /// The host of the files, as a content security policy names it.
+    pub fn origin(&self) -> String {
+        match self {
+            Self::Elsewhere(address) => address.origin.clone(),
+            Self::None | Self::Files(_) => "'self'".into(),
+        }
+    }
+}
+
+/// The folder `share/riverseed/element` of the installation that the program belongs to, if there is one.
+fn beside_the_program() -> Option<OsString> {
+    let program = env::current_exe().ok()?;
+    let folder = program.parent()?.parent()?.join("share/riverseed").join(FOLDER);
+    folder.join(SCRIPT).is_file().then(|| folder.into())
+}
+
+/// The scripts and wasm files of a folder, in the order of their names.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    if !folder.join(SCRIPT).is_file() {
+        let error = std::io::Error::new(ErrorKind::NotFound, format!("there is no {SCRIPT} in it"));
+        return Err(Failure::File { path: folder.into(), error });
+    }
+    let entries = fs::read_dir(folder).map_err(Failure::file(folder))?;
+    let paths = entries.map(|entry| Ok(entry.map_err(Failure::file(folder))?.path()));
+    let mut paths = paths.collect::<Result<Vec<_>, Failure>>()?;
+    let is_loaded = |path: &PathBuf| {
+        let is_code = path.extension().is_some_and(|ending| ending == "js" || ending == "wasm");
+        is_code && path.is_file() && path.file_name().is_some_and(|name| name != CLASSIC)
+    };
+    paths.retain(is_loaded);
+    paths.sort_unstable();
+    Ok(paths)
+}

@@ -1,0 +1,64 @@
+//! The words on a map's page.
+
+use riverseed::Map;
+use riverseed::annotate::names::Names;
+use riverseed::annotate::place::KILOMETRE;
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Kind, Parameter, Recipe, link, shown};
+use serde_json::{Value, json};
+
+use super::super::Failure;
+
+/// The map's name, or what it grew from if the recipe takes its name away.
+pub fn name(names: &Names, recipe: &Recipe) -> String {
+    match (names.title.as_str(), recipe.seed()) {
+        ("", "") => "Rivers".into(),
+        ("", seed) => format!("Rivers grown from “{}”", shown(seed)),
+        (title, _) => title.into(),
+    }
+}
+
+/// A sentence or two on the rivers.
+pub fn description(map: &Map, names: &Names) -> String {
+    let network = map.network();
+    let lengths = network.rivers.iter().map(|river| network.length(river));
+    let longest = lengths.enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other));
+    let Some((i, length)) = longest else { return "A map without rivers, grown from a word.".into() };
+    let counted = match network.rivers.len() {
+        1 => "One river, grown from a word.".into(),
+        count => format!("{count} rivers, grown from a word."),
+    };
+    let kilometres = (length / KILOMETRE).round();
+    match names.rivers.get(i).map(|river| river.name.as_str()).filter(|name| !name.is_empty()) {
+        Some(name) => format!("{counted} The longest, {name}, is {kilometres} km long."),
+        None => format!("{counted} The longest is {kilometres} km long."),
+    }
+}
+
+/// The words for readers who do not see the picture.
+pub fn alternative(names: &Names, name: &str) -> String {
+    if names.title.is_empty() { format!("A map: {name}") } else { format!("A map of {} and its rivers", names.title) }
+}
+
+/// The settings of a link, as labels and values for a template.
+///
+/// # Errors
+/// Fails if the link cannot be read.
+pub fn settings(link: &str) -> Result<Vec<Value>, Failure> {
+    let row = |(key, text): (String, String)| match TABLE.iter().find(|row| row.name == key) {
+        Some(row) => json!({ "label": row.label, "value": worded(row, &text) }),
+        None => json!({ "label": key, "value": text }),
+    };
+    Ok(link::pairs(link)?.into_iter().map(row).collect())
+}
+
+/// A value as the page shows it.
+fn worded(row: &Parameter, text: &str) -> String {
+    match row.kind {
+        Kind::Choice { choices, .. } => {
+            choices.iter().find(|word| word.name == text).map_or(text, |word| word.label).into()
+        }
+        _ if row.unit.is_empty() => text.into(),
+        _ => format!("{text} {}", row.unit),
+    }
+}
