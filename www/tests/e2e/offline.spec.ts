@@ -1,12 +1,13 @@
 /** The page without a connection, after a visit. */
 
+import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Page } from "@playwright/test";
+import type { BrowserContext, Page } from "@playwright/test";
 import sharp from "sharp";
 import { complaints, expectAddress, expectPictureOfAddress, finished } from "./riverpage.ts";
-import { expect, test } from "./widget/hosts.ts";
+import { expect, type Host, test } from "./widget/hosts.ts";
 
 /** The built site. */
 const SITE = fileURLToPath(new URL("../../dist", import.meta.url));
@@ -26,6 +27,20 @@ async function visit(page: Page, address = "./"): Promise<void> {
   });
 }
 
+/** Serves the site from a host that can be cut off. */
+function served(host: Host): string {
+  host.folder("/", SITE);
+  host.answer("/", { body: readFileSync(join(SITE, "index.html")) });
+  host.answer("/gallery/", { body: readFileSync(join(SITE, "gallery/index.html")) });
+  return `${host.origin}/`;
+}
+
+/** Cuts or mends the connection. Browsers differ in whether a service worker is offline with its page, so the host is cut, too. */
+async function cut(context: BrowserContext, host: Host, isCut = true): Promise<void> {
+  host.isCut = isCut;
+  await context.setOffline(isCut);
+}
+
 async function isControlled(page: Page): Promise<boolean> {
   return await page.evaluate(() => navigator.serviceWorker.controller !== null);
 }
@@ -33,24 +48,26 @@ async function isControlled(page: Page): Promise<boolean> {
 test("after a visit the map is drawn without a connection, with names, and so is any other @core", async ({
   page,
   context,
+  blog,
 }) => {
   const said = complaints(page);
-  await visit(page, "./?seed=kauri&style=atlas&labels=some&attractors=3000");
-  await context.setOffline(true);
+  const site = served(blog);
+  await visit(page, `${site}?seed=kauri&style=atlas&labels=some&attractors=3000`);
+  await cut(context, blog);
   await page.reload();
   expect(await page.evaluate(() => fetch("./digest.html").catch(() => "offline"))).toBe("offline");
   await finished(page);
   await expect(page.getByRole("img", { name: /Its greatest rivers: / })).toBeVisible();
-  await page.goto("./?seed=moa&attractors=900&style=night");
+  await page.goto(`${site}?seed=moa&attractors=900&style=night`);
   await expectPictureOfAddress(page);
-  await page.goto("./");
+  await page.goto(site);
   await finished(page);
   expect(said.filter((text) => !text.includes("ERR_INTERNET_DISCONNECTED"))).toEqual([]);
 });
 
-test("without a connection land is drawn, too", async ({ page, context }) => {
-  await visit(page, "./?attractors=300");
-  await context.setOffline(true);
+test("without a connection land is drawn, too", async ({ page, context, blog }) => {
+  await visit(page, `${served(blog)}?attractors=300`);
+  await cut(context, blog);
   await page.reload();
   await finished(page);
   await page.getByRole("button", { name: "Draw", exact: true }).click();
@@ -69,16 +86,17 @@ test("without a connection land is drawn, too", async ({ page, context }) => {
   await expectAddress(page, "land", "drawn");
 });
 
-test("of the gallery there is what has been seen", async ({ page, context }) => {
-  await visit(page, "./?attractors=300");
-  await page.goto("./gallery/few.html");
+test("of the gallery there is what has been seen", async ({ page, context, blog }) => {
+  const site = served(blog);
+  await visit(page, `${site}?attractors=300`);
+  await page.goto(`${site}gallery/few.html`);
   expect(await isControlled(page)).toBe(true);
   const picture = page.getByRole("main").locator("img");
   const isThere = () => picture.evaluate((img: HTMLImageElement) => img.complete && img.naturalWidth > 0);
   await expect.poll(isThere).toBe(true);
   // A picture is put by after it is shown.
   await page.waitForFunction(async () => (await caches.match("few.webp")) !== undefined);
-  await context.setOffline(true);
+  await cut(context, blog);
   await page.reload();
   await expect(page.getByRole("heading", { level: 1 })).toHaveText("Few");
   await expect.poll(isThere).toBe(true);
@@ -86,19 +104,21 @@ test("of the gallery there is what has been seen", async ({ page, context }) => 
     true,
     true,
   ]);
-  await expect(page.goto("./gallery/skye.html")).rejects.toThrow();
+  await expect(page.goto(`${site}gallery/skye.html`)).rejects.toThrow();
 });
 
 test("without a connection the game is there, and there is a link to the gallery only once it has been seen", async ({
   page,
   context,
+  blog,
 }) => {
-  await visit(page, "./?attractors=300");
+  const site = served(blog);
+  await visit(page, `${site}?attractors=300`);
   await page.reload();
   await finished(page);
   const gallery = page.getByRole("link", { name: "Gallery" });
   await expect(gallery).toBeVisible();
-  await context.setOffline(true);
+  await cut(context, blog);
   await expect(gallery).toBeHidden();
   await page.reload();
   await finished(page);
@@ -107,12 +127,12 @@ test("without a connection the game is there, and there is a link to the gallery
   await page.getByRole("link", { name: "real or grown?" }).click();
   await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
   await expect(page.getByRole("button", { name: "Real", exact: true })).toBeEnabled();
-  await context.setOffline(false);
-  await page.goto("./gallery/");
-  await page.goto("./?attractors=300");
+  await cut(context, blog, false);
+  await page.goto(`${site}gallery/`);
+  await page.goto(`${site}?attractors=300`);
   await finished(page);
   await expect(gallery).toBeVisible();
-  await context.setOffline(true);
+  await cut(context, blog);
   await page.reload();
   await finished(page);
   await expect(gallery).toBeVisible();

@@ -35,11 +35,17 @@ export class Host {
   headers: OutgoingHttpHeaders = {};
   /** The paths that were asked for, in order. */
   readonly asked: string[] = [];
+  /** True while nobody gets an answer: every connection breaks. */
+  isCut = false;
   readonly #answers = new Map<string, Answer>();
   readonly #folders = new Map<string, string>();
 
   private constructor(private readonly server: Server) {
     server.on("request", async ({ url }, response) => {
+      if (this.isCut) {
+        response.destroy();
+        return;
+      }
       const path = decodeURIComponent(new URL(url ?? "/", "http://host").pathname);
       this.asked.push(path);
       const { status = 200, headers, body, hangs, rest } = this.#answers.get(path) ?? (await this.#file(path));
