@@ -14,6 +14,7 @@ use riverseed::glam::Vec2;
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::{Recipe, link};
+use riverseed_exchange::{self as exchange, Source};
 
 use super::form::{Form, listed};
 use super::grow::grow;
@@ -56,7 +57,12 @@ impl Options {
         goes_with("--raster-size", raster_size.is_some(), Form::has_rasters)?;
         if let Some(size) = raster_size {
             // Checked before anything grows.
-            Rasters::grid(&Domain::of(recipe), size).map_err(Failure::RasterSize)?;
+            let domain = Domain::of(recipe);
+            Rasters::grid(&domain, size).map_err(Failure::RasterSize)?;
+            forms.iter().try_for_each(|form| match form {
+                Form::Engine(engine) => exchange::engine::check(*engine, &domain, size).map_err(Failure::EngineSize),
+                _ => Ok(()),
+            })?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
         Ok(Self {
@@ -122,7 +128,9 @@ impl Files {
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
         let map = session.finish()?;
         let attractors = options.has_attractors.then(|| session.growth().scattered());
-        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&map, options));
+        // An engine's are of a size of its own, and made when its pack is written.
+        let has_rasters = is_wanted(|form| form.has_rasters() && !matches!(form, Form::Engine(_)));
+        let rasters = has_rasters.then(|| rasters(&map, options));
         let rasters = rasters.transpose()?;
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
@@ -157,6 +165,14 @@ impl Files {
             (Form::Json, ..) => export::json::write(&mut *out, map, attractors.as_deref()).and_then(|()| writeln!(out)),
             // Not made for this form.
             (Form::Png | Form::Pack | Form::Raster(_), ..) => Ok(()),
+            (Form::Engine(engine), picture, _) => {
+                let rasters = exchange::engine::rasters(map, engine, options.raster_size, options.threads);
+                let rasters = rasters.map_err(io::Error::other)?;
+                exchange::write(form, out, &Source { map, rasters: Some(&rasters), picture: picture.as_ref().map(Picture::pixmap) })
+            }
+            (form, picture, rasters) => {
+                exchange::write(form, out, &Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) })
+            }
         };
         Ok(written?)
     }
