@@ -4,7 +4,7 @@
 //! whoever has a map and what its [`Form`] holds gives them to it, the command line as well as the Python package.
 //!
 //! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it
-//! ([`gis::crs`]); game engines have as many metres to a unit on the ground as in height.
+//! ([`gis::crs`]); game engines have 50 m ([`engine::METRES_A_UNIT`]).
 #![cfg(not(target_arch = "wasm32"))]
 
 pub mod engine;

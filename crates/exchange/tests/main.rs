@@ -1,6 +1,8 @@
 //! Files are read by readers of others, and hold what the map holds.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod engines;
 mod geopackage;
 mod geotiff;
+mod gltf_files;
 mod maps;

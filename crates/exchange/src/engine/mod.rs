@@ -1,7 +1,5 @@
 //! Files for game engines: heights as bare numbers, textures, rivers as lines in space, a mesh, and a pack of all that
 //! for each engine, in its own axes and units.
-//!
-//! A unit of the map is as long on the ground as in height, so that slopes are as steep as pictures shade them.
 
 pub mod gltf;
 pub mod normals;

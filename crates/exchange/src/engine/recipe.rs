@@ -4,6 +4,8 @@
 
 use riverseed::export::Engine;
 
+use riverseed::relief::METRES;
+
 use super::sizes::name;
 use super::splat::GROUNDS;
 use super::terrain::{METRES_A_UNIT, Terrain};
@@ -33,8 +35,9 @@ fn scale(terrain: &Terrain) -> String {
     let size = (terrain.columns - 1) as f64 * terrain.metres_a_pixel;
     format!(
         "SCALE\n\
-         A pixel is {pixel} m wide, the landscape {size} m. A unit of the map is {METRES_A_UNIT} m, on the ground and in height;\n\
-         to have it smaller or larger, multiply all three axes by the same number.\n\
+         A pixel is {pixel} m wide, the landscape {size} m. A unit of the map is {METRES_A_UNIT} m on the ground, and\n\
+         {METRES} m in height: half as steep as pictures shade it, so that most of it can be walked. To have it smaller or larger,\n\
+         multiply all three axes by the same number.\n\
          Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m. One step is {step} m.\n\
          The first row of every picture and of heights.r16 is the northernmost.\n\n",
         pixel = number(terrain.metres_a_pixel, 4),
@@ -66,7 +69,7 @@ fn unreal(terrain: &Terrain) -> String {
          1. Landscape mode, Manage, New, Import from File: heights.r16, {side} x {side}.\n\
          2. Section Size 63 x 63 quads, Sections Per Component {sections} x {sections}, Number of Components {components} x {components}.\n\
          3. Scale: X {pixel}, Y {pixel}, Z {z}. (Z is the height of a step in centimetres, times 128.)\n\
-         4. Location: Z {lift}. The sea's surface is then at Z = 0: value {sea}.\n\
+         4. Location: Z {lift} (centimetres). The sea's surface is then at Z = 0: value {sea}.\n\
          5. Layers: assign a material with the layers low, steep, shore and high, and import layers/low.png and so on as their\n\
          \x20  masks. They add up to 255 in every pixel.\n\
          6. Sea: a Water Body Ocean, or a plane, at Z = 0.\n\
@@ -111,7 +114,7 @@ fn godot(terrain: &Terrain) -> String {
          1. Open addons/terrain_3d/tools/importer.tscn, and choose heights.r16 as the height file.\n\
          2. R16 Range: {deepest} to {highest}. R16 Size: {side} x {side}. The sea's surface is then at Y = 0.\n\
          3. Color File: map.png, if its size is that of the heights (--size {side}); else leave it out.\n\
-         4. Run the import, save the data, and set Vertex Spacing to {pixel}. (At 1 the landscape is {pixel} times smaller.)\n\
+         4. Run the import, save the data, and set Vertex Spacing to {pixel}. (At 1 the ground is that many times narrower, and as high.)\n\
          5. splat.png has four grounds in red, green, blue and alpha, which add up to 1: low, steep, shore, high, for a shader.\n\
          6. Sea: a plane at Y = 0.\n\
          7. Rivers: splines.json has the points of one Curve3D a river, in metres from the landscape's north-western corner,\n\

@@ -20,10 +20,10 @@ pub const GROUNDS: [(&str, &str); 4] = [
     ("high", "high ground, such as scree or snow"),
 ];
 
-/// Slopes between which ground becomes steep, in metres up a metre.
-const STEEP: [f64; 2] = [0.45, 0.8];
+/// Slopes between which ground becomes steep, in metres up on a metre.
+const STEEP: [f64; 2] = [0.75, 1.05];
 /// Shares of the highest land's height between which ground becomes high.
-const HIGH: [f64; 2] = [0.55, 0.75];
+const HIGH: [f64; 2] = [0.5, 0.7];
 /// Heights over the sea between which a shore ends, in metres.
 const SHORE: [f64; 2] = [6.0, 20.0];
 
@@ -90,8 +90,8 @@ mod tests {
     #[test]
     fn grounds_share_a_pixel_whole() {
         for height in [-200.0, 0.0, 0.1, 7.0, 13.0, 300.0, 999.0] {
-            for slope in [0.0, 0.5, 0.6, 3.0] {
-                for share in [0.0, 0.6, 0.7, 1.0] {
+            for slope in [0.0, 0.8, 0.9, 3.0] {
+                for share in [0.0, 0.55, 0.65, 1.0] {
                     for is_river in [false, true] {
                         let shares = grounds(height, share, slope, is_river);
                         assert_eq!(shares.iter().map(|share| u32::from(*share)).sum::<u32>(), 255);

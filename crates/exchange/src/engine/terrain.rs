@@ -4,11 +4,11 @@ use std::io::{Result, Write};
 
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::{DVec2, Vec2};
-use riverseed::relief::METRES;
 
-/// The length of a unit of the map on the ground, in metres: as much as a unit of height. Everything for engines that
-/// depends on the scale takes it from here.
-pub const METRES_A_UNIT: f64 = METRES as f64;
+/// The length of a unit of the map on the ground, in metres: twice a unit of height, so that slopes are half as steep as
+/// pictures shade them. As steep, most land would be steeper than the 45 degrees that engines let people walk up.
+/// Everything for engines that depends on the scale takes it from here.
+pub const METRES_A_UNIT: f64 = 50.0;
 
 /// A landscape. Its corners are the middles of the rasters' pixels, whose first one is its own first corner.
 #[derive(Clone, Debug)]
