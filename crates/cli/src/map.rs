@@ -132,6 +132,9 @@ impl Files {
         let has_rasters = is_wanted(|form| form.has_rasters() && !matches!(form, Form::Engine(_)));
         let rasters = has_rasters.then(|| rasters(&map, options));
         let rasters = rasters.transpose()?;
+        if let Some(rasters) = rasters.as_ref().filter(|_| forms.contains(&Form::RawHeights)) {
+            say(&scale_of_raw_heights(rasters));
+        }
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
             memory::ask_for_picture(&map, picture)?;
@@ -168,11 +171,17 @@ impl Files {
             (Form::Engine(engine), picture, _) => {
                 let rasters = exchange::engine::rasters(map, engine, options.raster_size, options.threads);
                 let rasters = rasters.map_err(io::Error::other)?;
-                exchange::write(form, out, &Source { map, rasters: Some(&rasters), picture: picture.as_ref().map(Picture::pixmap) })
+                exchange::write(
+                    form,
+                    out,
+                    &Source { map, rasters: Some(&rasters), picture: picture.as_ref().map(Picture::pixmap) },
+                )
             }
-            (form, picture, rasters) => {
-                exchange::write(form, out, &Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) })
-            }
+            (form, picture, rasters) => exchange::write(
+                form,
+                out,
+                &Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) },
+            ),
         };
         Ok(written?)
     }
@@ -182,6 +191,13 @@ impl Files {
 fn picture(recipe: &Recipe, options: Options) -> Result<Picture, PaintError> {
     let (width, height) = View::sides_for(&Domain::of(recipe), options.size);
     Ok(Picture::new(width, height)?.with_ratio(options.ratio))
+}
+
+/// Says what bare heights cannot say by themselves.
+fn scale_of_raw_heights(rasters: &Rasters) -> String {
+    let Rasters { columns, rows, scale, .. } = rasters;
+    let (sea_level, step) = (scale.sea_level, scale.metres_a_step);
+    format!(".r16 has {columns} x {rows} pixels; {sea_level} is the sea's surface, and a step is {step:.6} m")
 }
 
 fn rasters(map: &Map, options: Options) -> io::Result<Rasters> {

@@ -26,7 +26,7 @@ fn files_are_those_of_single_calls_in_every_form_and_grown_once_for_all_of_them(
     let patterns: Vec<String> = FORMS.iter().map(|form| format!("{{seed}}.{form}")).collect();
     let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
     let arguments = [&[LINK, "--seeds", "1..3"], &OPTIONS[..], &outputs[..]].concat();
-    assert_eq!(said(&many, &arguments), "riverseed: maps: 3 made\n");
+    assert!(said(&many, &arguments).ends_with("\nriverseed: maps: 3 made\n"));
     for seed in ["1", "2", "3"] {
         for form in FORMS {
             let options = match Form::named(form).map(|form| (form.has_pixels(), form.has_rasters())) {
@@ -53,17 +53,25 @@ fn files_are_those_of_single_calls_in_every_form_and_grown_once_for_all_of_them(
 fn bare_heights_cannot_tell_whose_they_are_and_are_made_again() {
     let folder = folder("raw");
     let arguments = [LINK, "--seeds", "1..2", "-o", "{seed}.r16"];
-    assert_eq!(said(&folder, &arguments), "riverseed: maps: 2 made\n");
-    assert_eq!(said(&folder, &arguments), "riverseed: maps: 2 replaced\n");
+    let (first, second) = (said(&folder, &arguments), said(&folder, &arguments));
+    for seed in ["1", "2"] {
+        assert!(first.contains(&format!("riverseed: seed '{seed}': .r16 has 633 x 396 pixels; ")), "{first}");
+    }
+    assert!(first.ends_with("\nriverseed: maps: 2 made\n") && second.ends_with("\nriverseed: maps: 2 replaced\n"));
 }
 
 #[test]
 fn packs_of_engines_are_known_again_and_have_sizes_of_their_own() {
     let folder = folder("engines");
     let call = |engine: &str, more: &[&str]| {
-        said(&folder, &[&[LINK, "--aspect", "1", "--seeds", "1..1", "-o", &format!("{{seed}}.{engine}")], more].concat())
+        said(
+            &folder,
+            &[&[LINK, "--aspect", "1", "--seeds", "1..1", "-o", &format!("{{seed}}.{engine}")], more].concat(),
+        )
     };
-    for (engine, side, other) in [("unreal.zip", "505", "1009"), ("unity.zip", "513", "1025"), ("godot.zip", "513", "1025")] {
+    for (engine, side, other) in
+        [("unreal.zip", "505", "1009"), ("unity.zip", "513", "1025"), ("godot.zip", "513", "1025")]
+    {
         let sized = |side: &str, size: &str| call(engine, &["--raster-size", side, "--size", size]);
         assert_eq!(sized(side, "60"), "riverseed: maps: 1 made\n");
         assert_eq!(sized(side, "60"), "riverseed: maps: 1 there before\n");

@@ -1,4 +1,4 @@
-//! What engines import: heights, textures, rivers and packs, and that the numbers of the recipes give back the heights.
+//! Files that engines import: heights, textures, rivers and packs, whose recipes have numbers that give back the heights.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
@@ -74,8 +74,10 @@ fn normals_have_length_one_and_face_away_from_where_the_ground_rises() {
                 let cell = row * rasters.columns + column;
                 let [east, north, up] = [0, 1, 2].map(|i| f64::from(pixels[cell * 3 + i]) / 127.5 - 1.0);
                 assert!((DVec3::new(east, north, up).length() - 1.0).abs() < 0.015, "{link}");
-                let rise = |to: usize, from: usize| (f64::from(steps[to]) - f64::from(steps[from])) * step_in_pixels * 0.5;
-                let (eastward, northward) = (rise(cell + 1, cell - 1), rise(cell - rasters.columns, cell + rasters.columns));
+                let rise =
+                    |to: usize, from: usize| (f64::from(steps[to]) - f64::from(steps[from])) * step_in_pixels * 0.5;
+                let (eastward, northward) =
+                    (rise(cell + 1, cell - 1), rise(cell - rasters.columns, cell + rasters.columns));
                 // A part of 8 bits is known to half a step of 2 / 255.
                 let near = |part: f64, rise: f64| (part + rise * up).abs() < 0.0045 * (1.0 + rise.abs());
                 assert!(near(east, eastward) && near(north, northward), "{link}: {column} {row}");
@@ -125,14 +127,20 @@ fn rivers_run_down_on_the_ground_and_end_on_their_parent_or_at_the_sea() {
             assert!(line.iter().all(|point| point[3] >= point[4] && point[4] >= 0.0), "{link}: wider than deep");
             let end = line.last().unwrap();
             match json["rivers"][number]["parent"].as_u64() {
-                Some(parent) => assert!(lines[parent as usize].contains(end), "{link}: river {number} ends beside its parent"),
+                Some(parent) => {
+                    assert!(lines[parent as usize].contains(end), "{link}: river {number} ends beside its parent")
+                }
                 None => assert_eq!(end[2], 0.0, "{link}: river {number}"),
             }
             for point in line {
                 let at = map.domain().size * 0.5 + Vec2::new(point[0] as f32, -point[1] as f32) / METRES_A_UNIT as f32;
                 let ground = terrain.height_between(terrain.corners(at));
                 let is_mouth = point == end && json["rivers"][number]["parent"].is_null();
-                assert!(is_mouth || point[2] > ground - 0.6, "{link}: river {number} is {} below ground", ground - point[2]);
+                assert!(
+                    is_mouth || point[2] > ground - 0.6,
+                    "{link}: river {number} is {} below ground",
+                    ground - point[2]
+                );
                 on_ground += usize::from((point[2] - ground).abs() < 0.6);
             }
         }

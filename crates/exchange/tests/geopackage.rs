@@ -116,7 +116,8 @@ fn layers_hold_the_features_of_geojson_in_metres() {
             assert_equal(&database, layer, *row, feature);
         }
         for layer in ["rivers", "reaches", "oxbow_lakes", "basins", "land", "ridges", "places"] {
-            let count: i64 = database.query_row(&format!("SELECT count(*) FROM {layer}"), [], |row| row.get(0)).unwrap();
+            let count: i64 =
+                database.query_row(&format!("SELECT count(*) FROM {layer}"), [], |row| row.get(0)).unwrap();
             assert_eq!(count, rows.get(layer).copied().unwrap_or(0), "{link}: {layer}");
         }
     }
@@ -198,7 +199,8 @@ fn same_map_gives_the_same_bytes_and_says_which_it_is() {
     assert_eq!(ids, (0x4750_4b47, 10_300));
     let check: String = database.query_row("PRAGMA integrity_check", [], |row| row.get(0)).unwrap();
     assert_eq!(check, "ok");
-    let broken: i64 = database.query_row("SELECT count(*) FROM pragma_foreign_key_check", [], |row| row.get(0)).unwrap();
+    let broken: i64 =
+        database.query_row("SELECT count(*) FROM pragma_foreign_key_check", [], |row| row.get(0)).unwrap();
     assert_eq!(broken, 0);
 }
 
@@ -222,6 +224,7 @@ fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
     assert!(styles.iter().all(|style| !style.contains("script") && !style.contains("../")));
     let metadata: String = database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get(0)).unwrap();
     let document = roxmltree::Document::parse(&metadata).unwrap();
-    let items: Vec<&str> = document.descendants().filter(|node| node.has_tag_name("MDI")).filter_map(|node| node.text()).collect();
+    let items: Vec<&str> =
+        document.descendants().filter(|node| node.has_tag_name("MDI")).filter_map(|node| node.text()).collect();
     assert!(items[0].starts_with("seed=%3Cb%3E"), "{items:?}");
 }

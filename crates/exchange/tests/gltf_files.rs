@@ -86,8 +86,12 @@ fn picture_lies_where_the_map_lies() {
     // The picture shows as much of the map as its aspect lets it, and its middle is the map's.
     let scale = (120.0 / map.domain().size.x).max(80.0 / map.domain().size.y);
     for (place, position) in mesh.places.iter().zip(&mesh.positions) {
-        let expected = [position[0] * scale / 120.0, position[2] * scale / 80.0].map(|x| x / METRES_A_UNIT as f32 + 0.5);
-        assert!((place[0] - expected[0]).abs() < 1e-4 && (place[1] - expected[1]).abs() < 1e-4, "{place:?} {expected:?}");
+        let expected =
+            [position[0] * scale / 120.0, position[2] * scale / 80.0].map(|x| x / METRES_A_UNIT as f32 + 0.5);
+        assert!(
+            (place[0] - expected[0]).abs() < 1e-4 && (place[1] - expected[1]).abs() < 1e-4,
+            "{place:?} {expected:?}"
+        );
     }
 }
 
@@ -100,7 +104,10 @@ fn large_rasters_are_thinned_and_the_last_corner_stays() {
     let last = mesh.positions.last().unwrap();
     let border = map.domain().size * 0.5 * METRES_A_UNIT as f32;
     let pixel = rasters.cell_size * METRES_A_UNIT as f32;
-    assert!((last[0] - (border.x - pixel * 0.5)).abs() < 0.1 && (last[2] - (border.y - pixel * 0.5)).abs() < 0.1, "{last:?}");
+    assert!(
+        (last[0] - (border.x - pixel * 0.5)).abs() < 0.1 && (last[2] - (border.y - pixel * 0.5)).abs() < 0.1,
+        "{last:?}"
+    );
 }
 
 #[test]

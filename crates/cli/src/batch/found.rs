@@ -80,9 +80,7 @@ impl Wanted {
                 Self::Text { head: format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{link},"), tail: "]}\n" }
             }
             // This is the only character of links that XML escapes.
-            Form::Svg => {
-                Self::Markup { part: format!(">{}</metadata>", link.replace('&', "&amp;")), tail: "</svg>\n" }
-            }
+            Form::Svg => Self::Markup { part: format!(">{}</metadata>", link.replace('&', "&amp;")), tail: "</svg>\n" },
             Form::Png => Self::Png(Png::picture(&link, recipe, options)),
             Form::Raster(layer) => Self::Png(Png::raster(&link, layer, recipe, options)),
             Form::Pack => Self::Pack {

@@ -30,10 +30,12 @@ const CHUNK: usize = 8;
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
 pub fn write(mut out: impl Write, domain: &Domain, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
-    /// Of the parts, the whole and its triangles, in lists that grow by doubling.
-    const BYTES_A_VERTEX: usize = 200;
+    /// The parts with six corners of triangles, and the same once more as one.
+    const BYTES_A_VERTEX: usize = 2 * (32 + 24) + 8;
+    /// The text, and the memory of compression.
+    const BYTES: usize = 4_000_000;
     let grid = Grid::of(rasters);
-    ask(grid.columns.len() * grid.rows.len() * BYTES_A_VERTEX + picture.data().len())?;
+    ask(grid.columns.len() * grid.rows.len() * BYTES_A_VERTEX + 6 * picture.data().len() + BYTES)?;
     let mesh = Mesh::of(&grid, domain, rasters, picture)?;
     let mut image = Vec::new();
     png::write(&mut image, picture, &rasters.link).map_err(Error::from)?;
@@ -57,7 +59,7 @@ pub fn about(file: &[u8]) -> Option<Value> {
     document.pointer("/asset/extras").cloned()
 }
 
-/// What a file says about itself.
+/// Makes the `extras` of a file.
 pub fn extras(link: &str, rasters: [u32; 2], picture: [u32; 2]) -> Value {
     json!({ "riverseed": link, "rasters": rasters, "picture": picture })
 }
@@ -97,27 +99,31 @@ impl Mesh {
             [from_centre.x as f32, height as f32, from_centre.y as f32]
         };
         let place = |corner| ((at(corner) - north_west) / (south_east - north_west)).to_array();
+        let count = grid.columns.len() * grid.rows.len();
         Ok(Self {
-            positions: corners().map(position).collect(),
-            normals: corners().map(|corner| normal(&terrain, corner)).collect(),
-            places: corners().map(place).collect(),
+            positions: listed(count, corners().map(position)),
+            normals: listed(count, corners().map(|corner| normal(&terrain, corner))),
+            places: listed(count, corners().map(place)),
             triangles: triangles(grid.columns.len() as u32, grid.rows.len() as u32),
         })
     }
 
     /// The bytes of all parts one after the other, and where each begins and how long it is.
     fn binary(&self, image: &[u8]) -> (Vec<u8>, Vec<[usize; 2]>) {
-        let (mut bytes, mut parts) = (Vec::new(), Vec::new());
-        let mut add = |part: Vec<u8>| {
-            parts.push([bytes.len(), part.len()]);
-            bytes.extend(part);
-            pad(&mut bytes, 0);
+        let numbers = 6 * self.positions.len() + 2 * self.places.len() + self.triangles.len();
+        let (mut bytes, mut parts) = (Vec::with_capacity(numbers * 4 + image.len() + 4), Vec::new());
+        let mut add = |part: &mut dyn Iterator<Item = [u8; 4]>| {
+            let start = bytes.len();
+            part.for_each(|word| bytes.extend(word));
+            parts.push([start, bytes.len() - start]);
         };
-        add(self.positions.iter().flatten().flat_map(|number| number.to_le_bytes()).collect());
-        add(self.normals.iter().flatten().flat_map(|number| number.to_le_bytes()).collect());
-        add(self.places.iter().flatten().flat_map(|number| number.to_le_bytes()).collect());
-        add(self.triangles.iter().flat_map(|vertex| vertex.to_le_bytes()).collect());
-        add(image.to_vec());
+        add(&mut self.positions.iter().flatten().map(|number| number.to_le_bytes()));
+        add(&mut self.normals.iter().flatten().map(|number| number.to_le_bytes()));
+        add(&mut self.places.iter().flatten().map(|number| number.to_le_bytes()));
+        add(&mut self.triangles.iter().map(|vertex| vertex.to_le_bytes()));
+        parts.push([bytes.len(), image.len()]);
+        bytes.extend(image);
+        pad(&mut bytes, 0);
         (bytes, parts)
     }
 
@@ -129,6 +135,13 @@ impl Mesh {
         });
         [least, most]
     }
+}
+
+/// Makes a list without spare room.
+fn listed<T>(count: usize, items: impl Iterator<Item = T>) -> Vec<T> {
+    let mut list = Vec::with_capacity(count);
+    list.extend(items);
+    list
 }
 
 /// The direction that the ground faces; the sea faces up.
@@ -147,7 +160,9 @@ fn triangles(columns: u32, rows: u32) -> Vec<u32> {
         let (north_east, south_west) = (north_west + 1, north_west + columns);
         [north_west, south_west, north_east, north_east, south_west, south_west + 1]
     };
-    squares.flat_map(corners).collect()
+    let mut triangles = Vec::with_capacity(6 * (rows as usize - 1) * (columns as usize - 1));
+    squares.for_each(|square| triangles.extend(corners(square)));
+    triangles
 }
 
 fn document(mesh: &Mesh, parts: &[[usize; 2]], bytes: usize, rasters: &Rasters, picture: &Pixmap) -> Value {

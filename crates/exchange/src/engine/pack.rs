@@ -53,13 +53,7 @@ pub fn write(out: impl Write, map: &Map, engine: Engine, rasters: &Rasters, pict
 ///
 /// # Errors
 /// Fails with the reader's errors, also if it is no archive.
-pub fn is_of(
-    file: &std::fs::File,
-    engine: Engine,
-    link: &str,
-    side: u32,
-    picture: [u32; 2],
-) -> Result<bool> {
+pub fn is_of(file: &std::fs::File, engine: Engine, link: &str, side: u32, picture: [u32; 2]) -> Result<bool> {
     let mut file = file.try_clone()?;
     file.rewind()?;
     let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];

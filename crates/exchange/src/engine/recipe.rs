@@ -129,7 +129,9 @@ fn godot(terrain: &Terrain) -> String {
 
 fn files(engine: Engine) -> String {
     let grounds: Vec<String> = match engine {
-        Engine::Unreal => GROUNDS.iter().map(|(name, what)| format!("layers/{name}.png\n  The share of {what}.\n")).collect(),
+        Engine::Unreal => {
+            GROUNDS.iter().map(|(name, what)| format!("layers/{name}.png\n  The share of {what}.\n")).collect()
+        }
         Engine::Unity | Engine::Godot => {
             vec![format!("splat.png\n  The shares of {}.\n", GROUNDS.map(|(_, what)| what).join("; "))]
         }

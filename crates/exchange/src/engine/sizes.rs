@@ -79,12 +79,7 @@ pub fn check(engine: Engine, domain: &Domain, size: u32) -> Result<(), EngineErr
 ///
 /// # Errors
 /// Fails if the size is not possible, or if there is not enough memory.
-pub fn rasters(
-    map: &Map,
-    engine: Engine,
-    size: Option<u32>,
-    threads: NonZero<usize>,
-) -> Result<Rasters, EngineError> {
+pub fn rasters(map: &Map, engine: Engine, size: Option<u32>, threads: NonZero<usize>) -> Result<Rasters, EngineError> {
     let size = size.unwrap_or(usual(engine));
     check(engine, &map.domain(), size)?;
     Ok(Rasters::with_size_on(map, size, threads)?.into_squares()?)

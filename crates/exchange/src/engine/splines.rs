@@ -31,9 +31,11 @@ impl Axes {
     fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
             Self::Plain => ("metre", "x east, y north, z up", "the centre of the map, at the sea's surface"),
-            Self::Of(Engine::Unreal) => {
-                ("centimetre", "x east, y south, z up", "the north-western corner of the landscape, at the sea's surface")
-            }
+            Self::Of(Engine::Unreal) => (
+                "centimetre",
+                "x east, y south, z up",
+                "the north-western corner of the landscape, at the sea's surface",
+            ),
             Self::Of(Engine::Unity) => {
                 ("metre", "x east, y up, z north", "the south-western corner of the terrain, at the sea's surface")
             }
@@ -43,7 +45,7 @@ impl Axes {
         }
     }
 
-    /// How many of its units a metre has.
+    /// The number of its units in a metre.
     fn units_a_metre(self) -> f64 {
         if self == Self::Of(Engine::Unreal) { 100.0 } else { 1.0 }
     }
@@ -100,7 +102,8 @@ fn rivers(map: &Map, terrain: &Terrain, axes: Axes) -> Value {
         let parent = (river.parent != NONE).then_some(river.parent);
         let junction = (river.junction != NONE).then_some(river.junction as usize);
         let vertices = river.vertex_range().chain(junction);
-        let points: Vec<Value> = vertices.map(|vertex| point(network, vertex, heights[vertex], terrain, axes)).collect();
+        let points: Vec<Value> =
+            vertices.map(|vertex| point(network, vertex, heights[vertex], terrain, axes)).collect();
         json!({ "number": number, "name": name, "parent": parent, "order": river.order, "points": points })
     };
     network.rivers.iter().enumerate().map(river).collect()

@@ -37,9 +37,8 @@ impl Terrain {
             Values::Words(steps) => steps,
             Values::Bytes(bytes) => bytes.into_iter().map(Into::into).collect(),
         };
-        let before = rasters.part().map_or(DVec2::ZERO, |[columns, rows]| {
-            DVec2::new(columns.start as f64, rows.start as f64)
-        });
+        let before =
+            rasters.part().map_or(DVec2::ZERO, |[columns, rows]| DVec2::new(columns.start as f64, rows.start as f64));
         let cell_size = f64::from(rasters.cell_size);
         Self {
             columns: rasters.columns,

@@ -56,6 +56,7 @@ pub fn square(picture: &Pixmap) -> Result<Pixmap> {
 /// The mean colour of the corners of a picture, which are sea on maps that have one around them.
 fn border(picture: &Pixmap) -> [u8; 4] {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let corners = [0, width - 1, (height - 1) * width, height * width - 1].map(|pixel| &picture.data()[pixel * 4..][..4]);
+    let corners =
+        [0, width - 1, (height - 1) * width, height * width - 1].map(|pixel| &picture.data()[pixel * 4..][..4]);
     std::array::from_fn(|channel| (corners.iter().map(|pixel| u32::from(pixel[channel])).sum::<u32>() / 4) as u8)
 }

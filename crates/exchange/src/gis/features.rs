@@ -28,7 +28,7 @@ pub struct Feature<'a> {
     pub properties: Vec<(&'static str, Json<'a>)>,
 }
 
-/// What a map's GeoJSON holds.
+/// The features of a map, with its link and title.
 #[derive(Default)]
 pub struct Collection<'a> {
     pub link: String,

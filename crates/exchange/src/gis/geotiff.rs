@@ -100,8 +100,10 @@ impl Frame {
 
     fn of_picture(domain: &Domain, picture: &Pixmap, link: &str) -> Result<Self> {
         let sides = [picture.width(), picture.height()];
-        let [north_west, south_east] =
-            View::new(domain, sides[0], sides[1]).map_err(Error::other)?.frame().map(|corner| crs::place(domain, corner));
+        let [north_west, south_east] = View::new(domain, sides[0], sides[1])
+            .map_err(Error::other)?
+            .frame()
+            .map(|corner| crs::place(domain, corner));
         Ok(Self {
             sides: sides.map(|side| side as usize),
             corner: north_west,
@@ -130,7 +132,7 @@ fn write<C: ColorType>(mut out: impl Write, frame: &Frame, predictor: Predictor,
 where
     [C::Inner]: TiffValue,
 {
-    /// Of the compressed file, in a list that grows by doubling, and of a strip.
+    /// The compressed file, in a list that grows by doubling, and a strip.
     const BYTES_A_VALUE: usize = 10;
     const BYTES: usize = 2_000_000;
     ask(values.len() * BYTES_A_VALUE + BYTES)?;

@@ -151,7 +151,12 @@ fn point() -> String {
 /// Labels along lines, for features that a condition holds for.
 fn along(field: &str, condition: &str, size: &str) -> String {
     let expression = format!("if({condition}, \"{field}\", '')");
-    labels(&expression, size, "placement=\"3\" placementFlags=\"10\" dist=\"0.6\"", "maxCurvedCharAngleIn=\"25\" maxCurvedCharAngleOut=\"-25\"")
+    labels(
+        &expression,
+        size,
+        "placement=\"3\" placementFlags=\"10\" dist=\"0.6\"",
+        "maxCurvedCharAngleIn=\"25\" maxCurvedCharAngleOut=\"-25\"",
+    )
 }
 
 /// Labels over points.

@@ -83,11 +83,7 @@ pub static LAYERS: [Layer; 7] = [
         geometry: "MULTIPOLYGON",
         has_heights: false,
         kinds: Kinds::One("basin"),
-        columns: &[
-            whole("number"),
-            whole("mouth"),
-            Column { name: "area_m2", property: "area", of: Of::SquareMetres },
-        ],
+        columns: &[whole("number"), whole("mouth"), Column { name: "area_m2", property: "area", of: Of::SquareMetres }],
     },
     Layer {
         name: "oxbow_lakes",
