@@ -126,7 +126,7 @@ fn layers_hold_the_features_of_geojson_in_metres() {
 
 fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
     let mut query = database.prepare(&format!("SELECT * FROM {layer} WHERE fid = ?1")).unwrap();
-    let names: Vec<String> = query.column_names().into_iter().map(Into::into).collect();
+    let names: Vec<String> = query.column_names().map(Into::into).collect();
     query
         .query_row([row], |found| {
             let (numbers, counts) = shape(&found.get::<_, Vec<u8>>("geom")?);
