@@ -73,7 +73,7 @@ test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
+test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
 
 .PHONY: clock
 clock:
@@ -109,11 +109,17 @@ program:
 	@$(setup) rust
 	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
-# These three are skipped, with a word, where Python or its packages cannot be had.
+# These four are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
 .PHONY: test-hydrology
 test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
 	@scripts/hydrology.sh target/debug/riverseed
 	$(lap) "relief, read by a hydrology library"
+
+.PHONY: test-gis
+test-gis: program ## another's geographic library reads our files for GIS without a warning, and gives back what we wrote
+	@$(setup) node
+	@scripts/gis.sh target/debug/riverseed
+	$(lap) "files for GIS, read by GDAL"
 
 .PHONY: test-batch
 test-batch: program ## a distributed engine makes the maps that one call makes, also if a worker is killed

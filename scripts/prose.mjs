@@ -14,6 +14,7 @@ import { fileURLToPath } from "node:url";
 const DONE = [
   "benches",
   "crates/cli",
+  "crates/exchange",
   "crates/wasm",
   "examples",
   "fuzz/fuzz_targets",
@@ -49,7 +50,7 @@ const STILTED = /^(What|Whether|How|Of|The same|Those)\b/;
 
 // Folders that are divided into modules, and folders that are one module each.
 const DIVIDED = ["src", "www/src"];
-const WHOLE = ["crates/cli", "crates/wasm", "python/src", "tests/common", "tests", "benches", "examples", "fuzz/fuzz_targets"];
+const WHOLE = ["crates/cli", "crates/exchange", "crates/wasm", "python/src", "tests/common", "tests", "benches", "examples", "fuzz/fuzz_targets"];
 
 const root = argv[2] ?? fileURLToPath(new URL("../", import.meta.url));
 const counts = count();

@@ -134,6 +134,29 @@ class Map:
             raise ValueError(message)
         return self._file(f"{layer}.png", raster_size=raster_size)
 
+    def file(
+        self,
+        form: str,
+        *,
+        size: int | None = None,
+        ratio: float | None = None,
+        raster_size: int | None = None,
+        text: bool = False,
+    ) -> bytes:
+        """Return a file in any form, such as ``"gpkg"`` for a geographic information system or ``"unity.zip"`` for an engine.
+
+        Args:
+            form: One of `riverseed.FORMS`.
+            size: As for `png`.
+            ratio: As for `png`.
+            raster_size: As for `raster`; for an engine one of its own sizes.
+            text: As for `svg`.
+
+        Raises:
+            ValueError: There is no such form, an option does not go with it or is out of its range.
+        """
+        return self._file(form, size=size, ratio=ratio, raster_size=raster_size, text=text)
+
     def save(
         self,
         path: str | os.PathLike[str],

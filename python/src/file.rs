@@ -1,11 +1,15 @@
 //! A map as the bytes of a file, the same as the command line writes.
 
 use std::io::{self, Write};
+use std::num::NonZero;
 
 use pyo3::prelude::*;
 use riverseed::export::rasters::{Layer, Rasters};
-use riverseed::export::{Form, geojson, json, pack, png, svg};
+use riverseed::export::{Engine, Form, geojson, json, pack, png, svg};
+use riverseed::picture::Picture;
 use riverseed::recipe::{link, shown};
+use riverseed_exchange::engine::EngineError;
+use riverseed_exchange::{self as exchange, Source};
 
 use crate::failure::{Done, Failure};
 use crate::map::Map;
@@ -98,7 +102,34 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
             }
             map.read(py, |map| written(|out| write_text(out, map, options)))
         }
+        form => exchanged(py, map, form, options),
     }
+}
+
+/// Makes the bytes of a file for an engine or a geographic information system.
+fn exchanged(py: Python<'_>, map: &Map, form: Form, options: &Options) -> PyResult<Vec<u8>> {
+    if form.has_relief() {
+        map.raise_relief(py)?;
+    }
+    let rasters = match form {
+        Form::Engine(engine) => Some(landscape(py, map, engine, options.raster_size)?),
+        form if form.has_rasters() => Some(rasters(py, map, options.raster_size)?),
+        _ => None,
+    };
+    let picture = form.has_pixels().then(|| map.paint(py, options.size, options.ratio)).transpose()?;
+    map.read(py, |map| {
+        let source = Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) };
+        written(|out| Ok(exchange::write(form, out, &source)?))
+    })
+}
+
+/// Makes the square rasters of an engine.
+fn landscape(py: Python<'_>, map: &Map, engine: Engine, size: Option<u32>) -> PyResult<Rasters> {
+    let refused = |error: EngineError| match error {
+        EngineError::Export(error) => Failure::from(error).of_option("raster_size"),
+        error => Failure::Refused(format!("raster_size: {error}")),
+    };
+    map.read(py, |map| exchange::engine::rasters(map, engine, size, NonZero::<usize>::MIN).map_err(refused))
 }
 
 fn raster(rasters: &Rasters, layer: Layer) -> Done<Vec<u8>> {
@@ -112,8 +143,8 @@ fn write_text(out: &mut Vec<u8>, map: &riverseed::Map, options: &Options) -> Don
         Form::Svg => out.write_all(svg::svg(map)?.as_bytes())?,
         Form::GeoJson => geojson::write(&mut *out, map)?,
         Form::Json => json::write(&mut *out, map, None)?,
-        // These are no texts.
-        Form::Png | Form::Pack | Form::Raster(_) => {}
+        // These are no texts, or not of the core.
+        _ => {}
     }
     Ok(writeln!(out)?)
 }

@@ -24,21 +24,37 @@ MAKERS: dict[str, Callable[[riverseed.Map], bytes]] = {
     "basins.png": lambda map_: map_.raster("basins"),
 }
 
-
-def test_every_form_of_the_library_has_its_method() -> None:
-    assert set(MAKERS) == set(riverseed.FORMS)
-    assert {f"{layer}.png" for layer in riverseed.LAYERS} < set(riverseed.FORMS)
+LANDSCAPES = {"unreal.zip": 1009, "unity.zip": 1025, "godot.zip": 1025}
+"""The packs of engines, with a size that is not theirs by default and takes less time."""
 
 
-@pytest.mark.parametrize("form", riverseed.FORMS)
+def test_every_method_makes_a_form_of_the_library() -> None:
+    assert set(MAKERS) | set(LANDSCAPES) < set(riverseed.FORMS)
+    assert {f"{layer}.{kind}" for layer in riverseed.LAYERS for kind in ("png", "tif")} < set(riverseed.FORMS)
+
+
+@pytest.mark.parametrize("form", [form for form in riverseed.FORMS if form not in LANDSCAPES])
 def test_every_form_has_the_bytes_of_the_command_line(
     form: str, small: riverseed.Map, rendered: Rendered, tmp_path: Path
 ) -> None:
     expected = rendered(form, SMALL)
-    assert MAKERS[form](small) == expected
+    assert small.file(form) == expected
+    if form in MAKERS:
+        assert MAKERS[form](small) == expected
     path = tmp_path / f"saved.{form}"
     small.save(path)
     assert path.read_bytes() == expected
+
+
+@pytest.mark.parametrize(("form", "side"), LANDSCAPES.items())
+def test_packs_of_engines_have_the_bytes_of_the_command_line(
+    form: str, side: int, small: riverseed.Map, rendered: Rendered
+) -> None:
+    expected = rendered(form, SMALL, "--size", "50", "--raster-size", str(side))
+    assert small.file(form, size=50, raster_size=side) == expected
+    message = rf"raster_size: a landscape of this map in \w+( Engine)? is {side}, \d+ or \d+ pixels wide, not 700"
+    with pytest.raises(ValueError, match=message):
+        small.file(form, raster_size=700)
 
 
 def test_options_mean_what_they_mean_on_the_command_line(

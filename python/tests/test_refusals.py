@@ -66,6 +66,8 @@ def test_options_are_refused_in_words_that_help(small: riverseed.Map) -> None:
     refused: list[tuple[Callable[..., object], dict[str, Any], str]] = [
         (small.raster, {"layer": "gif"}, "layer: 'gif' is not one of heights, land, rivers, flow, basins"),
         (small.raster, {"layer": "x" * 1000}, "layer: 'x{40}' is not one of heights, "),
+        (small.file, {"form": "gif"}, "form: 'gif' is not one of png, svg, "),
+        (small.file, {"form": "gpkg", "raster_size": 700}, "raster_size does not go with form 'gpkg'"),
         (small.png, {"size": 0}, "size: 0 is not between 1 and 8192"),
         (small.png, {"size": -5}, "size: -5 is not between 1 and 8192"),
         (small.png, {"size": 8193}, "size: 8193 is not between 1 and 8192"),

@@ -18,6 +18,37 @@ pub enum Form {
     Pack,
     /// One of the rasters.
     Raster(Layer),
+    /// The heights as bare 16-bit numbers, for game engines.
+    RawHeights,
+    /// The directions that the ground faces, as a texture of game engines.
+    Normals,
+    /// The shares of four grounds in each pixel, as a texture of game engines.
+    Splat,
+    /// The rivers as lines in space with width and depth, for game engines.
+    Splines,
+    /// The relief as a mesh under the picture.
+    Gltf,
+    /// Everything that one game engine needs.
+    Engine(Engine),
+    /// The map in layers, for geographic information systems.
+    GeoPackage,
+    /// The picture at its place, for geographic information systems.
+    GeoTiff,
+    /// One of the rasters at its place, for geographic information systems.
+    RasterTiff(Layer),
+    /// The colours of heights, for the geographic information system QGIS.
+    HeightStyle,
+}
+
+/// A game engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// Unreal Engine.
+    Unreal,
+    /// Unity.
+    Unity,
+    /// Godot.
+    Godot,
 }
 
 /// The contents of a file, on which its options depend.
@@ -38,7 +69,7 @@ enum Holds {
 }
 
 impl Form {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 26] = [
         Self::Png,
         Self::Svg,
         Self::GeoJson,
@@ -49,6 +80,22 @@ impl Form {
         Self::Raster(Layer::Rivers),
         Self::Raster(Layer::Flow),
         Self::Raster(Layer::Basins),
+        Self::RawHeights,
+        Self::Normals,
+        Self::Splat,
+        Self::Splines,
+        Self::Gltf,
+        Self::Engine(Engine::Unreal),
+        Self::Engine(Engine::Unity),
+        Self::Engine(Engine::Godot),
+        Self::GeoPackage,
+        Self::GeoTiff,
+        Self::RasterTiff(Layer::Heights),
+        Self::RasterTiff(Layer::Land),
+        Self::RasterTiff(Layer::Rivers),
+        Self::RasterTiff(Layer::Flow),
+        Self::RasterTiff(Layer::Basins),
+        Self::HeightStyle,
     ];
 
     /// The row of a form in the table of forms: the ending of its files, and their contents.
@@ -65,6 +112,22 @@ impl Form {
             Self::Raster(Layer::Rivers) => ("rivers.png", &[Rasters, Relief]),
             Self::Raster(Layer::Flow) => ("flow.png", &[Rasters, Relief]),
             Self::Raster(Layer::Basins) => ("basins.png", &[Rasters, Relief]),
+            Self::RawHeights => ("r16", &[Rasters, Relief]),
+            Self::Normals => ("normals.png", &[Rasters, Relief]),
+            Self::Splat => ("splat.png", &[Rasters, Relief]),
+            Self::Splines => ("splines.json", &[Rasters, Relief, Names]),
+            Self::Gltf => ("glb", &[Pixels, Letters, Rasters, Relief]),
+            Self::Engine(Engine::Unreal) => ("unreal.zip", &[Pixels, Letters, Rasters, Relief, Names]),
+            Self::Engine(Engine::Unity) => ("unity.zip", &[Pixels, Letters, Rasters, Relief, Names]),
+            Self::Engine(Engine::Godot) => ("godot.zip", &[Pixels, Letters, Rasters, Relief, Names]),
+            Self::GeoPackage => ("gpkg", &[Relief, Names]),
+            Self::GeoTiff => ("tif", &[Pixels, Letters, PictureAlone]),
+            Self::RasterTiff(Layer::Heights) => ("heights.tif", &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Land) => ("land.tif", &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Rivers) => ("rivers.tif", &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Flow) => ("flow.tif", &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Basins) => ("basins.tif", &[Rasters, Relief]),
+            Self::HeightStyle => ("heights.qml", &[Relief]),
         }
     }
 
@@ -138,6 +201,11 @@ mod tests {
             ("Kauri.Heights.PNG", Some(Form::Raster(Layer::Heights))),
             ("a.b.geojson", Some(Form::GeoJson)),
             ("a.json.zip", Some(Form::Pack)),
+            ("kauri.Unity.zip", Some(Form::Engine(Engine::Unity))),
+            ("unity.zip", Some(Form::Pack)),
+            ("kauri.land.tif", Some(Form::RasterTiff(Layer::Land))),
+            ("island.tif", Some(Form::GeoTiff)),
+            ("a.splines.json", Some(Form::Splines)),
             ("heights.png", Some(Form::Png)),
             ("xheights.png", Some(Form::Png)),
             (".heights.png", Some(Form::Png)),
@@ -159,6 +227,7 @@ mod tests {
         }
         for layer in Layer::ALL {
             assert_eq!(Form::Raster(layer).name(), format!("{}.png", layer.name()));
+            assert_eq!(Form::RasterTiff(layer).name(), format!("{}.tif", layer.name()));
         }
         assert_eq!(Form::named("gif"), None);
     }

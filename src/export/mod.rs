@@ -18,7 +18,7 @@ mod rings;
 pub mod svg;
 
 pub use data::Json;
-pub use form::Form;
+pub use form::{Engine, Form};
 
 use thiserror::Error;
 

@@ -87,9 +87,12 @@ pub fn write(out: impl Write, map: &Map, rasters: &Rasters, picture: &Pixmap) ->
     archive.finish().map(drop).map_err(Error::other)
 }
 
-/// Adds a file to an archive.
+/// Adds a file to an archive, compressed and with a fixed time.
+///
+/// # Errors
+/// Fails with the errors of the writer and of the file's content.
 #[cfg(feature = "pack")]
-fn add<W: Write>(
+pub fn add<W: Write>(
     archive: &mut ZipArchiveWriter<W>,
     name: &str,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,

@@ -45,7 +45,7 @@ fn render_command() -> Command {
                 .value_name("OUT")
                 .required(true)
                 .action(ArgAction::Append)
-                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or a raster of it: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
+                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or a raster of it: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; for GIS .gpkg, .tif, and rasters: .heights.tif and so on, .heights.qml; for game engines .unreal.zip, .unity.zip, .godot.zip, .glb, .r16, .normals.png, .splat.png, .splines.json; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -60,7 +60,7 @@ fn render_command() -> Command {
             Arg::new("raster-size")
                 .long("raster-size")
                 .value_name("PIXELS")
-                .help("The longer side of rasters, alone or in a ZIP, up to 4097. The minimum and default is one pixel for 2 units of the map: 500 on a square map")
+                .help("The longer side of rasters, alone or in a ZIP, up to 4097; of the packs of engines 505, 1009, 2017 [default] or 4033 for Unreal, 513, 1025, 2049 [default] or 4097 for Unity and Godot. Of all others the minimum and default is one pixel for 2 units of the map: 500 on a square map")
                 .value_parser(value_parser!(u32)),
         )
         .arg(

@@ -32,6 +32,7 @@ use riverseed::export::ExportError;
 use riverseed::paint::PaintError;
 use riverseed::recipe::RecipeError;
 use riverseed::session::SessionError;
+use riverseed_exchange::engine::EngineError;
 use thiserror::Error;
 
 fn main() -> ExitCode {
@@ -84,7 +85,7 @@ enum Failure {
     Paint(#[from] PaintError),
     #[error(transparent)]
     Digest(#[from] DigestError),
-    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip", path.display())]
+    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip, .gpkg, .tif, .glb, .r16", path.display())]
     Ending { path: PathBuf },
     #[error("{}: this is the path of a folder, not of a file", path.display())]
     Folder { path: PathBuf },
@@ -92,6 +93,8 @@ enum Failure {
     Mismatch { option: &'static str, endings: String },
     #[error("--raster-size: {0}")]
     RasterSize(ExportError),
+    #[error("--raster-size: {0}")]
+    EngineSize(EngineError),
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
     #[error("--land {}: {reason}", path.display())]
@@ -135,6 +138,7 @@ impl Failure {
             | Self::Folder { .. }
             | Self::Mismatch { .. }
             | Self::RasterSize(_)
+            | Self::EngineSize(_)
             | Self::Land { .. }
             | Self::Seeds { .. }
             | Self::SeedBesides

@@ -14,6 +14,7 @@ use riverseed::glam::Vec2;
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::{Recipe, link};
+use riverseed_exchange::{self as exchange, Source};
 
 use super::form::{Form, listed};
 use super::grow::grow;
@@ -56,7 +57,12 @@ impl Options {
         goes_with("--raster-size", raster_size.is_some(), Form::has_rasters)?;
         if let Some(size) = raster_size {
             // Checked before anything grows.
-            Rasters::grid(&Domain::of(recipe), size).map_err(Failure::RasterSize)?;
+            let domain = Domain::of(recipe);
+            Rasters::grid(&domain, size).map_err(Failure::RasterSize)?;
+            forms.iter().try_for_each(|form| match form {
+                Form::Engine(engine) => exchange::engine::check(*engine, &domain, size).map_err(Failure::EngineSize),
+                _ => Ok(()),
+            })?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
         Ok(Self {
@@ -122,8 +128,13 @@ impl Files {
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
         let map = session.finish()?;
         let attractors = options.has_attractors.then(|| session.growth().scattered());
-        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&map, options));
+        // An engine's are of a size of its own, and made when its pack is written.
+        let has_rasters = is_wanted(|form| form.has_rasters() && !matches!(form, Form::Engine(_)));
+        let rasters = has_rasters.then(|| rasters(&map, options));
         let rasters = rasters.transpose()?;
+        if let Some(rasters) = rasters.as_ref().filter(|_| forms.contains(&Form::RawHeights)) {
+            say(&scale_of_raw_heights(rasters));
+        }
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
             memory::ask_for_picture(&map, picture)?;
@@ -157,6 +168,20 @@ impl Files {
             (Form::Json, ..) => export::json::write(&mut *out, map, attractors.as_deref()).and_then(|()| writeln!(out)),
             // Not made for this form.
             (Form::Png | Form::Pack | Form::Raster(_), ..) => Ok(()),
+            (Form::Engine(engine), picture, _) => {
+                let rasters = exchange::engine::rasters(map, engine, options.raster_size, options.threads);
+                let rasters = rasters.map_err(io::Error::other)?;
+                exchange::write(
+                    form,
+                    out,
+                    &Source { map, rasters: Some(&rasters), picture: picture.as_ref().map(Picture::pixmap) },
+                )
+            }
+            (form, picture, rasters) => exchange::write(
+                form,
+                out,
+                &Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) },
+            ),
         };
         Ok(written?)
     }
@@ -166,6 +191,13 @@ impl Files {
 fn picture(recipe: &Recipe, options: Options) -> Result<Picture, PaintError> {
     let (width, height) = View::sides_for(&Domain::of(recipe), options.size);
     Ok(Picture::new(width, height)?.with_ratio(options.ratio))
+}
+
+/// Says what bare heights cannot say by themselves.
+fn scale_of_raw_heights(rasters: &Rasters) -> String {
+    let Rasters { columns, rows, scale, .. } = rasters;
+    let (sea_level, step) = (scale.sea_level, scale.metres_a_step);
+    format!(".r16 has {columns} x {rows} pixels; {sea_level} is the sea's surface, and a step is {step:.6} m")
 }
 
 fn rasters(map: &Map, options: Options) -> io::Result<Rasters> {

@@ -39,9 +39,13 @@ pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
     /// Those of a pack's members, with their buffers.
     const COMPRESSORS: usize = 6_000_000;
     match form {
+        // Those of the second line ask for what they need by themselves.
         Form::Png | Form::Raster(_) => Ok(()),
-        Form::Svg | Form::GeoJson | Form::Json => ask(bytes_of(map)),
-        Form::Pack => ask(bytes_of(map) + COMPRESSORS),
+        Form::RawHeights | Form::Normals | Form::Splat | Form::RasterTiff(_) | Form::GeoTiff | Form::Gltf => Ok(()),
+        Form::Svg | Form::GeoJson | Form::Json | Form::Splines | Form::HeightStyle => ask(bytes_of(map)),
+        // The features are in memory together, and then the file.
+        Form::GeoPackage => ask(3 * bytes_of(map)),
+        Form::Pack | Form::Engine(_) => ask(bytes_of(map) + COMPRESSORS),
     }
 }
 

@@ -9,14 +9,15 @@ use std::process::{Command, Stdio};
 
 use riverseed::export::Form;
 
-use crate::maps::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
+use crate::maps::{ENGINES, FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 /// The options of the calls.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];
 
 #[test]
 fn forms_tested_are_those_that_the_library_has() {
-    assert_eq!(BTreeSet::from(FORMS), Form::all().map(Form::name).collect());
+    let tested: BTreeSet<_> = FORMS.into_iter().chain(ENGINES).collect();
+    assert_eq!(tested, Form::all().map(Form::name).collect());
 }
 
 #[test]
@@ -25,13 +26,13 @@ fn files_are_those_of_single_calls_in_every_form_and_grown_once_for_all_of_them(
     let patterns: Vec<String> = FORMS.iter().map(|form| format!("{{seed}}.{form}")).collect();
     let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
     let arguments = [&[LINK, "--seeds", "1..3"], &OPTIONS[..], &outputs[..]].concat();
-    assert_eq!(said(&many, &arguments), "riverseed: maps: 3 made\n");
+    assert!(said(&many, &arguments).ends_with("\nriverseed: maps: 3 made\n"));
     for seed in ["1", "2", "3"] {
         for form in FORMS {
-            let options = match form {
-                "png" => &OPTIONS[..2],
-                "zip" => &OPTIONS[..],
-                form if form.ends_with("png") => &OPTIONS[2..],
+            let options = match Form::named(form).map(|form| (form.has_pixels(), form.has_rasters())) {
+                Some((true, true)) => &OPTIONS[..],
+                Some((true, false)) => &OPTIONS[..2],
+                Some((false, true)) => &OPTIONS[2..],
                 _ => &[],
             };
             let out = format!("{seed}.{form}");
@@ -42,7 +43,44 @@ fn files_are_those_of_single_calls_in_every_form_and_grown_once_for_all_of_them(
         assert!(*bytes == expected, "{name}");
     }
     assert_eq!(names(&many), names(&single));
+    let known = patterns.iter().filter(|pattern| !pattern.ends_with(".r16"));
+    let all_but_raw: Vec<&str> = known.flat_map(|pattern| ["-o", pattern]).collect();
+    let arguments = [&[LINK, "--seeds", "1..3"], &OPTIONS[..], &all_but_raw[..]].concat();
     assert_eq!(said(&many, &arguments), "riverseed: maps: 3 there before\n", "each form is known again");
+}
+
+#[test]
+fn bare_heights_cannot_tell_whose_they_are_and_are_made_again() {
+    let folder = folder("raw");
+    let arguments = [LINK, "--seeds", "1..2", "-o", "{seed}.r16"];
+    let (first, second) = (said(&folder, &arguments), said(&folder, &arguments));
+    for seed in ["1", "2"] {
+        assert!(first.contains(&format!("riverseed: seed '{seed}': .r16 has 633 x 396 pixels; ")), "{first}");
+    }
+    assert!(first.ends_with("\nriverseed: maps: 2 made\n") && second.ends_with("\nriverseed: maps: 2 replaced\n"));
+}
+
+#[test]
+fn packs_of_engines_are_known_again_and_have_sizes_of_their_own() {
+    let folder = folder("engines");
+    let call = |engine: &str, more: &[&str]| {
+        said(
+            &folder,
+            &[&[LINK, "--aspect", "1", "--seeds", "1..1", "-o", &format!("{{seed}}.{engine}")], more].concat(),
+        )
+    };
+    for (engine, side, other) in
+        [("unreal.zip", "505", "1009"), ("unity.zip", "513", "1025"), ("godot.zip", "513", "1025")]
+    {
+        let sized = |side: &str, size: &str| call(engine, &["--raster-size", side, "--size", size]);
+        assert_eq!(sized(side, "60"), "riverseed: maps: 1 made\n");
+        assert_eq!(sized(side, "60"), "riverseed: maps: 1 there before\n");
+        assert_eq!(sized(side, "61"), "riverseed: maps: 1 replaced\n");
+        assert_eq!(sized(other, "61"), "riverseed: maps: 1 replaced\n");
+    }
+    let refused = outcome(&folder, &[LINK, "--aspect", "1", "--raster-size", "2017", "-o", "x.unity.zip"]);
+    let word = "a landscape of this map in Unity is 513, 1025, 2049 or 4097 pixels wide, not 2017";
+    assert_eq!(refused, (2, format!("riverseed: --raster-size: {word}\n")));
 }
 
 #[test]
@@ -122,7 +160,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());
     let new = "riverseed: maps: 1 made\n";
     let (other, same) = ("riverseed: maps: 1 replaced\n", "riverseed: maps: 1 there before\n");
-    let calls: [(&[&str], &[&str]); 7] = [
+    let calls: [(&[&str], &[&str]); 13] = [
         (&["-o", "{seed}.json"], &["-o", "{seed}.json", "--trim", "9"]),
         (&["-o", "{seed}.geojson"], &["-o", "{seed}.geojson", "--trim", "9"]),
         (&["-o", "a{seed}.json"], &["-o", "a{seed}.json", "--attractors"]),
@@ -130,6 +168,12 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
         (&["-o", "{seed}.flow.png"], &["-o", "{seed}.flow.png", "--raster-size", "700"]),
         (&["-o", "{seed}.zip", "--size", "60"], &["-o", "{seed}.zip", "--size", "61"]),
         (&["-o", "a{seed}.zip"], &["-o", "a{seed}.zip", "--raster-size", "700"]),
+        (&["-o", "{seed}.gpkg"], &["-o", "{seed}.gpkg", "--trim", "9"]),
+        (&["-o", "{seed}.tif", "--size", "60"], &["-o", "{seed}.tif", "--size", "61"]),
+        (&["-o", "{seed}.flow.tif"], &["-o", "{seed}.flow.tif", "--raster-size", "700"]),
+        (&["-o", "{seed}.glb", "--size", "60"], &["-o", "{seed}.glb", "--size", "60", "--raster-size", "700"]),
+        (&["-o", "{seed}.splines.json"], &["-o", "{seed}.splines.json", "--raster-size", "700"]),
+        (&["-o", "{seed}.heights.qml"], &["-o", "{seed}.heights.qml", "--trim", "9"]),
     ];
     for (first, second) in calls {
         assert_eq!([made(first), made(first)], [new, same], "{first:?}");
@@ -139,8 +183,13 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
 
 #[test]
 fn rasters_and_pictures_of_one_size_are_not_taken_for_each_other() {
-    let folder = folder("layers");
-    let forms: Vec<&str> = FORMS.into_iter().filter(|form| form.ends_with("png")).collect();
+    are_not_taken_for_each_other("layers", "png");
+    are_not_taken_for_each_other("places", "tif");
+}
+
+fn are_not_taken_for_each_other(name: &str, ending: &str) {
+    let folder = folder(name);
+    let forms: Vec<&str> = FORMS.into_iter().filter(|form| form.ends_with(ending)).collect();
     let patterns: Vec<String> = forms.iter().map(|form| format!("{{seed}}.{form}")).collect();
     let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
     let arguments = [&[LINK, "--seeds", "1..1", "--size", "500"], &outputs[..]].concat();

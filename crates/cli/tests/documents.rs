@@ -72,7 +72,7 @@ fn draw_land(path: &Path) {
 /// The commands run in the order of the page, since one may read the output of another.
 #[test]
 fn commands_of_readme_and_the_page_about_the_command_line_work() {
-    for page in ["README.md", "docs/command-line.md", "docs/batch.md"] {
+    for page in ["README.md", "docs/command-line.md", "docs/batch.md", "docs/gis.md", "docs/engines.md"] {
         let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents").join(page);
         fs::create_dir_all(&folder).unwrap();
         draw_land(&folder.join("coast.png"));

@@ -8,9 +8,35 @@ pub const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 /// Small maps that are made quickly.
 pub const LINK: &str = "land=island&attractors=100&style=ink";
 
-/// All forms of a file.
-pub const FORMS: [&str; 10] =
-    ["json", "geojson", "svg", "png", "zip", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
+/// All forms of a file but the packs of engines, whose rasters have sizes of their own.
+pub const FORMS: [&str; 23] = [
+    "json",
+    "geojson",
+    "svg",
+    "png",
+    "zip",
+    "heights.png",
+    "land.png",
+    "rivers.png",
+    "flow.png",
+    "basins.png",
+    "r16",
+    "normals.png",
+    "splat.png",
+    "splines.json",
+    "glb",
+    "gpkg",
+    "tif",
+    "heights.tif",
+    "land.tif",
+    "rivers.tif",
+    "flow.tif",
+    "basins.tif",
+    "heights.qml",
+];
+
+/// The packs of engines.
+pub const ENGINES: [&str; 3] = ["unreal.zip", "unity.zip", "godot.zip"];
 
 /// Makes an empty folder for a test.
 pub fn folder(name: &str) -> PathBuf {

@@ -13,6 +13,8 @@ use riverseed::export::{json, pack};
 use riverseed::paint::View;
 use riverseed::recipe::{Recipe, link};
 use riverseed::relief::Grid;
+use riverseed_exchange::engine::{normals, splat};
+use riverseed_exchange::{self as exchange, Asked};
 
 use super::super::form::Form;
 use super::super::map::Options;
@@ -51,14 +53,17 @@ enum Wanted {
         tail: &'static str,
     },
     /// A part near the beginning, and the end.
-    Svg {
-        metadata: String,
+    Markup {
+        part: String,
+        tail: &'static str,
     },
     Png(Png),
     Pack {
         picture: Png,
         raster: Png,
     },
+    /// What its own reader says.
+    Exchange(Form, Asked),
 }
 
 impl Wanted {
@@ -75,13 +80,23 @@ impl Wanted {
                 Self::Text { head: format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{link},"), tail: "]}\n" }
             }
             // This is the only character of links that XML escapes.
-            Form::Svg => Self::Svg { metadata: format!(">{}</metadata>", link.replace('&', "&amp;")) },
+            Form::Svg => Self::Markup { part: format!(">{}</metadata>", link.replace('&', "&amp;")), tail: "</svg>\n" },
             Form::Png => Self::Png(Png::picture(&link, recipe, options)),
             Form::Raster(layer) => Self::Png(Png::raster(&link, layer, recipe, options)),
             Form::Pack => Self::Pack {
                 picture: Png::picture(&link, recipe, options),
                 raster: Png::raster(&link, Layer::Heights, recipe, options),
             },
+            Form::Normals | Form::Splat => Self::Png(Png::texture(&link, form, recipe, options)),
+            Form::Splines => {
+                let link = serde_json::Value::from(link);
+                let [columns, rows] = sides_of_rasters(recipe, options);
+                Self::Text { head: format!("{{\"riverseed\":{link},\"rasters\":[{columns},{rows}],"), tail: "]}\n" }
+            }
+            Form::HeightStyle => {
+                Self::Markup { part: format!("value=\"{}\"", link.replace('&', "&amp;")), tail: "</qgis>\n" }
+            }
+            form => Self::Exchange(form, asked(form, link, recipe, options)),
         }
     }
 
@@ -90,9 +105,10 @@ impl Wanted {
             Self::Text { head, tail } => {
                 Ok(ends_with(file, tail.as_bytes())? && start(file, head.len())? == head.as_bytes())
             }
-            Self::Svg { metadata } => {
-                Ok(ends_with(file, b"</svg>\n")? && contains(&start(file, metadata.len() + NEAR)?, metadata.as_bytes()))
+            Self::Markup { part, tail } => {
+                Ok(ends_with(file, tail.as_bytes())? && contains(&start(file, part.len() + NEAR)?, part.as_bytes()))
             }
+            Self::Exchange(form, asked) => exchange::is_whole(*form, file, asked),
             Self::Png(png) => Ok(ends_with(file, Png::END)? && png.begins(&start(file, png.chunk.len() + NEAR)?)),
             Self::Pack { picture, raster } => is_pack(file, picture, raster),
         }
@@ -122,11 +138,18 @@ impl Png {
     }
 
     fn raster(link: &str, layer: Layer, recipe: &Recipe, options: Options) -> Self {
-        let domain = Domain::of(recipe);
-        let own = Grid::of(&domain);
-        let grid = options.raster_size.and_then(|size| Rasters::grid(&domain, size).ok()).unwrap_or(own);
-        let meaning = [MEANING, layer.subject().as_bytes()].concat();
-        Self { sides: [grid.columns as u32, grid.rows as u32], chunk: chunk(link), meaning: Some(meaning) }
+        Self::of_cells(link, layer.subject(), recipe, options)
+    }
+
+    /// A texture made from rasters.
+    fn texture(link: &str, form: Form, recipe: &Recipe, options: Options) -> Self {
+        let subject = if form == Form::Normals { normals::SUBJECT } else { splat::SUBJECT };
+        Self::of_cells(link, subject, recipe, options)
+    }
+
+    fn of_cells(link: &str, subject: &str, recipe: &Recipe, options: Options) -> Self {
+        let meaning = [MEANING, subject.as_bytes()].concat();
+        Self { sides: sides_of_rasters(recipe, options), chunk: chunk(link), meaning: Some(meaning) }
     }
 
     fn begins(&self, start: &[u8]) -> bool {
@@ -137,6 +160,23 @@ impl Png {
         };
         start.get(16..24) == Some(&[width, height].concat()) && contains(start, &self.chunk) && has_meaning
     }
+}
+
+/// Columns and rows of the rasters that the options ask for.
+fn sides_of_rasters(recipe: &Recipe, options: Options) -> [u32; 2] {
+    let domain = Domain::of(recipe);
+    let own = Grid::of(&domain);
+    let grid = options.raster_size.and_then(|size| Rasters::grid(&domain, size).ok()).unwrap_or(own);
+    [grid.columns as u32, grid.rows as u32]
+}
+
+/// Makes what a file that this program does not read by itself has to hold.
+fn asked(form: Form, link: String, recipe: &Recipe, options: Options) -> Asked {
+    let rasters = match form {
+        Form::Engine(engine) => [options.raster_size.unwrap_or(exchange::engine::usual(engine)); 2],
+        _ => sides_of_rasters(recipe, options),
+    };
+    Asked { link, rasters, picture: View::sides_for(&Domain::of(recipe), options.size).into() }
 }
 
 /// The beginning of the chunk that explains a raster's values.

@@ -1,0 +1,142 @@
+//! The map's features, read from what GeoJSON is written from, with places in metres.
+
+use riverseed::Map;
+use riverseed::export::{ExportError, Json, geojson};
+
+use super::crs::metres_of_degrees;
+
+/// A place: metres east and north of the map's centre, and metres over the sea where that is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    pub east: f64,
+    pub north: f64,
+    pub height: Option<f64>,
+}
+
+/// The shape of a feature.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    Point(Place),
+    Line(Vec<Place>),
+    Polygon(Vec<Vec<Place>>),
+    MultiPolygon(Vec<Vec<Vec<Place>>>),
+}
+
+/// A river, a lake, a piece of land and so on.
+pub struct Feature<'a> {
+    pub shape: Shape,
+    pub properties: Vec<(&'static str, Json<'a>)>,
+}
+
+/// The features of a map, with its link and title.
+#[derive(Default)]
+pub struct Collection<'a> {
+    pub link: String,
+    pub title: Option<String>,
+    pub features: Vec<Feature<'a>>,
+}
+
+impl<'a> Feature<'a> {
+    /// The value of a property.
+    pub fn property(&self, name: &str) -> Option<&Json<'a>> {
+        self.properties.iter().find(|(own, _)| *own == name).map(|(_, value)| value)
+    }
+
+    /// The kind of the feature, such as `river`.
+    pub fn kind(&self) -> &str {
+        match self.property("kind") {
+            Some(Json::Text(kind)) => kind,
+            Some(Json::Owned(kind)) => kind,
+            _ => "",
+        }
+    }
+}
+
+impl<'a> Collection<'a> {
+    /// Reads the features of a map.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn of(map: &'a Map) -> Result<Self, ExportError> {
+        let mut collection = Self::default();
+        for (name, value) in members(geojson::collection(map)?) {
+            match (name, value) {
+                ("riverseed", value) => collection.link = text(value).unwrap_or_default(),
+                ("title", value) => collection.title = text(value),
+                ("features", value) => collection.features = items(value).into_iter().filter_map(feature).collect(),
+                _ => {}
+            }
+        }
+        Ok(collection)
+    }
+}
+
+fn feature(feature: Json<'_>) -> Option<Feature<'_>> {
+    let (mut shape, mut properties) = (None, Vec::new());
+    for (name, value) in members(feature) {
+        match name {
+            "geometry" => shape = shape_of(value),
+            "properties" => properties = members(value),
+            _ => {}
+        }
+    }
+    Some(Feature { shape: shape?, properties })
+}
+
+fn shape_of(geometry: Json<'_>) -> Option<Shape> {
+    let (mut kind, mut coordinates) = (None, Json::Null);
+    for (name, value) in members(geometry) {
+        match name {
+            "type" => kind = text(value),
+            "coordinates" => coordinates = value,
+            _ => {}
+        }
+    }
+    match kind.as_deref() {
+        Some("Point") => place(coordinates).map(Shape::Point),
+        Some("LineString") => Some(Shape::Line(line(coordinates))),
+        Some("Polygon") => Some(Shape::Polygon(rings(coordinates))),
+        Some("MultiPolygon") => Some(Shape::MultiPolygon(items(coordinates).into_iter().map(rings).collect())),
+        _ => None,
+    }
+}
+
+fn rings(json: Json<'_>) -> Vec<Vec<Place>> {
+    items(json).into_iter().map(line).collect()
+}
+
+fn line(json: Json<'_>) -> Vec<Place> {
+    items(json).into_iter().filter_map(place).collect()
+}
+
+fn place(json: Json<'_>) -> Option<Place> {
+    let numbers: Vec<f64> = items(json).iter().filter_map(number).collect();
+    let [east, north] = [*numbers.first()?, *numbers.get(1)?].map(metres_of_degrees);
+    Some(Place { east, north, height: numbers.get(2).copied() })
+}
+
+/// The number that a value is.
+pub fn number(json: &Json<'_>) -> Option<f64> {
+    match json {
+        Json::Whole(whole) => Some(*whole as f64),
+        Json::Single(single) => Some(f64::from(*single)),
+        Json::Double(double) => Some(*double),
+        _ => None,
+    }
+}
+
+fn text(json: Json<'_>) -> Option<String> {
+    match json {
+        Json::Text(text) => Some(text.into()),
+        Json::Owned(text) => Some(text),
+        _ => None,
+    }
+}
+
+fn members(json: Json<'_>) -> Vec<(&'static str, Json<'_>)> {
+    if let Json::Object(members) = json { members } else { Vec::new() }
+}
+
+fn items(json: Json<'_>) -> Vec<Json<'_>> {
+    if let Json::List(count, item) = json { (0..count).map(item).collect() } else { Vec::new() }
+}

@@ -1,0 +1,150 @@
+//! GeoPackage (OGC 12-128r18): the map as one SQLite file with a table for each layer.
+//!
+//! The same map always gives the same bytes: no row holds a moment. Styles for QGIS are rows of `layer_styles`, which it
+//! applies by itself.
+
+mod binary;
+mod layers;
+mod schema;
+
+use std::io::{Error, Result, Write};
+
+use riverseed::Map;
+use rusqlite::types::Value;
+use rusqlite::{Connection, params, params_from_iter};
+
+use self::layers::{Column, LAYERS, Layer, Of};
+use super::crs;
+use super::features::{Collection, Feature, number};
+use super::style;
+use crate::xml::escaped;
+use riverseed::export::Json;
+
+/// Writes the layers of a map.
+///
+/// # Errors
+/// Fails if there is not enough memory, and with the writer's errors.
+pub fn write(mut out: impl Write, map: &Map) -> Result<()> {
+    let collection = Collection::of(map).map_err(Error::other)?;
+    let mut database = database(&collection).map_err(Error::other)?;
+    let bytes = database.serialize("main").map_err(Error::other)?;
+    out.write_all(&bytes)
+}
+
+/// Returns `true` if a database is the GeoPackage of the map with this link.
+pub fn is_of(database: &Connection, link: &str) -> bool {
+    let read: rusqlite::Result<String> = database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get(0));
+    read.is_ok_and(|metadata| metadata.contains(&item("riverseed", link)))
+}
+
+/// An item of metadata as GDAL writes it.
+fn item(key: &str, value: &str) -> String {
+    format!("    <MDI key=\"{key}\">{}</MDI>\n", escaped(value))
+}
+
+fn database(collection: &Collection<'_>) -> rusqlite::Result<Connection> {
+    let mut database = Connection::open_in_memory()?;
+    let work = database.transaction()?;
+    work.execute_batch(schema::TABLES)?;
+    work.execute(
+        "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, 'NONE', ?2, ?3, 'A plane: the map lies nowhere on Earth')",
+        params![crs::NAME, crs::NUMBER, crs::well_known_text()],
+    )?;
+    for layer in &LAYERS {
+        add_layer(&work, layer, collection)?;
+    }
+    add_styles(&work, collection)?;
+    add_metadata(&work, collection)?;
+    work.commit()?;
+    Ok(database)
+}
+
+/// Adds a layer with its features.
+fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>) -> rusqlite::Result<()> {
+    work.execute_batch(&schema::table(layer))?;
+    let mut insert = work.prepare(&schema::insertion(layer))?;
+    let mut around = Bounds::NONE;
+    for feature in collection.features.iter().filter(|feature| layer.kinds.holds(feature.kind())) {
+        let shape = Value::Blob(binary::geometry(&feature.shape, crs::NUMBER));
+        around = around.with(binary::bounds(&feature.shape));
+        let values = layer.columns.iter().map(|column| value(column, feature));
+        insert.execute(params_from_iter(std::iter::once(shape).chain(values)))?;
+    }
+    let [west, south, east, north] = around.or_null();
+    let described = format!("{} Made by {}", layer.description, collection.link);
+    work.execute(
+        "INSERT INTO gpkg_contents VALUES (?1, 'features', ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+        params![layer.name, described, schema::MOMENT, west, south, east, north, crs::NUMBER],
+    )?;
+    work.execute(
+        "INSERT INTO gpkg_geometry_columns VALUES (?1, 'geom', ?2, ?3, ?4, 0)",
+        params![layer.name, layer.geometry, crs::NUMBER, layer.has_heights],
+    )?;
+    Ok(())
+}
+
+/// Makes the value of a feature in a column.
+fn value(column: &Column, feature: &Feature<'_>) -> Value {
+    let property = feature.property(column.property);
+    match (column.of, property) {
+        (Of::Metres, Some(json)) => number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT).into()),
+        (Of::SquareMetres, Some(json)) => {
+            number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT * crs::METRES_A_UNIT).into())
+        }
+        (_, Some(Json::Whole(whole))) => Value::Integer(*whole),
+        (_, Some(Json::Single(single))) => Value::Real(f64::from(*single)),
+        (_, Some(Json::Double(double))) => Value::Real(*double),
+        (_, Some(Json::Text(text))) => Value::Text((*text).into()),
+        (_, Some(Json::Owned(text))) => Value::Text(text.clone()),
+        _ => Value::Null,
+    }
+}
+
+fn add_styles(work: &Connection, collection: &Collection<'_>) -> rusqlite::Result<()> {
+    for layer in &LAYERS {
+        work.execute(
+            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, styleName, \
+             styleQML, useAsDefault, description, update_time) VALUES ('', '', ?1, 'geom', 'Riverseed', ?2, 1, '', ?3)",
+            params![layer.name, style::of_layer(layer.name), schema::MOMENT],
+        )?;
+    }
+    let described = format!("Styles for QGIS. Made by {}", collection.link);
+    work.execute(
+        "INSERT INTO gpkg_contents VALUES ('layer_styles', 'attributes', 'layer_styles', ?1, ?2, NULL, NULL, NULL, NULL, NULL)",
+        params![described, schema::MOMENT],
+    )?;
+    Ok(())
+}
+
+/// Adds the link and the title as metadata, in the form in which GDAL shows them as those of the file.
+fn add_metadata(work: &Connection, collection: &Collection<'_>) -> rusqlite::Result<()> {
+    let title = collection.title.as_deref().map(|title| item("title", title)).unwrap_or_default();
+    let metadata = format!(
+        "<GDALMultiDomainMetadata>\n  <Metadata>\n{}{title}  </Metadata>\n</GDALMultiDomainMetadata>\n",
+        item("riverseed", &collection.link)
+    );
+    work.execute("INSERT INTO gpkg_metadata VALUES (1, 'dataset', 'http://gdal.org', 'text/xml', ?1)", [metadata])?;
+    work.execute(
+        "INSERT INTO gpkg_metadata_reference VALUES ('geopackage', NULL, NULL, NULL, ?1, 1, NULL)",
+        [schema::MOMENT],
+    )?;
+    Ok(())
+}
+
+/// The rectangle around some places: west, south, east and north.
+#[derive(Clone, Copy)]
+struct Bounds([f64; 4]);
+
+impl Bounds {
+    const NONE: Self = Self([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY]);
+
+    fn with(self, other: Self) -> Self {
+        let (Self([a, b, c, d]), Self([w, s, e, n])) = (self, other);
+        Self([a.min(w), b.min(s), c.max(e), d.max(n)])
+    }
+
+    /// The four numbers, or nulls around nothing.
+    fn or_null(self) -> [Option<f64>; 4] {
+        self.0.map(|number| number.is_finite().then_some(number))
+    }
+}

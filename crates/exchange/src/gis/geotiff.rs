@@ -1,0 +1,177 @@
+//! GeoTIFF (OGC 19-008r4): rasters and the picture at their place, in metres.
+
+use std::io::{Cursor, Error, Result, Write};
+
+use riverseed::domain::Domain;
+use riverseed::export::rasters::{Layer, Rasters, Values};
+use riverseed::glam::Vec2;
+use riverseed::paint::View;
+use riverseed::tiny_skia::Pixmap;
+use tiff::TiffResult;
+use tiff::encoder::colortype::{ColorType, Gray8, Gray16, Gray32, Gray32Float, RGB8};
+use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, TiffValue};
+use tiff::tags::Tag;
+
+use super::crs::{self, METRES_A_UNIT};
+use super::heights;
+use crate::memory::ask;
+use crate::xml::escaped;
+
+/// The tag of GDAL's own metadata.
+pub(crate) const GDAL_METADATA: Tag = Tag::Unknown(42112);
+
+/// The place of an image and its texts.
+struct Frame {
+    sides: [usize; 2],
+    /// The north-western corner, in metres.
+    corner: [f64; 2],
+    /// The sides of a pixel, in metres.
+    pixel: [f64; 2],
+    link: String,
+    description: String,
+    /// The value of pixels that hold nothing.
+    no_data: Option<&'static str>,
+}
+
+/// Writes a raster of a map: heights, and widths of rivers, in metres.
+///
+/// # Errors
+/// Fails if there is not enough memory, and with the writer's errors.
+pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: Layer) -> Result<()> {
+    const BYTES_A_CELL: usize = 20;
+    ask(rasters.columns * rasters.rows * BYTES_A_CELL)?;
+    let frame = Frame::of_raster(domain, rasters, layer);
+    let plain = Predictor::None;
+    match (layer, rasters.values(layer)) {
+        (Layer::Heights, _) => write::<Gray32Float>(out, &frame, plain, &heights::metres(rasters)),
+        (Layer::Rivers, Values::Words(widths)) => write::<Gray32Float>(out, &frame, plain, &metres_of_widths(&widths)),
+        // More than 65,535 basins do not fit into the words of a PNG.
+        (Layer::Basins, _) => write::<Gray32>(out, &frame, Predictor::Horizontal, &rasters.flow().basins),
+        (_, Values::Bytes(bytes)) => write::<Gray8>(out, &frame, plain, &bytes),
+        (_, Values::Words(words)) => write::<Gray16>(out, &frame, plain, &words),
+    }
+}
+
+/// Writes the picture of a map.
+///
+/// # Errors
+/// Fails if there is not enough memory, and with the writer's errors.
+pub fn write_picture(out: impl Write, domain: &Domain, picture: &Pixmap, link: &str) -> Result<()> {
+    ask(picture.data().len())?;
+    let frame = Frame::of_picture(domain, picture, link)?;
+    let pixels: Vec<u8> = picture.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
+    write::<RGB8>(out, &frame, Predictor::Horizontal, &pixels)
+}
+
+/// The first words of the description of a raster, which no other file has.
+pub fn subject(layer: Layer) -> &'static str {
+    match layer {
+        Layer::Heights => "Heights in metres",
+        Layer::Rivers => "Width of the river in metres",
+        Layer::Basins => "Number of the river basin",
+        layer => layer.subject(),
+    }
+}
+
+/// The first words of the description of a picture.
+pub const PICTURE: &str = "The picture of a map";
+
+impl Frame {
+    fn of_raster(domain: &Domain, rasters: &Rasters, layer: Layer) -> Self {
+        let more = match layer {
+            Layer::Heights => " over the sea; less than 0 at sea, and every cell of land is higher than the one that its water runs to".into(),
+            Layer::Rivers => ", 0 where there is none".into(),
+            Layer::Basins => ", counted from 1; 0 at sea, and where water runs to the sea in no river".into(),
+            layer => rasters.meaning(layer).trim_start_matches(layer.subject()).to_owned(),
+        };
+        let no_data = match layer {
+            Layer::Rivers | Layer::Flow | Layer::Basins => Some("0"),
+            _ => None,
+        };
+        Self {
+            sides: [rasters.columns, rasters.rows],
+            corner: crs::place(domain, Vec2::ZERO),
+            pixel: [f64::from(rasters.cell_size) * METRES_A_UNIT; 2],
+            link: rasters.link.clone(),
+            description: format!("{}{more}", subject(layer)),
+            no_data,
+        }
+    }
+
+    fn of_picture(domain: &Domain, picture: &Pixmap, link: &str) -> Result<Self> {
+        let sides = [picture.width(), picture.height()];
+        let [north_west, south_east] = View::new(domain, sides[0], sides[1])
+            .map_err(Error::other)?
+            .frame()
+            .map(|corner| crs::place(domain, corner));
+        Ok(Self {
+            sides: sides.map(|side| side as usize),
+            corner: north_west,
+            pixel: [
+                (south_east[0] - north_west[0]) / f64::from(sides[0]),
+                (north_west[1] - south_east[1]) / f64::from(sides[1]),
+            ],
+            link: link.into(),
+            description: PICTURE.into(),
+            no_data: None,
+        })
+    }
+
+    /// The keys of the coordinate system: pixels are areas, and the system is a plane in metres with this name.
+    fn keys() -> ([u16; 16], String) {
+        const NAME: u16 = 34737;
+        const METRE: u16 = 9001;
+        let name = format!("{}|", crs::NAME);
+        let keys = [1, 1, 0, 3, 1025, 0, 1, 1, 1026, NAME, name.len() as u16, 0, 3076, 0, 1, METRE];
+        (keys, name)
+    }
+}
+
+/// Writes an image with its place.
+fn write<C: ColorType>(mut out: impl Write, frame: &Frame, predictor: Predictor, values: &[C::Inner]) -> Result<()>
+where
+    [C::Inner]: TiffValue,
+{
+    /// The compressed file, in a list that grows by doubling, and a strip.
+    const BYTES_A_VALUE: usize = 10;
+    const BYTES: usize = 2_000_000;
+    ask(values.len() * BYTES_A_VALUE + BYTES)?;
+    let file = encoded::<C>(frame, predictor, values).map_err(Error::other)?;
+    out.write_all(&file)
+}
+
+fn encoded<C: ColorType>(frame: &Frame, predictor: Predictor, values: &[C::Inner]) -> TiffResult<Vec<u8>>
+where
+    [C::Inner]: TiffValue,
+{
+    let mut file = Cursor::new(Vec::new());
+    let mut encoder = TiffEncoder::new(&mut file)?
+        .with_compression(Compression::Deflate(DeflateLevel::Balanced))
+        .with_predictor(predictor);
+    let [width, height] = frame.sides.map(|side| side as u32);
+    let mut image = encoder.new_image::<C>(width, height)?;
+    let tags = image.encoder();
+    let (keys, name) = Frame::keys();
+    let [east, north] = frame.corner;
+    tags.write_tag(Tag::ModelPixelScaleTag, &[frame.pixel[0], frame.pixel[1], 0.0][..])?;
+    tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, east, north, 0.0][..])?;
+    tags.write_tag(Tag::GeoKeyDirectoryTag, &keys[..])?;
+    tags.write_tag(Tag::GeoAsciiParamsTag, name.as_str())?;
+    tags.write_tag(Tag::ImageDescription, frame.description.as_str())?;
+    tags.write_tag(GDAL_METADATA, metadata(&frame.link).as_str())?;
+    if let Some(value) = frame.no_data {
+        tags.write_tag(Tag::GdalNodata, value)?;
+    }
+    image.write_data(values)?;
+    Ok(file.into_inner())
+}
+
+/// GDAL's metadata with the link, which is escaped twice: so GDAL writes it, and so it reads it.
+pub(crate) fn metadata(link: &str) -> String {
+    format!("<GDALMetadata>\n  <Item name=\"riverseed\">{}</Item>\n</GDALMetadata>\n", escaped(&escaped(link)))
+}
+
+/// Converts widths in thousandths of a unit to metres.
+fn metres_of_widths(thousandths: &[u16]) -> Vec<f32> {
+    thousandths.iter().map(|&width| (f64::from(width) * (METRES_A_UNIT / 1000.0)) as f32).collect()
+}

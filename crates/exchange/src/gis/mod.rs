@@ -1,0 +1,8 @@
+//! Files for geographic information systems: a GeoPackage with all layers, and rasters and pictures at their place.
+
+pub mod crs;
+mod features;
+pub mod geopackage;
+pub mod geotiff;
+mod heights;
+pub mod style;

@@ -1,0 +1,201 @@
+//! Styles for QGIS, in its own form QML: the colours of the style `atlas`.
+//!
+//! A style is never made from a map's texts. It names columns, and QGIS reads their values as data.
+
+use std::io::{Result, Write};
+
+use crate::xml::escaped;
+
+const LAND: &str = "220,227,190,255";
+const WATER: &str = "143,182,198,255";
+const COAST: &str = "60,100,120,255";
+const RIDGE: &str = "160,134,102,255";
+const RIVER: &str = "42,111,158,255";
+const BASIN: &str = "120,140,110,150";
+const INK: &str = "23,62,104,255";
+const PAPER: &str = "244,238,214,255";
+const NONE: &str = "0,0,0,0";
+
+/// The colours of heights, in metres: depths, then the tints of the style.
+const TINTS: [(f64, [u8; 3]); 13] = [
+    (-600.0, [0x5f, 0x93, 0xae]),
+    (-150.0, [0x8f, 0xb6, 0xc6]),
+    (0.0, [0xcf, 0xe3, 0xe6]),
+    (0.01, [0xb0, 0xce, 0x98]),
+    (100.0, [0xc3, 0xd8, 0xa2]),
+    (260.0, [0xdb, 0xe2, 0xb0]),
+    (450.0, [0xef, 0xe4, 0xb8]),
+    (680.0, [0xe8, 0xd0, 0x9e]),
+    (980.0, [0xd9, 0xb7, 0x83]),
+    (1400.0, [0xc5, 0x9c, 0x74]),
+    (1900.0, [0xbf, 0xa6, 0x92]),
+    (2500.0, [0xd6, 0xd0, 0xc8]),
+    (3200.0, [0xef, 0xec, 0xe6]),
+];
+
+/// Makes the style of a layer of a GeoPackage.
+pub fn of_layer(name: &str) -> String {
+    match name {
+        "land" => vector(&fill(LAND, COAST, "0.3"), ""),
+        "basins" => vector(&fill(NONE, BASIN, "0.2"), ""),
+        "oxbow_lakes" => vector(&fill(WATER, COAST, "0.1"), ""),
+        // Width goes with the root of discharge, as in nature.
+        "rivers" => vector(
+            &line(RIVER, Some(r#"0.12 + 1.1 * sqrt("discharge" / maximum("discharge"))"#)),
+            &along("name", r#""order" >= maximum("order") - 1"#, "9"),
+        ),
+        "reaches" => vector(&line(NONE, None), &along("reach_name", "true", "8")),
+        "ridges" => vector(&line(RIDGE, None), ""),
+        _ => vector(&point(), &at("name")),
+    }
+}
+
+/// Writes the style of heights. It holds the link, so that it can be told whose it is.
+///
+/// # Errors
+/// Fails with the writer's errors.
+pub fn write_heights(mut out: impl Write, link: &str) -> Result<()> {
+    let items: Vec<String> = TINTS
+        .iter()
+        .map(|(metres, [red, green, blue])| {
+            format!(
+                "<item value=\"{metres}\" color=\"#{red:02x}{green:02x}{blue:02x}\" label=\"{metres:.0} m\" alpha=\"255\"/>\n"
+            )
+        })
+        .collect();
+    let (least, most) = (TINTS[0].0, TINTS[TINTS.len() - 1].0);
+    writeln!(
+        out,
+        "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n\
+         <qgis version=\"3.22\" styleCategories=\"Symbology|CustomProperties\">\n\
+         <customproperties><Option type=\"Map\"><Option name=\"riverseed\" type=\"QString\" value=\"{}\"/></Option></customproperties>\n\
+         <pipe><rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"1\" alphaBand=\"-1\" \
+         classificationMin=\"{least}\" classificationMax=\"{most}\">\n\
+         <rastershader><colorrampshader colorRampType=\"INTERPOLATED\" classificationMode=\"1\" clip=\"0\" \
+         minimumValue=\"{least}\" maximumValue=\"{most}\">\n{}</colorrampshader></rastershader>\n\
+         </rasterrenderer></pipe>\n\
+         <blendMode>0</blendMode>\n</qgis>",
+        escaped(link),
+        items.concat(),
+    )
+}
+
+/// A style of one symbol, and of labels if there are any.
+fn vector(symbol: &str, labeling: &str) -> String {
+    format!(
+        "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n\
+         <qgis version=\"3.22\" styleCategories=\"Symbology|Labeling\" labelsEnabled=\"{}\">\n\
+         <renderer-v2 type=\"singleSymbol\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n\
+         <symbols>{symbol}</symbols>\n</renderer-v2>\n{labeling}<blendMode>0</blendMode>\n</qgis>\n",
+        u8::from(!labeling.is_empty()),
+    )
+}
+
+fn symbol(kind: &str, layer: &str, options: &[(&str, &str)], by_data: Option<(&str, &str)>) -> String {
+    let options: Vec<String> = options
+        .iter()
+        .map(|(name, value)| format!("<Option name=\"{name}\" type=\"QString\" value=\"{value}\"/>"))
+        .collect();
+    let by_data = by_data.map(|(property, expression)| by_expression(property, expression)).unwrap_or_default();
+    format!(
+        "<symbol type=\"{kind}\" name=\"0\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\
+         <layer class=\"{layer}\" enabled=\"1\" locked=\"0\" pass=\"0\"><Option type=\"Map\">{}</Option>{by_data}</layer></symbol>",
+        options.concat()
+    )
+}
+
+/// A property of a symbol that an expression gives.
+fn by_expression(property: &str, expression: &str) -> String {
+    format!(
+        "<data_defined_properties><Option type=\"Map\"><Option name=\"name\" type=\"QString\" value=\"\"/>\
+         <Option name=\"properties\" type=\"Map\"><Option name=\"{property}\" type=\"Map\">\
+         <Option name=\"active\" type=\"bool\" value=\"true\"/>\
+         <Option name=\"expression\" type=\"QString\" value=\"{}\"/>\
+         <Option name=\"type\" type=\"int\" value=\"3\"/></Option></Option>\
+         <Option name=\"type\" type=\"QString\" value=\"collection\"/></Option></data_defined_properties>",
+        escaped(expression)
+    )
+}
+
+fn fill(colour: &str, outline: &str, width: &str) -> String {
+    let options = [
+        ("color", colour),
+        ("style", if colour == NONE { "no" } else { "solid" }),
+        ("outline_color", outline),
+        ("outline_style", "solid"),
+        ("outline_width", width),
+        ("outline_width_unit", "MM"),
+        ("joinstyle", "round"),
+    ];
+    symbol("fill", "SimpleFill", &options, None)
+}
+
+fn line(colour: &str, width: Option<&str>) -> String {
+    let options = [
+        ("line_color", colour),
+        ("line_style", if colour == NONE { "no" } else { "solid" }),
+        ("line_width", "0.3"),
+        ("line_width_unit", "MM"),
+        ("capstyle", "round"),
+        ("joinstyle", "round"),
+    ];
+    symbol("line", "SimpleLine", &options, width.map(|expression| ("outlineWidth", expression)))
+}
+
+/// A dot, for capes: all else is larger than a place, and its name alone marks it.
+fn point() -> String {
+    let options = [("name", "circle"), ("color", INK), ("outline_style", "no"), ("size", "0.8"), ("size_unit", "MM")];
+    symbol("marker", "SimpleMarker", &options, Some(("size", r#"if("kind" = 'cape', 0.8, 0)"#)))
+}
+
+/// Labels along lines, for features that a condition holds for.
+fn along(field: &str, condition: &str, size: &str) -> String {
+    let expression = format!("if({condition}, \"{field}\", '')");
+    labels(
+        &expression,
+        size,
+        "placement=\"3\" placementFlags=\"10\" dist=\"0.6\"",
+        "maxCurvedCharAngleIn=\"25\" maxCurvedCharAngleOut=\"-25\"",
+    )
+}
+
+/// Labels over points.
+fn at(field: &str) -> String {
+    labels(&format!("\"{field}\""), "10", "placement=\"1\" quadOffset=\"4\"", "")
+}
+
+fn labels(expression: &str, size: &str, placement: &str, more: &str) -> String {
+    format!(
+        "<labeling type=\"simple\"><settings calloutType=\"simple\">\
+         <text-style fieldName=\"{}\" isExpression=\"1\" fontFamily=\"serif\" fontItalic=\"1\" fontSize=\"{size}\" \
+         fontSizeUnit=\"Point\" textColor=\"{INK}\" textOpacity=\"1\">\
+         <text-buffer bufferDraw=\"1\" bufferSize=\"0.6\" bufferSizeUnits=\"MM\" bufferColor=\"{PAPER}\" bufferOpacity=\"0.8\"/>\
+         </text-style><placement {placement} distUnits=\"MM\" priority=\"5\" {more}/>\
+         <rendering drawLabels=\"1\" scaleVisibility=\"0\" obstacle=\"1\"/></settings></labeling>\n",
+        escaped(expression)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_style_is_a_document_of_qgis() {
+        let mut heights = Vec::new();
+        write_heights(&mut heights, "seed=a%3Cb&edition=1").unwrap();
+        let heights = String::from_utf8(heights).unwrap();
+        let names = ["land", "basins", "oxbow_lakes", "rivers", "reaches", "ridges", "places"];
+        for style in names.map(of_layer).iter().chain([&heights]) {
+            let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+            let document = roxmltree::Document::parse_with_options(style, options).unwrap();
+            assert_eq!(document.root_element().tag_name().name(), "qgis");
+        }
+        assert!(heights.contains("value=\"seed=a%3Cb&amp;edition=1\""));
+    }
+
+    #[test]
+    fn tints_rise() {
+        assert!(TINTS.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+}

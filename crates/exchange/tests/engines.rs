@@ -1,0 +1,268 @@
+//! Files that engines import: heights, textures, rivers and packs, whose recipes have numbers that give back the heights.
+
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read};
+use std::num::NonZero;
+
+use riverseed::Map;
+use riverseed::export::rasters::{Layer, Rasters, Values};
+use riverseed::export::{Engine, Form};
+use riverseed::glam::{DVec3, Vec2};
+use riverseed_exchange::engine::{self, METRES_A_UNIT, Terrain};
+use serde_json::Value;
+
+use crate::maps::{LINKS, file, map, picture};
+
+const ENGINES: [Engine; 3] = [Engine::Unreal, Engine::Unity, Engine::Godot];
+
+fn steps(rasters: &Rasters) -> Vec<u16> {
+    let Values::Words(steps) = rasters.values(Layer::Heights) else { panic!() };
+    steps
+}
+
+/// The rasters of a map on its own grid, as squares.
+fn squares(map: &Map) -> Rasters {
+    Rasters::new(map).unwrap().into_squares().unwrap()
+}
+
+/// The files of an archive.
+fn unpacked(bytes: &[u8]) -> BTreeMap<String, Vec<u8>> {
+    let archive = rawzip::ZipArchive::from_slice(bytes).unwrap();
+    let (mut entries, mut files) = (archive.entries(), BTreeMap::new());
+    while let Some(entry) = entries.next_entry().unwrap() {
+        let name = entry.file_path().try_normalize().unwrap().as_ref().to_owned();
+        let mut content = Vec::new();
+        let compressed = archive.get_entry(entry.wayfinder()).unwrap();
+        flate2::read::DeflateDecoder::new(compressed.data()).read_to_end(&mut content).unwrap();
+        files.insert(name, content);
+    }
+    files
+}
+
+/// The sides, the pixels and the texts of a PNG.
+fn image(bytes: &[u8]) -> ([u32; 2], Vec<u8>, Vec<String>) {
+    let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    let texts = reader.info().uncompressed_latin1_text.iter().map(|chunk| chunk.text.clone()).collect();
+    ([reader.info().width, reader.info().height], pixels, texts)
+}
+
+#[test]
+fn raw_heights_are_the_steps_of_the_raster_little_end_first() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = Rasters::new(&map).unwrap();
+        let raw = file(Form::RawHeights, &map, Some(&rasters), None);
+        let read: Vec<u16> = raw.chunks(2).map(|bytes| u16::from(bytes[0]) | u16::from(bytes[1]) << 8).collect();
+        assert!(read == steps(&rasters), "{link}");
+    }
+}
+
+#[test]
+fn normals_have_length_one_and_face_away_from_where_the_ground_rises() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = Rasters::new(&map).unwrap();
+        let (sides, pixels, texts) = image(&file(Form::Normals, &map, Some(&rasters), None));
+        assert_eq!(sides, [rasters.columns as u32, rasters.rows as u32]);
+        assert!(texts[0] == rasters.link && texts[1].contains("green to the north"), "{texts:?}");
+        let (terrain, steps) = (Terrain::of(&rasters), steps(&rasters));
+        let step_in_pixels = terrain.metres_a_step / terrain.metres_a_pixel;
+        for row in 1..rasters.rows - 1 {
+            for column in 1..rasters.columns - 1 {
+                let cell = row * rasters.columns + column;
+                let [east, north, up] = [0, 1, 2].map(|i| f64::from(pixels[cell * 3 + i]) / 127.5 - 1.0);
+                assert!((DVec3::new(east, north, up).length() - 1.0).abs() < 0.015, "{link}");
+                let rise =
+                    |to: usize, from: usize| (f64::from(steps[to]) - f64::from(steps[from])) * step_in_pixels * 0.5;
+                let (eastward, northward) =
+                    (rise(cell + 1, cell - 1), rise(cell - rasters.columns, cell + rasters.columns));
+                // A part of 8 bits is known to half a step of 2 / 255.
+                let near = |part: f64, rise: f64| (part + rise * up).abs() < 0.0045 * (1.0 + rise.abs());
+                assert!(near(east, eastward) && near(north, northward), "{link}: {column} {row}");
+            }
+        }
+    }
+}
+
+#[test]
+fn shares_of_grounds_add_up_and_the_sea_is_all_shore() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = Rasters::new(&map).unwrap();
+        let (_, pixels, texts) = image(&file(Form::Splat, &map, Some(&rasters), None));
+        assert_eq!(texts[0], rasters.link);
+        let Values::Bytes(land) = rasters.values(Layer::Land) else { panic!() };
+        let mut seen = [false; 4];
+        for (shares, land) in pixels.chunks(4).zip(land) {
+            assert_eq!(shares.iter().map(|share| u32::from(*share)).sum::<u32>(), 255, "{link}");
+            assert!(land > 0 || shares == [0, 0, 255, 0], "{link}");
+            (0..4).for_each(|i| seen[i] |= shares[i] > 127);
+        }
+        assert!(seen[0] && seen[2], "{link}: {seen:?}");
+    }
+}
+
+/// The points of all rivers in a file of lines, by the number of the river.
+fn lines(json: &Value) -> Vec<Vec<[f64; 5]>> {
+    let number = |value: &Value| value.as_f64().unwrap();
+    let point = |point: &Value| std::array::from_fn(|i| number(&point[i]));
+    let rivers = json["rivers"].as_array().unwrap().iter();
+    rivers.map(|river| river["points"].as_array().unwrap().iter().map(point).collect()).collect()
+}
+
+#[test]
+fn rivers_run_down_on_the_ground_and_end_on_their_parent_or_at_the_sea() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = Rasters::new(&map).unwrap();
+        let terrain = Terrain::of(&rasters);
+        let json: Value = serde_json::from_slice(&file(Form::Splines, &map, Some(&rasters), None)).unwrap();
+        let lines = lines(&json);
+        assert_eq!(lines.len(), map.network().rivers.len());
+        let mut on_ground = 0;
+        for (number, line) in lines.iter().enumerate() {
+            assert!(line.windows(2).all(|pair| pair[1][2] <= pair[0][2]), "{link}: river {number} rises");
+            assert!(line.iter().all(|point| point[3] >= point[4] && point[4] >= 0.0), "{link}: wider than deep");
+            let end = line.last().unwrap();
+            match json["rivers"][number]["parent"].as_u64() {
+                Some(parent) => {
+                    assert!(lines[parent as usize].contains(end), "{link}: river {number} ends beside its parent")
+                }
+                None => assert_eq!(end[2], 0.0, "{link}: river {number}"),
+            }
+            for point in line {
+                let at = map.domain().size * 0.5 + Vec2::new(point[0] as f32, -point[1] as f32) / METRES_A_UNIT as f32;
+                let ground = terrain.height_between(terrain.corners(at));
+                let is_mouth = point == end && json["rivers"][number]["parent"].is_null();
+                assert!(
+                    is_mouth || point[2] > ground - 0.6,
+                    "{link}: river {number} is {} below ground",
+                    ground - point[2]
+                );
+                on_ground += usize::from((point[2] - ground).abs() < 0.6);
+            }
+        }
+        let points = lines.iter().map(Vec::len).sum::<usize>();
+        assert!(on_ground * 10 > points * 6, "{link}: {on_ground} of {points} lie on the ground");
+    }
+}
+
+#[test]
+fn lines_of_all_engines_are_the_same_places() {
+    let map = map(LINKS[6]);
+    let (rasters, picture) = (squares(&map), picture(&map));
+    let of = |form, name: Option<&str>| {
+        let bytes = file(form, &map, Some(&rasters), Some(&picture));
+        let json = name.map_or_else(|| bytes.clone(), |name| unpacked(&bytes)[name].clone());
+        lines(&serde_json::from_slice(&json).unwrap()).concat()
+    };
+    let plain = of(Form::Splines, None);
+    let side = (rasters.columns - 1) as f64 * f64::from(rasters.cell_size) * METRES_A_UNIT;
+    // The map lies in the middle, to half a pixel.
+    let half = side * 0.5;
+    for engine in ENGINES {
+        let own = of(Form::Engine(engine), Some("splines.json"));
+        assert_eq!(own.len(), plain.len());
+        let mut shift = None;
+        for (own, plain) in own.iter().zip(&plain) {
+            let [x, y, z, width, depth] = *own;
+            let ([east, north, up], unit) = match engine {
+                Engine::Unreal => ([x / 100.0 - half, half - y / 100.0, z / 100.0], 0.01),
+                Engine::Unity => ([x - half, z - half, y], 1.0),
+                Engine::Godot => ([x - half, half - z, y], 1.0),
+            };
+            let off = [east - plain[0], north - plain[1]];
+            let first = *shift.get_or_insert(off);
+            assert!((0..2).all(|i| (off[i] - first[i]).abs() < 0.03 && off[i].abs() < 101.0), "{engine:?}: {off:?}");
+            assert!((up - plain[2]).abs() < 0.02, "{engine:?}");
+            assert!((width * unit - plain[3]).abs() < 0.02 && (depth * unit - plain[4]).abs() < 0.02, "{engine:?}");
+        }
+    }
+}
+
+#[test]
+fn packs_hold_square_files_of_one_size_and_the_same_bytes_each_time() {
+    let map = map(LINKS[4]);
+    let (rasters, picture) = (squares(&map), picture(&map));
+    let side = rasters.columns as u32;
+    assert_eq!(rasters.columns, rasters.rows);
+    for engine in ENGINES {
+        let bytes = file(Form::Engine(engine), &map, Some(&rasters), Some(&picture));
+        assert!(bytes == file(Form::Engine(engine), &map, Some(&rasters), Some(&picture)));
+        let files = unpacked(&bytes);
+        let readme = String::from_utf8(files["README.txt"].clone()).unwrap();
+        assert!(readme.contains(&rasters.link) && readme.contains("UNCHECKED"), "{readme}");
+        assert!(files.keys().all(|name| name == "README.txt" || readme.contains(name.as_str())), "{readme}");
+        assert_eq!(files["heights.r16"].len() as u32, side * side * 2);
+        for (name, bytes) in files.iter().filter(|(name, _)| name.ends_with(".png")) {
+            let expected = if name == "map.png" { [120; 2] } else { [side; 2] };
+            assert_eq!(image(bytes).0, expected, "{name}");
+        }
+    }
+}
+
+#[test]
+fn masks_of_unreal_are_the_channels_of_the_splat_map_and_its_normals_are_upside_down() {
+    let map = map(LINKS[2]);
+    let (rasters, picture) = (squares(&map), picture(&map));
+    let of = |engine| unpacked(&file(Form::Engine(engine), &map, Some(&rasters), Some(&picture)));
+    let (unreal, unity, godot) = (of(Engine::Unreal), of(Engine::Unity), of(Engine::Godot));
+    let (_, splat, _) = image(&unity["splat.png"]);
+    for (channel, ground) in ["low", "steep", "shore", "high"].iter().enumerate() {
+        let (_, mask, _) = image(&unreal[&format!("layers/{ground}.png")]);
+        assert!(mask.iter().eq(splat.iter().skip(channel).step_by(4)), "{ground}");
+    }
+    assert!(unity["splat.png"] == godot["splat.png"] && unity["normals.png"] == godot["normals.png"]);
+    let (_, up, _) = image(&unity["normals.png"]);
+    let (_, down, _) = image(&unreal["normals.png"]);
+    let green = |pixels: &[u8], i: usize| i32::from(pixels[i * 3 + 1]);
+    assert!((0..up.len() / 3).all(|i| (green(&up, i) + green(&down, i) - 255).abs() <= 1));
+}
+
+/// The number after some words in a text.
+fn after(text: &str, words: &str) -> f64 {
+    let rest = text.split_once(words).unwrap_or_else(|| panic!("'{words}' is not in {text}")).1.trim_start();
+    let end = rest.find(|letter: char| !matches!(letter, '0'..='9' | '.' | '-')).unwrap_or(rest.len());
+    rest[..end].trim_end_matches('.').parse().unwrap()
+}
+
+#[test]
+fn numbers_of_the_recipes_give_back_the_heights_and_the_ground() {
+    let map = map(LINKS[1]);
+    let (rasters, picture) = (squares(&map), picture(&map));
+    let readme = |engine| {
+        let files = unpacked(&file(Form::Engine(engine), &map, Some(&rasters), Some(&picture)));
+        String::from_utf8(files["README.txt"].clone()).unwrap()
+    };
+    let (unreal, unity, godot) = (readme(Engine::Unreal), readme(Engine::Unity), readme(Engine::Godot));
+    let pixel = f64::from(rasters.cell_size) * METRES_A_UNIT;
+    let side = pixel * (rasters.columns - 1) as f64;
+    assert!((after(&unreal, "Scale: X") - pixel * 100.0).abs() < 0.01);
+    assert!((after(&unity, "Terrain Size: X") - side).abs() < 0.1);
+    assert!((after(&godot, "Vertex Spacing to") - pixel).abs() < 0.001);
+    for step in [0u16, 1, rasters.scale.sea_level, 40_000, u16::MAX] {
+        let (value, metres) = (f64::from(step), rasters.scale.metres(step));
+        let in_unreal = (value - 32_768.0) / 128.0 * after(&unreal, ", Z") + after(&unreal, "Location: Z");
+        let in_unity = value / 65_536.0 * after(&unity, ", Y") + after(&unity, "Position: Y");
+        let least = after(&godot, "R16 Range:");
+        let most = after(godot.split_once("R16 Range:").unwrap().1, " to");
+        let in_godot = value / 65_535.0 * (most - least) + least;
+        for (engine, found) in [("Unreal", in_unreal / 100.0), ("Unity", in_unity), ("Godot", in_godot)] {
+            assert!((found - metres).abs() < 0.02, "{engine}: {step} is {metres}, not {found}");
+        }
+    }
+}
+
+#[test]
+fn landscapes_have_the_sizes_of_their_engines() {
+    let map = map("seed=kauri&land=island&attractors=300&aspect=1");
+    let threads = NonZero::<usize>::MIN;
+    for (engine, size) in [(Engine::Unreal, 505), (Engine::Unity, 513), (Engine::Godot, 513)] {
+        let rasters = engine::rasters(&map, engine, Some(size), threads).unwrap();
+        assert_eq!([rasters.columns, rasters.rows], [size as usize; 2]);
+        let refused = engine::rasters(&map, engine, Some(size + 1), threads).unwrap_err().to_string();
+        assert!(refused.contains(engine::name(engine)) && refused.contains(&format!("{size}, ")), "{refused}");
+    }
+}

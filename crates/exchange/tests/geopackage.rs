@@ -1,0 +1,230 @@
+//! SQLite reads a GeoPackage, and finds in it what GeoJSON has.
+
+use std::collections::BTreeMap;
+
+use riverseed::export::{Form, geojson};
+use riverseed_exchange::gis::{crs, geopackage};
+use rusqlite::types::Value;
+use rusqlite::{Connection, MAIN_DB};
+use serde_json::Value as Json;
+
+use crate::maps::{LINKS, file, map};
+
+/// The layer of each kind of feature.
+fn layer_of(kind: &str) -> &'static str {
+    match kind {
+        "river" => "rivers",
+        "reach" => "reaches",
+        "oxbow" => "oxbow_lakes",
+        "basin" => "basins",
+        "land" => "land",
+        "ridge" => "ridges",
+        _ => "places",
+    }
+}
+
+fn database(bytes: &[u8]) -> Connection {
+    let mut database = Connection::open_in_memory().unwrap();
+    database.deserialize_read_exact(MAIN_DB, bytes, bytes.len(), true).unwrap();
+    database
+}
+
+/// All numbers of a shape in the order in which GeoJSON has them, with the numbers of its parts.
+fn shape(blob: &[u8]) -> (Vec<f64>, Vec<u32>) {
+    assert_eq!(&blob[..4], b"GP\0\x03");
+    assert_eq!(i32::from_le_bytes(blob[4..8].try_into().unwrap()), crs::NUMBER);
+    let mut reader = Reader { bytes: &blob[40..], numbers: Vec::new(), counts: Vec::new() };
+    reader.shape();
+    assert!(reader.bytes.is_empty());
+    (reader.numbers, reader.counts)
+}
+
+struct Reader<'a> {
+    bytes: &'a [u8],
+    numbers: Vec<f64>,
+    counts: Vec<u32>,
+}
+
+impl Reader<'_> {
+    fn take<const N: usize>(&mut self) -> [u8; N] {
+        let (taken, rest) = self.bytes.split_first_chunk().unwrap();
+        self.bytes = rest;
+        *taken
+    }
+
+    fn count(&mut self) -> u32 {
+        let count = u32::from_le_bytes(self.take());
+        self.counts.push(count);
+        count
+    }
+
+    fn places(&mut self, count: u32, dimensions: u32) {
+        for _ in 0..count * dimensions {
+            let number = f64::from_le_bytes(self.take());
+            self.numbers.push(number);
+        }
+    }
+
+    fn shape(&mut self) {
+        assert_eq!(self.take(), [1]);
+        let kind = u32::from_le_bytes(self.take());
+        let dimensions = if kind > 1000 { 3 } else { 2 };
+        match kind % 1000 {
+            1 => self.places(1, dimensions),
+            2 => {
+                let count = self.count();
+                self.places(count, dimensions);
+            }
+            3 => {
+                for _ in 0..self.count() {
+                    let count = self.count();
+                    self.places(count, dimensions);
+                }
+            }
+            6 => (0..self.count()).for_each(|_| self.shape()),
+            kind => panic!("shape {kind}"),
+        }
+    }
+}
+
+/// The numbers of GeoJSON's coordinates, degrees in hundred-thousandths.
+fn coordinates(json: &Json, numbers: &mut Vec<f64>, counts: &mut Vec<u32>) {
+    let list = json.as_array().unwrap();
+    if list[0].is_number() {
+        numbers.extend(list.iter().map(|number| number.as_f64().unwrap()));
+    } else {
+        counts.push(list.len() as u32);
+        list.iter().for_each(|item| coordinates(item, numbers, counts));
+    }
+}
+
+#[test]
+fn layers_hold_the_features_of_geojson_in_metres() {
+    let mut all = BTreeMap::new();
+    for link in LINKS {
+        let map = map(link);
+        let database = database(&file(Form::GeoPackage, &map, None, None));
+        let mut text = Vec::new();
+        geojson::write(&mut text, &map).unwrap();
+        let collection: Json = serde_json::from_slice(&text).unwrap();
+        let mut rows = BTreeMap::new();
+        for feature in collection["features"].as_array().unwrap() {
+            let layer = layer_of(feature["properties"]["kind"].as_str().unwrap());
+            let row = rows.entry(layer).or_insert(0);
+            *row += 1;
+            *all.entry(layer).or_insert(0) += 1;
+            assert_equal(&database, layer, *row, feature);
+        }
+        for layer in ["rivers", "reaches", "oxbow_lakes", "basins", "land", "ridges", "places"] {
+            let count: i64 =
+                database.query_row(&format!("SELECT count(*) FROM {layer}"), [], |row| row.get(0)).unwrap();
+            assert_eq!(count, rows.get(layer).copied().unwrap_or(0), "{link}: {layer}");
+        }
+    }
+    assert_eq!(all.len(), 7, "every layer has a feature somewhere: {all:?}");
+}
+
+fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
+    let mut query = database.prepare(&format!("SELECT * FROM {layer} WHERE fid = ?1")).unwrap();
+    let names: Vec<String> = query.column_names().map(Into::into).collect();
+    query
+        .query_row([row], |found| {
+            let (numbers, counts) = shape(&found.get::<_, Vec<u8>>("geom")?);
+            let (mut degrees, mut parts) = (Vec::new(), Vec::new());
+            coordinates(&feature["geometry"]["coordinates"], &mut degrees, &mut parts);
+            assert_eq!(counts, parts, "{layer} {row}");
+            let dimensions = if layer == "rivers" { 3 } else { 2 };
+            for (i, (metres, degrees)) in numbers.iter().zip(&degrees).enumerate() {
+                let back = if i % dimensions == 2 {
+                    *metres
+                } else {
+                    (metres / crs::METRES_A_UNIT * 1000.0).round() / 100_000.0 + 0.0
+                };
+                assert_eq!(back, *degrees, "{layer} {row}");
+            }
+            assert_eq!(numbers.len(), degrees.len(), "{layer} {row}");
+            for name in names.iter().filter(|name| !matches!(name.as_str(), "fid" | "geom")) {
+                let value: Value = found.get(name.as_str())?;
+                let unit = crs::METRES_A_UNIT;
+                let properties = &feature["properties"];
+                let expected = match name.as_str() {
+                    "length_m" => Value::Real(properties["length"].as_f64().unwrap() * unit),
+                    "area_m2" => Value::Real(properties["area"].as_f64().unwrap() * unit * unit),
+                    name => match &properties[name] {
+                        Json::Null => Value::Null,
+                        Json::String(text) => Value::Text(text.clone()),
+                        number if number.is_i64() => Value::Integer(number.as_i64().unwrap()),
+                        number => Value::Real(number.as_f64().unwrap()),
+                    },
+                };
+                assert_eq!(value, expected, "{layer} {row} {name}");
+            }
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn rectangles_are_those_around_the_shapes() {
+    let database = database(&file(Form::GeoPackage, &map(LINKS[0]), None, None));
+    let [west, south, east, north]: [f64; 4] = ["min_x", "min_y", "max_x", "max_y"].map(|side| {
+        let query = format!("SELECT {side} FROM gpkg_contents WHERE table_name = 'land'");
+        database.query_row(&query, [], |row| row.get(0)).unwrap()
+    });
+    let mut query = database.prepare("SELECT geom FROM land").unwrap();
+    let shapes = query.query_map([], |row| row.get::<_, Vec<u8>>(0)).unwrap();
+    let mut around = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    for blob in shapes.map(Result::unwrap) {
+        let header: Vec<f64> = blob[8..40].chunks(8).map(|part| f64::from_le_bytes(part.try_into().unwrap())).collect();
+        let numbers = shape(&blob).0;
+        let (xs, ys) = (numbers.iter().step_by(2), numbers.iter().skip(1).step_by(2));
+        let least = |values: &mut dyn Iterator<Item = &f64>| values.fold(f64::INFINITY, |a, &b| a.min(b));
+        assert_eq!([header[0], header[2]], [least(&mut xs.clone()), least(&mut ys.clone())]);
+        for (x, y) in xs.zip(ys) {
+            around = [around[0].min(*x), around[1].min(*y), around[2].max(*x), around[3].max(*y)];
+        }
+    }
+    assert_eq!([west, south, east, north], around);
+}
+
+#[test]
+fn same_map_gives_the_same_bytes_and_says_which_it_is() {
+    let (map, other) = (map(LINKS[6]), map(LINKS[1]));
+    let bytes = file(Form::GeoPackage, &map, None, None);
+    assert!(bytes == file(Form::GeoPackage, &map, None, None));
+    let database = database(&bytes);
+    let link = |map: &riverseed::Map| riverseed::recipe::link::write_for_file(map.recipe());
+    assert!(geopackage::is_of(&database, &link(&map)) && !geopackage::is_of(&database, &link(&other)));
+    let ids: (i64, i64) = ("application_id", "user_version").map_pragma(&database);
+    assert_eq!(ids, (0x4750_4b47, 10_300));
+    let check: String = database.query_row("PRAGMA integrity_check", [], |row| row.get(0)).unwrap();
+    assert_eq!(check, "ok");
+    let broken: i64 =
+        database.query_row("SELECT count(*) FROM pragma_foreign_key_check", [], |row| row.get(0)).unwrap();
+    assert_eq!(broken, 0);
+}
+
+trait Pragmas {
+    fn map_pragma(self, database: &Connection) -> (i64, i64);
+}
+
+impl Pragmas for (&str, &str) {
+    fn map_pragma(self, database: &Connection) -> (i64, i64) {
+        let read = |name: &str| database.query_row(&format!("PRAGMA {name}"), [], |row| row.get(0)).unwrap();
+        (read(self.0), read(self.1))
+    }
+}
+
+#[test]
+fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
+    let database = database(&file(Form::GeoPackage, &map(LINKS[6]), None, None));
+    let mut query = database.prepare("SELECT styleQML FROM layer_styles").unwrap();
+    let styles: Vec<String> = query.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
+    assert_eq!(styles.len(), 7);
+    assert!(styles.iter().all(|style| !style.contains("script") && !style.contains("../")));
+    let metadata: String = database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get(0)).unwrap();
+    let document = roxmltree::Document::parse(&metadata).unwrap();
+    let items: Vec<&str> =
+        document.descendants().filter(|node| node.has_tag_name("MDI")).filter_map(|node| node.text()).collect();
+    assert!(items[0].starts_with("seed=%3Cb%3E"), "{items:?}");
+}

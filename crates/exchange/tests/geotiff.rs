@@ -1,0 +1,129 @@
+//! The reader of the `tiff` crate finds in a GeoTIFF what the map's rasters hold, at their place.
+
+use std::io::Cursor;
+
+use riverseed::Map;
+use riverseed::export::Form;
+use riverseed::export::rasters::{Layer, Rasters, Values};
+use riverseed::relief::METRES;
+use riverseed_exchange::gis::{crs, geotiff};
+use tiff::decoder::{Decoder, DecodingResult};
+use tiff::tags::Tag;
+
+use crate::maps::{LINKS, file, map, picture};
+
+fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
+    Decoder::new(Cursor::new(bytes)).unwrap()
+}
+
+fn read(bytes: &[u8]) -> DecodingResult {
+    decoder(bytes).read_image().unwrap()
+}
+
+fn rasters_of(map: &Map) -> Rasters {
+    Rasters::new(map).unwrap()
+}
+
+#[test]
+fn rasters_are_read_as_they_are() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = rasters_of(&map);
+        let of = |layer| file(Form::RasterTiff(layer), &map, Some(&rasters), None);
+        let DecodingResult::F32(heights) = read(&of(Layer::Heights)) else { panic!() };
+        for (metres, height) in heights.iter().zip(rasters.relief().heights()) {
+            assert!((metres - height * METRES).abs() <= 1e-3, "{link}: {metres} {height}");
+        }
+        let DecodingResult::F32(widths) = read(&of(Layer::Rivers)) else { panic!() };
+        let Values::Words(thousandths) = rasters.values(Layer::Rivers) else { panic!() };
+        for (metres, thousandths) in widths.iter().zip(&thousandths) {
+            assert_eq!((f64::from(*metres) / crs::METRES_A_UNIT * 1000.0).round() as u16, *thousandths, "{link}");
+        }
+        for layer in [Layer::Land, Layer::Flow] {
+            let (DecodingResult::U8(bytes), Values::Bytes(expected)) = (read(&of(layer)), rasters.values(layer)) else {
+                panic!()
+            };
+            assert!(bytes == expected, "{link}: {layer:?}");
+        }
+        let DecodingResult::U32(basins) = read(&of(Layer::Basins)) else { panic!() };
+        assert!(basins == rasters.flow().basins, "{link}");
+        assert_eq!([heights.len(), widths.len(), basins.len()], [rasters.columns * rasters.rows; 3]);
+    }
+}
+
+#[test]
+fn land_drains_in_metres_too() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = rasters_of(&map);
+        let file = file(Form::RasterTiff(Layer::Heights), &map, Some(&rasters), None);
+        let DecodingResult::F32(heights) = read(&file) else { panic!() };
+        let (flow, grid) = (rasters.flow(), rasters.relief().grid());
+        let mut falls = 0;
+        for cell in (0..heights.len()).filter(|&cell| heights[cell] > 0.0) {
+            if let Some(next) = flow.next(&grid, cell) {
+                assert!(heights[next] < heights[cell], "{link}: {cell}");
+                falls += 1;
+            }
+        }
+        assert!(falls > 1000, "{link}");
+    }
+}
+
+/// The numbers of the place: the north-western corner and the sides of a pixel, in metres.
+fn place(bytes: &[u8]) -> ([f64; 2], [f64; 2]) {
+    let mut decoder = decoder(bytes);
+    let tie = decoder.get_tag_f64_vec(Tag::ModelTiepointTag).unwrap();
+    let pixel = decoder.get_tag_f64_vec(Tag::ModelPixelScaleTag).unwrap();
+    assert_eq!((&tie[..3], tie[5], pixel[2]), (&[0.0; 3][..], 0.0, 0.0));
+    ([tie[3], tie[4]], [pixel[0], pixel[1]])
+}
+
+#[test]
+fn rasters_and_pictures_lie_where_the_map_lies() {
+    for link in LINKS {
+        let map = map(link);
+        let half = map.domain().size.as_dvec2() * 0.5 * crs::METRES_A_UNIT;
+        let rasters = Rasters::with_size(&map, 1100).unwrap();
+        let (corner, pixel) = place(&file(Form::RasterTiff(Layer::Land), &map, Some(&rasters), None));
+        assert_eq!(corner, [-half.x, half.y]);
+        assert_eq!(pixel, [f64::from(rasters.cell_size) * crs::METRES_A_UNIT; 2]);
+        let picture = picture(&map);
+        let (corner, pixel) = place(&file(Form::GeoTiff, &map, None, Some(&picture)));
+        // The map covers the picture: along one axis it ends where the picture does, and nowhere before.
+        let reach = [-corner[0], corner[1]];
+        let near = |a: f64, b: f64| (a - b).abs() < 1.0;
+        assert!(near(reach[0], half.x) || near(reach[1], half.y), "{link}: {reach:?}");
+        assert!(reach[0] < half.x + 1.0 && reach[1] < half.y + 1.0, "{link}: {reach:?}");
+        let middle = [corner[0] + pixel[0] * 60.0, corner[1] - pixel[1] * 40.0];
+        assert!(near(middle[0], 0.0) && near(middle[1], 0.0), "{link}: {middle:?}");
+    }
+}
+
+#[test]
+fn texts_tell_files_apart_and_the_same_map_gives_the_same_bytes() {
+    let map = map(LINKS[6]);
+    let (rasters, picture) = (rasters_of(&map), picture(&map));
+    let mut files: Vec<_> = Layer::ALL.map(|layer| (Form::RasterTiff(layer), geotiff::subject(layer))).into();
+    files.push((Form::GeoTiff, geotiff::PICTURE));
+    for (form, subject) in &files {
+        let bytes = file(*form, &map, Some(&rasters), Some(&picture));
+        assert!(bytes == file(*form, &map, Some(&rasters), Some(&picture)));
+        let mut decoder = decoder(&bytes);
+        let description = decoder.get_tag_ascii_string(Tag::ImageDescription).unwrap();
+        assert!(description.starts_with(subject), "{description}");
+        assert_eq!(files.iter().filter(|(_, other)| description.starts_with(other)).count(), 1);
+        let metadata = decoder.get_tag_ascii_string(Tag::Unknown(42112)).unwrap();
+        let document = roxmltree::Document::parse(&metadata).unwrap();
+        let link = document.descendants().find(|node| node.has_tag_name("Item")).and_then(|node| node.text()).unwrap();
+        assert_eq!(link.replace("&amp;", "&"), rasters.link);
+    }
+}
+
+#[test]
+fn picture_is_read_as_it_is() {
+    let map = map(LINKS[0]);
+    let picture = picture(&map);
+    let DecodingResult::U8(pixels) = read(&file(Form::GeoTiff, &map, None, Some(&picture))) else { panic!() };
+    assert!(pixels.chunks(3).eq(picture.data().chunks(4).map(|rgba| &rgba[..3])));
+}

@@ -1,0 +1,174 @@
+// GDAL reads the files for geographic information systems: without a word of warning, and with nothing lost on the way
+// there and back.
+//
+//     node tests/gis.mjs target/debug/riverseed
+//
+// Needs GDAL's programs (`make test-gis` gets them). It prints what it has read, and fails if a promise is broken.
+
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const [program] = process.argv.slice(2);
+
+// Metres to a unit.
+const UNIT = 1113.2;
+const NAME = "Riverseed map, metres from its centre";
+
+const LINKS = {
+  island: "seed=kauri&attractors=900",
+  valley: "seed=matai&land=valley&attractors=400&aspect=0.5",
+  // Oxbow lakes, no sea, and a seed and a title that would like to be markup, a statement and a path.
+  hostile:
+    "seed=%3Cb%3E%22%27%29%3B--..%2F..%2Fx&names=t.%3Cscript%3E%26%27&land=rectangle&attractors=500&oxbows=1" +
+    "&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",
+};
+const LAYERS = ["heights", "land", "rivers", "flow", "basins"];
+const FEATURES = {
+  land: ["land"],
+  basins: ["basin"],
+  oxbow_lakes: ["oxbow"],
+  rivers: ["river"],
+  reaches: ["reach"],
+  ridges: ["ridge"],
+  places: ["sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"],
+};
+// East and south of each direction of ESRI.
+const WAYS = { 1: [1, 0], 2: [1, 1], 4: [0, 1], 8: [-1, 1], 16: [-1, 0], 32: [-1, -1], 64: [0, -1], 128: [1, -1] };
+
+/** Runs a program that must have nothing to warn about. */
+function quiet(command, ...args) {
+  const { status, stdout, stderr } = spawnSync(command, args, { encoding: "utf8", maxBuffer: 1 << 28 });
+  assert.equal(stderr, "", `${command} ${args.join(" ")}`);
+  assert.equal(status, 0, `${command} ${args.join(" ")}`);
+  assert.doesNotMatch(stdout, /warning|error/i);
+  return stdout;
+}
+
+/** The values of a raster as GDAL reads it, little-endian. */
+function values(file, folder, kind) {
+  const raw = join(folder, "raw.bin");
+  quiet("gdal_translate", "-q", "-of", "ENVI", file, raw);
+  const bytes = readFileSync(raw);
+  return new kind(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+}
+
+/** Checks where an image lies, to so many of its pixels, and what it says of itself. Returns its size. */
+function place(file, [width, height], link, slack) {
+  // Not as JSON: for that, this GDAL looks for an ellipsoid in any system, and a plane has none.
+  const info = quiet("gdalinfo", file);
+  const pair = (words) =>
+    info
+      .match(new RegExp(`${words} \\(?(-?[\\d.]+), ?(-?[\\d.]+)`))
+      .slice(1)
+      .map(Number);
+  const [[west, north], [pixel, down]] = [pair("Origin ="), pair("Pixel Size =")];
+  const off = [west + (width * UNIT) / 2, north - (height * UNIT) / 2];
+  assert.ok(
+    off.every((metres) => Math.abs(metres) <= pixel * slack),
+    `${file}: ${west} ${north}`,
+  );
+  assert.ok(Math.abs(pixel + down) < 0.01, `${file}: pixels of ${pixel} by ${down}`);
+  assert.ok(info.includes(`ENGCRS["${NAME}"`) && info.includes('LENGTHUNIT["metre",1'), info);
+  assert.ok(info.split("\n").includes(`  riverseed=${link}`), info);
+  return pair("Size is");
+}
+
+/** Checks that every cell of land is higher than the one that its water runs to. Returns how many are. */
+function falls(heights, flow, [columns, rows]) {
+  let count = 0;
+  for (let cell = 0; cell < heights.length; cell += 1) {
+    const [east, south] = WAYS[flow[cell]] ?? [0, 0];
+    const [column, row] = [(cell % columns) + east, Math.floor(cell / columns) + south];
+    if (heights[cell] <= 0 || column < 0 || row < 0 || column >= columns || row >= rows) continue;
+    assert.ok(east || south, `cell ${cell} has land and no way`);
+    assert.ok(heights[row * columns + column] < heights[cell], `water of cell ${cell} runs up`);
+    count += 1;
+  }
+  return count;
+}
+
+const degrees = (metres) => Math.round((metres / UNIT) * 1000) / 100000 + 0;
+const back = (coordinates) =>
+  typeof coordinates[0] === "number"
+    ? [degrees(coordinates[0]), degrees(coordinates[1]), ...coordinates.slice(2)]
+    : coordinates.map(back);
+
+/** The properties of a feature of GeoJSON as the layer has them, in metres. */
+function expected({ kind, length, area, ...properties }, layer) {
+  const measures = {
+    ...(length === undefined ? {} : { length_m: length * UNIT }),
+    ...(area === undefined ? {} : { area_m2: area * UNIT * UNIT }),
+  };
+  return { ...(layer === "places" ? { kind } : {}), ...properties, ...measures };
+}
+
+/** Checks that GDAL's copy of a layer as GeoJSON has the features of our own. Returns how many there are. */
+function layerIsWhole(geopackage, layer, features, folder) {
+  const copy = join(folder, `${layer}.copy.geojson`);
+  quiet("ogr2ogr", "-f", "GeoJSON", "-lco", "RFC7946=NO", "-lco", "COORDINATE_PRECISION=9", copy, geopackage, layer);
+  const { features: copies } = JSON.parse(readFileSync(copy, "utf8"));
+  const own = features.filter(({ properties }) => FEATURES[layer].includes(properties.kind));
+  assert.equal(copies.length, own.length, layer);
+  own.forEach(({ geometry, properties }, i) => {
+    assert.equal(copies[i].geometry.type, geometry.type);
+    assert.deepEqual(back(copies[i].geometry.coordinates), geometry.coordinates, `${layer} ${i}`);
+    for (const [name, value] of Object.entries(expected(properties, layer))) {
+      const found = copies[i].properties[name];
+      const isNear = typeof value === "number" && Math.abs(found - value) <= Math.abs(value) * 1e-12;
+      assert.ok(found === value || isNear, `${layer} ${i}: ${name} is ${found}, not ${value}`);
+    }
+  });
+  return own.length;
+}
+
+function check(name, link, folder) {
+  const out = (ending) => join(folder, `${name}.${ending}`);
+  const endings = ["gpkg", "tif", "geojson", "json", ...LAYERS.map((layer) => `${layer}.tif`)];
+  execFileSync(program, ["render", link, "--size", "300", ...endings.flatMap((ending) => ["-o", out(ending)])]);
+  assert.equal(readdirSync(folder).length, endings.length, "nothing is written elsewhere");
+  const collection = JSON.parse(readFileSync(out("geojson"), "utf8"));
+  const { domain } = JSON.parse(readFileSync(out("json"), "utf8"));
+
+  const report = quiet("ogrinfo", "-al", "-so", out("gpkg"));
+  assert.equal(report.split(`ENGCRS["${NAME}"`).length - 1, 7, "each layer has its system");
+  assert.ok(report.includes(`riverseed=${collection.riverseed}`));
+  if (collection.title) assert.ok(report.includes(`title=${collection.title}`));
+  const counts = Object.keys(FEATURES).map((layer) => layerIsWhole(out("gpkg"), layer, collection.features, folder));
+  assert.equal(
+    counts.reduce((sum, count) => sum + count),
+    collection.features.length,
+    "every feature is in a layer",
+  );
+
+  const sides = [domain.width, domain.height];
+  // A picture has whole pixels on both sides, so its border is cut by less than one.
+  place(out("tif"), sides, collection.riverseed, 1);
+  const [size] = LAYERS.map((layer) => place(out(`${layer}.tif`), sides, collection.riverseed, 1e-4));
+  const heights = values(out("heights.tif"), folder, Float32Array);
+  const land = values(out("land.tif"), folder, Uint8Array);
+  assert.ok(
+    heights.every((height, i) => height > 0 === land[i] > 0),
+    "what is higher than the sea is land",
+  );
+  const cells = falls(heights, values(out("flow.tif"), folder, Uint8Array), size);
+  console.log(
+    `${name}: ${collection.features.length} features in ${counts.filter(Boolean).length} layers, ${cells} cells fall`,
+  );
+  return counts;
+}
+
+const seen = new Array(Object.keys(FEATURES).length).fill(0);
+for (const [name, link] of Object.entries(LINKS)) {
+  const folder = mkdtempSync(join(tmpdir(), "riverseed-gis-"));
+  try {
+    check(name, link, folder).forEach((count, i) => {
+      seen[i] += count;
+    });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+assert.ok(seen.every(Boolean), `every layer has a feature somewhere: ${seen}`);
