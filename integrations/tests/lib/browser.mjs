@@ -124,7 +124,7 @@ async function expectTakeover(address, rivers, picture) {
   }
   assert.equal(await page.evaluate(() => seen_.shifts), 0, "layout shift");
   assert.deepEqual(complaints, [], "the console is silent");
-  if (picture) await page.screenshot({ path: picture, fullPage: true });
+  if (picture) await page.locator("body").screenshot({ path: picture });
   await close();
 }
 
