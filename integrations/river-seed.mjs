@@ -71,8 +71,8 @@ export async function copyElement(folder) {
 
 /** Returns the address of the element's folder in a site whose own address or path is `site`. */
 export function baseOf(site) {
-  if (!/^(https?:\/\/[^/]|\/(?!\/))/.test(site))
-    throw new RiverSeedError(`the site's base is a path such as "/" or "/blog/", or a whole address, not ${JSON.stringify(site)}`);
+  if (!/^(https?:\/\/[^/]|\.?\/(?!\/))/.test(site))
+    throw new RiverSeedError(`the site's base is a path such as "/", "/blog/" or "./", or a whole address, not ${JSON.stringify(site)}`);
   return `${site.replace(/\/*$/, "/")}riverseed/`;
 }
 
@@ -128,6 +128,7 @@ function attributes(values) {
   return Object.entries(values).map(([name, value]) => ` ${name}="${escaped(String(value))}"`).join("");
 }
 
+/** Escapes a text for HTML, and for what reads HTML as a template: `${…}` in a notebook's cell, `{{…}}` in a page of Vue. */
 function escaped(text) {
-  return text.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
+  return text.replace(/[&<>"'`\\${}]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 }

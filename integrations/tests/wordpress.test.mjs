@@ -84,7 +84,7 @@ test("WordPress: before there is a picture the place is kept, and an author's pa
   assert.match(await render(folder, { post: '[river-seed map="seed=a&amp;aspect=2.5"]' }), /recipe="seed=a&amp;aspect=2\.5" style="display:block;aspect-ratio:2\.5;/);
   assert.match(await render(folder, { post: '[river-seed map="seed=a&aspect=1;color:red"]' }), /style="display:block;aspect-ratio:1\.6;/);
   await render(folder, {});
-  await expectRivers(folder, { rivers: 2, hasPictures: false });
+  await expectRivers(folder, { rivers: 2, pictures: 0 });
 });
 
 test("WordPress: hostile words are text, as block and as shortcode", { skip }, async () => {

@@ -47,12 +47,12 @@ export function copyElement(folder) {
 }
 
 /** Puts pictures of maps where they would be drawn, so that a build with many maps draws none. */
-export async function placePictures(folder, maps, ending) {
+export async function placePictures(folder, maps, ending, algorithm = "sha256") {
   mkdirSync(folder, { recursive: true });
   const picture = sharp({ create: { width: 16, height: 10, channels: 3, background: "#8fb4c8" } });
   const bytes = await picture.toFormat(ending).toBuffer();
   for (const map of maps) {
-    const hash = createHash("sha256").update(map).digest("hex").slice(0, 16);
+    const hash = createHash(algorithm).update(map).digest("hex").slice(0, 16);
     writeFileSync(join(folder, `river-seed-${hash}.${ending}`), bytes);
   }
 }
