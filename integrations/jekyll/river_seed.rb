@@ -14,6 +14,8 @@ module RiverSeed
   LEAST = { "Jekyll" => "4.0", "riverseed" => "0.1.0" }.freeze
   # The longer side of the picture, a PNG of some 600 kB.
   SIZE = 960
+  # Pixels of a screen to a CSS pixel, in a column of 640: letters are large enough to be read.
+  RATIO = "1.5"
 
   def self.need(program, version)
     return if Gem::Version.new(version) >= Gem::Version.new(LEAST[program])
@@ -52,7 +54,7 @@ module RiverSeed
       cache = File.join(site.cache_dir, "river-seed")
       path = File.join(cache, "riverseed", name)
       FileUtils.mkdir_p(File.dirname(path))
-      RiverSeed.riverseed("render", link, "-o", path, "--size", SIZE.to_s) unless File.exist?(path)
+      RiverSeed.riverseed("render", link, "-o", path, "--size", SIZE.to_s, "--ratio", RATIO) unless File.exist?(path)
       file = Jekyll::StaticFile.new(site, cache, "riverseed", name)
       site.static_files << file unless site.static_files.any? { |other| other.path == file.path }
       [name, *File.binread(path, 8, 16).unpack("NN")]

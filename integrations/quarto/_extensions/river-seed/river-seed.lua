@@ -3,6 +3,8 @@
 
 -- The longer side of the picture, a PNG of some 600 kB.
 local SIZE = "960"
+-- Pixels of a screen to a CSS pixel, in a column of 640: letters are large enough to be read.
+local RATIO = "1.5"
 
 local function fail(message)
   error("river-seed: " .. message, 0)
@@ -14,7 +16,7 @@ end
 
 -- Draws a link with the command, without a shell, so that no word is read as one. What is wrong with a link the command says itself.
 local function draw(link, path)
-  local is_done, why = pcall(pandoc.pipe, "riverseed", { "render", link, "-o", path, "--size", SIZE }, "")
+  local is_done, why = pcall(pandoc.pipe, "riverseed", { "render", link, "-o", path, "--size", SIZE, "--ratio", RATIO }, "")
   if is_done then return end
   if type(why) == "table" and why.error_code ~= 127 then fail('no map of "' .. link .. '": see above') end
   fail("the command `riverseed` cannot be run: " .. tostring(why))
