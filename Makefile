@@ -55,6 +55,10 @@ package: tarball ## pack what is published into target/package: the npm package,
 tarball: widget
 	@$(npm) package
 
+.PHONY: wordpress
+wordpress: tarball ## the WordPress plugin as a zip, with the element in it, in target/package
+	@scripts/integrations.sh wordpress
+
 .PHONY: wheel
 wheel: ## the Python package as a wheel, in target/package
 	@$(setup) rust
@@ -202,7 +206,7 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 .PHONY: test-integrations
 test-integrations: tarball program ## blogs by five generators, a WordPress page and the like, built with integrations/ and opened in a browser
 	@$(setup) browser integrations
-	@scripts/integrations.sh target/debug/riverseed
+	@scripts/integrations.sh test target/debug/riverseed
 	$(lap) "integrations"
 
 .PHONY: check

@@ -2,7 +2,8 @@
 # Builds the examples of integrations/ with their generators and opens them in a browser (integrations/tests), in target/integrations. It
 # is skipped, with a word, where the generators' npm packages cannot be had, and each generator that is not there by itself.
 #
-#   scripts/integrations.sh target/debug/riverseed [TEST…]     the command line, beside the npm package in target/package
+#   scripts/integrations.sh test target/debug/riverseed [TEST…]   the command line, beside the npm package in target/package
+#   scripts/integrations.sh wordpress                             packs the WordPress plugin into target/package
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
@@ -34,12 +35,25 @@ unpack_element() {
   tar -xzf "${tarballs[0]}" -C "$package" --strip-components 1
 }
 
-(($#)) || { sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2; }
-RIVERSEED_PROGRAM=$(realpath "$1")
-export RIVERSEED_PROGRAM
-shift
-(($#)) || set -- integrations/tests/*.test.mjs
-get_packages
-unpack_element
-# One file at a time: browsers and generators use every core by themselves.
-exec node --test --test-concurrency=1 --test-timeout=300000 --test-reporter=spec "$@"
+case ${1-} in
+  test)
+    get_packages
+    unpack_element
+    RIVERSEED_PROGRAM=$(realpath "$2")
+    export RIVERSEED_PROGRAM
+    shift 2
+    (($#)) || set -- integrations/tests/*.test.mjs
+    # One file at a time: browsers and generators use every core by themselves.
+    exec node --test --test-concurrency=1 --test-timeout=300000 --test-reporter=spec "$@"
+    ;;
+  wordpress)
+    # Who asks for a plugin is not helped without one.
+    skip() { echo "The WordPress plugin is not packed: $1." >&2; exit 1; }
+    get_packages
+    unpack_element
+    mkdir -p "$workshop/wordpress"
+    cp -R integrations/wordpress/. "$workshop/wordpress"
+    node "$workshop/wordpress/pack.mjs" "$workshop/node_modules/riverseed" target/package/river-seed-wordpress.zip
+    ;;
+  *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac

@@ -97,7 +97,8 @@ test("WordPress: hostile words are text, as block and as shortcode", { skip }, a
   await render(folder, { post: HOSTILE.map(block).join("\n") });
   await expectHarmless(folder, HOSTILE);
   await render(folder, { post: HOSTILE.map(shortcode).join("\n"), may: ["upload_files"] });
-  await expectHarmless(folder, HOSTILE, { attributes: ["data-media", "data-nonce", "data-poster"] });
+  const unslashed = HOSTILE.map((word) => word.replaceAll("\\", ""));
+  await expectHarmless(folder, unslashed, { attributes: ["data-media", "data-nonce", "data-poster"] });
 });
 
 test("WordPress: what is wrong is told to those who can mend it, and an older WordPress is named", { skip }, async () => {

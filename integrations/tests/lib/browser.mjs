@@ -144,13 +144,14 @@ export async function expectHarmless(folder, words, { path = "/blog/", page = ""
         .filter((one) => !one.matches(`h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`))
         .map((one) => one.outerHTML),
       attributes: [...new Set([...document.querySelectorAll("main river-seed, main img")].flatMap((one) => one.getAttributeNames()))].sort(),
-      sources: [...document.querySelectorAll("main img")].map((one) => one.getAttribute("src")),
+      pictures: [...document.querySelectorAll("main img")].map((one) => ({ source: one.getAttribute("src"), alt: one.alt })),
     }), own);
     assert.equal(found.isHit, false, "no seed is run as a script");
     assert.deepEqual(found.asked, words, "every seed arrives as it was written");
     assert.deepEqual(found.strange, [], "no seed becomes an element");
     assert.deepEqual(found.attributes.filter((name) => !["alt", "height", "recipe", "seed", "src", "style", "width", ...attributes].includes(name)), [], "no seed becomes an attribute");
-    for (const source of found.sources) assert.match(source, pictures, "no seed is in a path");
+    for (const { source } of found.pictures) assert.match(source, pictures, "no seed is in a path");
+    for (const [i, { alt }] of found.pictures.entries()) assert.ok(alt.includes(words[i]), `a text alternative is whole: ${alt}`);
     assert.deepEqual(site.missing, [], "no seed asks for a file");
   } finally {
     await close();

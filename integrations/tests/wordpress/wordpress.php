@@ -38,7 +38,8 @@ function do_shortcode( $text ) {
 		global $shortcodes;
 		preg_match_all( '/([a-z]+)=(?:"([^"]*)"|\'([^\']*)\')/', $found[1], $all, PREG_SET_ORDER );
 		$given = array();
-		foreach ( $all as $each ) { $given[ $each[1] ] = $each[3] ?? $each[2]; }
+		// As in WordPress, backslashes are lost.
+		foreach ( $all as $each ) { $given[ $each[1] ] = stripcslashes( $each[3] ?? $each[2] ); }
 		return $shortcodes['river-seed']( $given, $found[2] ?? null );
 	}, $text );
 }
