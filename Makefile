@@ -55,6 +55,10 @@ package: tarball ## pack what is published into target/package: the npm package,
 tarball: widget
 	@$(npm) package
 
+.PHONY: wordpress
+wordpress: tarball ## the WordPress plugin as a zip, with the element in it, in target/package
+	@scripts/integrations.sh wordpress
+
 .PHONY: wheel
 wheel: ## the Python package as a wheel, in target/package
 	@$(setup) rust
@@ -73,7 +77,7 @@ test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
+test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package test-integrations
 
 .PHONY: clock
 clock:
@@ -203,6 +207,13 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 	$(npm) package:test
 	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
 	$(lap) "the npm package, as its users have it"
+
+# Each is skipped, with a word, where its generator cannot be had.
+.PHONY: test-integrations
+test-integrations: tarball program ## blogs by five generators, a WordPress page and the like, built with integrations/ and opened in a browser
+	@$(setup) browser integrations
+	@scripts/integrations.sh test target/debug/riverseed
+	$(lap) "integrations"
 
 .PHONY: check
 check: clock widget ## format, lints, types, documentation, weights and licences: not one warning

@@ -2,7 +2,7 @@
 # Gets what is missing and mends what is broken; leaves alone what serves. A second run takes a few seconds.
 #
 #   scripts/setup.sh [rust] [lint] [supply] [wasm] [node] [browser] [firefox]      no names: all of these
-#   scripts/setup.sh [bindgen] [fuzz] [mutants]
+#   scripts/setup.sh [bindgen] [fuzz] [mutants] [integrations]
 #
 #   rust      a compiler as new as Cargo.toml asks, and a linker
 #   lint      rustfmt and clippy, and shellcheck
@@ -14,6 +14,7 @@
 #   firefox   Firefox, the second engine
 #   fuzz      cargo-fuzz, and a C++ compiler
 #   mutants   cargo-mutants
+#   integrations   Hugo, Jekyll, PHP and Pandoc, where apt has them
 #
 # System packages are asked of apt, where there is one; all else goes into ~/.cache/riverseed and www/node_modules.
 # RIVERSEED_WASM=debian takes the wasm32 target from Debian's packages and never asks rustup for one.
@@ -28,6 +29,7 @@ source scripts/parts/node.sh
 source scripts/parts/browsers.sh
 source scripts/parts/supply.sh
 source scripts/parts/explore.sh
+source scripts/parts/integrations.sh
 
 say() { printf '\033[1msetup:\033[0m %s\n' "$*"; }
 die() {

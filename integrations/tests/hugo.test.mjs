@@ -1,0 +1,69 @@
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import { expectHarmless, expectRivers } from "./lib/browser.mjs";
+import { HOSTILE, LONG } from "./lib/hostile.mjs";
+import { build, copied, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
+
+const skip = await without("hugo", "version");
+
+function site(name, changes) {
+  const files = {
+    "hugo/site": "",
+    "hugo/river-seed.html": "layouts/shortcodes/river-seed.html",
+    "hugo/river-seed-pictures.mjs": "river-seed-pictures.mjs",
+    "river-seed.mjs": "river-seed.mjs",
+    "example.css": "static/example.css",
+  };
+  return copied(`hugo-${name}`, files, changes);
+}
+
+test("Hugo: a blog under a path", { skip }, async () => {
+  const source = site("blog");
+  await build(source, "node", ["river-seed-pictures.mjs"]);
+  await build(source, "hugo", ["--quiet"]);
+  await expectRivers(join(source, "public"), { rivers: 2, picture: join(LOOKS, "hugo.png") });
+});
+
+test("Hugo: hostile words are text, in each spelling of a parameter", { skip }, async () => {
+  const source = site("hostile");
+  const words = HOSTILE.map((word) => (word.includes("`") ? `"${word.replaceAll('"', '\\"')}"` : `\`${word}\``));
+  words.push('"say \\"hi\\""', "kauri");
+  const texts = [...HOSTILE, 'say "hi"', "kauri"];
+  write(source, "content/_index.md", `---\ntitle: Hostile\n---\n${words.map((word) => `{{< river-seed ${word} ${word} >}}`).join("\n\n")}\n`);
+  await placePictures(join(source, "assets/riverseed"), texts, "webp");
+  await build(source, "node", ["river-seed-pictures.mjs"]);
+  await build(source, "hugo", ["--quiet"]);
+  await expectHarmless(join(source, "public"), texts);
+  assert.deepEqual(strangersIn(join(source, "public")), []);
+  assert.deepEqual(strangersIn(join(source, "assets")), []);
+});
+
+const BAD = [
+  ["an unknown parameter", '{{< river-seed "seed=kauri&frog=1" >}}', /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/],
+  ["a word that is too long", `{{< river-seed "${LONG}" >}}`, /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/],
+  ["an embed in an embed", '<river-seed>{{< river-seed "kauri" >}}</river-seed>', /river-seed: a river-seed stands inside another/],
+];
+
+for (const [what, text, said] of BAD) {
+  test(`Hugo: ${what} is named before the build, with its page`, { skip }, async () => {
+    const source = site("bad");
+    write(source, "content/bad.md", `\n${text}`);
+    await placePictures(join(source, "assets/riverseed"), ["kauri", "seed=rimu&land=valley&attractors=3000"], "webp");
+    const heard = await run(source, "node", ["river-seed-pictures.mjs"]);
+    assert.equal(heard.code, 1);
+    assert.match(heard.said, said);
+    assert.match(heard.said, /^content\/bad\.md/);
+  });
+}
+
+test("Hugo: a picture that is not drawn yet, a shortcode in a shortcode, and an older Hugo stop the build and are named", { skip }, async () => {
+  const source = site("undrawn");
+  assert.match((await run(source, "hugo", [])).said, /river-seed: no picture of "kauri" yet; run `node river-seed-pictures\.mjs` before hugo: .*_index\.md:7/);
+  write(source, "content/_index.md", '# A\n{{< river-seed "kauri" >}}{{< river-seed "rimu" >}}{{< /river-seed >}}');
+  assert.match((await run(source, "hugo", [])).said, /_index\.md:2.*"river-seed".*yet a closing tag was provided/);
+  const older = site("older", [["layouts/shortcodes/river-seed.html", '"0.111.0"', '"99.0.0"']]);
+  const heard = await run(older, "hugo", []);
+  assert.notEqual(heard.code, 0);
+  assert.match(heard.said, /river-seed: Hugo 99\.0\.0 or newer is needed; this is 0\.\d+/);
+});
