@@ -1,0 +1,162 @@
+/**
+ * Shows <river-seed> in a notebook, as anywidget and marimo ask for it. What Python sets goes to the element's attributes and methods;
+ * what the element tells and the reader does goes to Python. The kernel may be busy, stopped or not there at all: the map goes on without
+ * it, since it grows in the browser.
+ *
+ * riverseed/widget.py adds the function `defineElement` to this file, which holds the element.
+ */
+
+/** Traits that are attributes of the element, by their names there. */
+const ATTRIBUTES = {
+  link: "recipe",
+  still: "still",
+  controls: "controls",
+  speed: "speed",
+  theme: "theme",
+  alt: "alt",
+};
+
+/** The time after which it is said that Python does not answer. A kernel that computes answers late. */
+const PATIENCE_MS = 5000;
+
+/** The least step of progress that is worth a message to Python. */
+const STEP = 0.05;
+
+const SILENT = "kernel-silent: Python does not answer: its kernel is busy or has stopped. The map goes on without it.";
+
+function render({ model, el }) {
+  if (!customElements.get("river-seed")) defineElement();
+  const river = document.createElement("river-seed");
+  const link = new Link(model);
+  const stopFollowing = follow(model, river, link);
+  const stopTelling = tell(model, river, link);
+  el.append(river, link.note);
+  return () => {
+    stopFollowing();
+    stopTelling();
+    link.close();
+    el.replaceChildren();
+  };
+}
+
+/** Does what Python asks for. */
+function follow(model, river, link) {
+  const listeners = { "msg:custom": (message) => obey(message, river, link) };
+  for (const [trait, attribute] of Object.entries(ATTRIBUTES)) {
+    const set = () => setAttribute(river, attribute, model.get(trait));
+    set();
+    listeners[`change:${trait}`] = set;
+  }
+  listeners["change:paused"] = () => {
+    const isPaused = model.get("paused");
+    if (isPaused === river.paused) return;
+    link.wanted = isPaused;
+    if (isPaused) river.pause();
+    else river.play();
+  };
+  if (model.get("paused")) {
+    link.wanted = true;
+    river.pause();
+  }
+  for (const [event, listener] of Object.entries(listeners)) model.on(event, listener);
+  return () => {
+    for (const [event, listener] of Object.entries(listeners)) model.off(event, listener);
+  };
+}
+
+function setAttribute(river, name, value) {
+  if (value === null || value === undefined || value === false) river.removeAttribute(name);
+  else river.setAttribute(name, value === true ? "" : String(value));
+}
+
+function obey(message, river, link) {
+  if (message?.answer !== undefined) link.answered();
+  else if (message?.do === "play") river.play();
+  else if (message?.do === "restart") river.restart();
+  else if (message?.do === "seek") river.seek(message.share);
+}
+
+/** Tells Python how far the river is, and what the reader does. */
+function tell(model, river, link) {
+  const told = { phase: undefined, progress: -1 };
+  const state = () => {
+    const { phase, progress, paused, summary } = river;
+    const isNews = phase !== told.phase || Math.abs(progress - told.progress) >= STEP || paused !== model.get("paused");
+    if (!isNews) return;
+    Object.assign(told, { phase, progress });
+    link.tell({ phase, progress, summary, error: null, ...link.pausedOf(paused) });
+  };
+  const listeners = {
+    ready: ({ detail }) => link.tell({ notices: detail.notices.map(({ message }) => message) }),
+    progress: state,
+    complete: state,
+    error: ({ detail }) => link.tell({ phase: river.phase, progress: 0, summary: null, error: { ...detail } }),
+  };
+  for (const [event, listener] of Object.entries(listeners)) river.addEventListener(event, listener);
+  return () => {
+    for (const [event, listener] of Object.entries(listeners)) river.removeEventListener(event, listener);
+  };
+}
+
+/** The way to Python, which may be cut. */
+class Link {
+  /** What Python has asked for, until the element has done it: it says the old state a moment longer. */
+  wanted;
+  /** Stands below the map, and says something only while Python does not answer. */
+  note = document.createElement("div");
+  #model;
+  #waiting;
+
+  constructor(model) {
+    this.#model = model;
+    this.note.setAttribute("role", "status");
+    this.note.style.cssText = "font: 12px/1.6 system-ui, sans-serif; opacity: 0.75";
+  }
+
+  /** Sets traits. */
+  tell(traits) {
+    try {
+      for (const [name, value] of Object.entries(traits)) this.#model.set(name, value);
+      this.#model.save_changes();
+    } catch {
+      this.#silent();
+    }
+  }
+
+  /** The trait `paused`, if it has changed by the reader's hand; then Python is asked whether it hears. */
+  pausedOf(paused) {
+    if (this.wanted !== undefined) {
+      if (paused === this.wanted) this.wanted = undefined;
+      return {};
+    }
+    if (paused === this.#model.get("paused")) return {};
+    this.#ask();
+    return { paused };
+  }
+
+  answered() {
+    clearTimeout(this.#waiting);
+    this.note.textContent = "";
+  }
+
+  close() {
+    clearTimeout(this.#waiting);
+  }
+
+  #ask() {
+    clearTimeout(this.#waiting);
+    this.#waiting = setTimeout(() => this.#silent(), PATIENCE_MS);
+    try {
+      this.#model.send({ ask: "heard" });
+    } catch {
+      this.#silent();
+    }
+  }
+
+  #silent() {
+    clearTimeout(this.#waiting);
+    this.note.textContent = SILENT;
+  }
+}
+
+export default { render };
