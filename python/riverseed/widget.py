@@ -47,7 +47,7 @@ class Widget(AnyWidget):
 
     Every parameter is a trait by its keyword, and so is `link`, which has all of them: what is set changes the rest, in
     Python and before the reader's eyes. What the reader's browser tells is in traits that can only be read: `phase`,
-    `progress`, `summary`, `notices` and `error`.
+    `progress`, `summary`, `shown` and `error`.
 
     >>> import riverseed
     >>> river = riverseed.Widget("seed=kauri", curl=0.4)
@@ -74,8 +74,10 @@ class Widget(AnyWidget):
     phase = traitlets.Unicode("idle", read_only=True, help="How far the rivers are, in a word.").tag(sync=True)
     progress = traitlets.Float(0.0, read_only=True, help="How far the rivers are, from 0 to 1.").tag(sync=True)
     summary = traitlets.Dict(None, allow_none=True, read_only=True, help="The rivers in numbers.").tag(sync=True)
-    notices = traitlets.List(
-        traitlets.Unicode(), read_only=True, help="What the element has changed in the recipe, since it has limits."
+    shown = traitlets.Unicode(
+        "",
+        read_only=True,
+        help="The link of what is seen: of a smaller map if `link` is beyond the element's limits.",
     ).tag(sync=True)
     error = traitlets.Dict(
         None, allow_none=True, read_only=True, help="Why there is no map: code, message and advice."

@@ -181,7 +181,7 @@ def test_what_is_no_good_is_refused_by_name_and_changes_nothing(river: Widget) -
 def test_only_the_browser_says_how_far_it_is(river: Widget) -> None:
     from traitlets import TraitError
 
-    told = {"phase": "growing", "progress": 0.5, "summary": {"nodes": 7}, "notices": ["a"], "error": {"code": "x"}}
+    told = {"phase": "growing", "progress": 0.5, "summary": {"nodes": 7}, "shown": "seed=a", "error": {"code": "x"}}
     for name, value in told.items():
         with pytest.raises(TraitError, match=name):
             setattr(river, name, value)

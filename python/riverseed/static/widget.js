@@ -19,6 +19,9 @@ const ATTRIBUTES = {
 /** The time after which it is said that Python does not answer. A kernel that computes answers late. */
 const PATIENCE_MS = 5000;
 
+/** The time in which the element does what Python asks for. */
+const MOMENT_MS = 1000;
+
 /** The least step of progress that is worth a message to Python. */
 const STEP = 0.05;
 
@@ -28,8 +31,8 @@ function render({ model, el }) {
   if (!customElements.get("river-seed")) defineElement();
   const river = document.createElement("river-seed");
   const link = new Link(model);
-  const stopFollowing = follow(model, river, link);
   const stopTelling = tell(model, river, link);
+  const stopFollowing = follow(model, river, link);
   el.append(river, link.note);
   return () => {
     stopFollowing();
@@ -50,14 +53,11 @@ function follow(model, river, link) {
   listeners["change:paused"] = () => {
     const isPaused = model.get("paused");
     if (isPaused === river.paused) return;
-    link.wanted = isPaused;
+    link.wait(isPaused);
     if (isPaused) river.pause();
     else river.play();
   };
-  if (model.get("paused")) {
-    link.wanted = true;
-    river.pause();
-  }
+  listeners["change:paused"]();
   for (const [event, listener] of Object.entries(listeners)) model.on(event, listener);
   return () => {
     for (const [event, listener] of Object.entries(listeners)) model.off(event, listener);
@@ -84,14 +84,16 @@ function tell(model, river, link) {
     const isNews = phase !== told.phase || Math.abs(progress - told.progress) >= STEP || paused !== model.get("paused");
     if (!isNews) return;
     Object.assign(told, { phase, progress });
-    link.tell({ phase, progress, summary, error: null, ...link.pausedOf(paused) });
+    // Until the engine has read it, the link is only what was asked for.
+    const shown = summary ? { shown: river.link } : {};
+    link.tell({ phase, progress, summary, error: null, ...shown, ...link.pausedOf(river) });
   };
   const listeners = {
-    ready: ({ detail }) => link.tell({ notices: detail.notices.map(({ message }) => message) }),
     progress: state,
     complete: state,
     error: ({ detail }) => link.tell({ phase: river.phase, progress: 0, summary: null, error: { ...detail } }),
   };
+  link.onMoment = state;
   for (const [event, listener] of Object.entries(listeners)) river.addEventListener(event, listener);
   return () => {
     for (const [event, listener] of Object.entries(listeners)) river.removeEventListener(event, listener);
@@ -100,10 +102,13 @@ function tell(model, river, link) {
 
 /** The way to Python, which may be cut. */
 class Link {
-  /** What Python has asked for, until the element has done it: it says the old state a moment longer. */
-  wanted;
+  /** True or false while Python has just paused or continued, which the element does a moment later. */
+  #wanted;
+  #until = 0;
   /** Stands below the map, and says something only while Python does not answer. */
   note = document.createElement("div");
+  /** Is called when the element has had its moment. */
+  onMoment = () => {};
   #model;
   #waiting;
 
@@ -123,13 +128,18 @@ class Link {
     }
   }
 
-  /** The trait `paused`, if it has changed by the reader's hand; then Python is asked whether it hears. */
-  pausedOf(paused) {
-    if (this.wanted !== undefined) {
-      if (paused === this.wanted) this.wanted = undefined;
-      return {};
-    }
-    if (paused === this.#model.get("paused")) return {};
+  /** Waits for the element to pause or continue. A finished map does neither. */
+  wait(wanted) {
+    this.#wanted = wanted;
+    this.#until = Date.now() + MOMENT_MS;
+    setTimeout(() => this.onMoment(), MOMENT_MS + 1);
+  }
+
+  /** Returns the trait `paused`, if it has changed by the reader's hand; then Python is asked whether it hears. */
+  pausedOf({ paused, phase }) {
+    const isDue = Date.now() > this.#until && phase !== "idle" && phase !== "loading";
+    if (paused === this.#wanted || isDue) this.#wanted = undefined;
+    if (this.#wanted !== undefined || paused === this.#model.get("paused")) return {};
     this.#ask();
     return { paused };
   }
@@ -141,6 +151,7 @@ class Link {
 
   close() {
     clearTimeout(this.#waiting);
+    this.onMoment = () => {};
   }
 
   #ask() {
