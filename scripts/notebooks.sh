@@ -23,5 +23,6 @@ python3 -c "import sys; sys.exit(sys.version_info < (3, $least_python))" || skip
 [[ -n $HEADLESS_SHELL ]] || skip "this machine has no Chromium"
 get_python_packages "$packages" python/requirements-notebooks.txt "JupyterLab, marimo or what goes with them"
 scripts/python.sh try
+compgen -G "target/python/wheels/*.whl" >/dev/null || skip "there is no wheel"
 "$packages/bin/pip" install --quiet --disable-pip-version-check --no-index --no-deps --force-reinstall target/python/wheels/*.whl
 NOTEBOOKS=$PWD/$packages node --test --test-concurrency=1 python/tests/notebooks/*.test.mjs

@@ -36,10 +36,11 @@ check() {
   "$packages/bin/mypy" --no-error-summary --cache-dir "$build/mypy" --config-file python/pyproject.toml python/riverseed python/tests
 }
 
-# Puts the element into the package, if it has been built (make widget), and no old one if it has not.
+# Puts the element into the package with the notices of what is in it, if it has been built (make widget), and no old one if it has not.
 put_element() {
-  rm -f "python/riverseed/static/${element##*/}"
-  if [[ -f $element ]]; then cp "$element" python/riverseed/static/
+  local folder=python/riverseed/static
+  rm -f "$folder/${element##*/}" "$folder/THIRD-PARTY.txt"
+  if [[ -f $element ]]; then cp "$element" THIRD-PARTY.txt "$folder"
   else echo "The Python package has no widget: there is no $element."; fi
 }
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from base64 import b64decode
+from importlib import import_module
 from importlib.resources import files
 from io import BytesIO
 from pathlib import Path
@@ -20,6 +22,7 @@ import riverseed
 if TYPE_CHECKING:
     from riverseed import Widget
 
+README = Path(__file__).parents[1] / "README.md"
 ELEMENT = Path(str(files("riverseed"))) / "static" / "river-seed.classic.js"
 HOSTILE = [
     "<script>alert(1)</script>",
@@ -142,6 +145,29 @@ def test_a_parameter_can_be_observed_and_linked(river: Widget) -> None:
     assert len(heard) == 2
 
 
+def test_a_slider_moves_a_parameter_and_is_moved(river: Widget) -> None:
+    ipywidgets = import_module("ipywidgets")  # untyped
+    slider = ipywidgets.FloatSlider(0.7, min=0, max=2)
+    ipywidgets.link((slider, "value"), (river, "curl"))
+    assert river.curl == 0.7
+    slider.value = 1.5
+    assert (river.curl, parse_qs(river.link)["curl"]) == (1.5, ["1.5"])
+    river.link = "seed=kauri&curl=0.2"
+    assert slider.value == 0.2
+
+
+@pytest.mark.usefixtures("river")
+def test_what_the_readme_says_of_notebooks_runs() -> None:
+    readme = README.read_text()
+    assert f"\n{riverseed.grow('seed=kauri')!r}\n" in readme
+    examples = re.findall(r"^```py\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)
+    assert len(examples) == 2
+    known: dict[str, object] = {"riverseed": riverseed}
+    for example in examples:
+        exec(compile(example, str(README), "exec"), known)
+    assert isinstance(known["river"], riverseed.Widget)
+
+
 def test_all_parameters_are_traits_and_hide_nothing_of_a_widget(river: Widget) -> None:
     from anywidget import AnyWidget
 
@@ -225,6 +251,12 @@ def test_a_hostile_seed_is_escaped_in_all_that_the_browser_gets(river: Widget) -
         data, _ = bundle
         assert set(data) == {"text/plain", "application/vnd.jupyter.widget-view+json"}
         assert data["text/plain"] == repr(river)
+
+
+def test_the_element_has_its_notices_beside_it(river: Widget) -> None:
+    assert river.get_state()["_esm"].endswith(f"{ELEMENT.read_text()}\n}}\n")
+    notices = (ELEMENT.parent / "THIRD-PARTY.txt").read_text()
+    assert "  wasm-bindgen " in notices
 
 
 def run(program: str) -> str:

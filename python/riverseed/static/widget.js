@@ -109,6 +109,8 @@ class Link {
   note = document.createElement("div");
   /** Is called when the element has had its moment. */
   onMoment = () => {};
+  /** True once a message could not be sent. */
+  #isCut = false;
   #model;
   #waiting;
 
@@ -120,12 +122,8 @@ class Link {
 
   /** Sets traits. */
   tell(traits) {
-    try {
-      for (const [name, value] of Object.entries(traits)) this.#model.set(name, value);
-      this.#model.save_changes();
-    } catch {
-      this.#silent();
-    }
+    for (const [name, value] of Object.entries(traits)) this.#model.set(name, value);
+    if (!this.#isCut) this.#reach(() => this.#model.save_changes());
   }
 
   /** Waits for the element to pause or continue. A finished map does neither. */
@@ -145,6 +143,7 @@ class Link {
   }
 
   answered() {
+    this.#isCut = false;
     clearTimeout(this.#waiting);
     this.note.textContent = "";
   }
@@ -157,9 +156,15 @@ class Link {
   #ask() {
     clearTimeout(this.#waiting);
     this.#waiting = setTimeout(() => this.#silent(), PATIENCE_MS);
+    this.#reach(() => this.#model.send({ ask: "heard" }));
+  }
+
+  /** Does what fails where Python has gone: at once in some notebooks, later in others. */
+  async #reach(send) {
     try {
-      this.#model.send({ ask: "heard" });
+      await send();
     } catch {
+      this.#isCut = true;
       this.#silent();
     }
   }
@@ -170,4 +175,5 @@ class Link {
   }
 }
 
+// biome-ignore lint/style/noDefaultExport: notebooks ask for it.
 export default { render };

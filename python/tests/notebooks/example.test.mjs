@@ -19,7 +19,10 @@ test("fifty rivers are grown, measured and plotted", () => {
   const program = join(process.env.NOTEBOOKS, "bin", "jupyter-execute");
   execFileSync(program, words, { env: environment(home), cwd: home, stdio: "pipe" });
   const outputs = cellsOf(done).flatMap(({ outputs }) => outputs);
-  assert.deepEqual(outputs.filter(({ output_type }) => output_type === "stream" || output_type === "error"), []);
+  assert.deepEqual(
+    outputs.filter(({ output_type }) => output_type === "stream" || output_type === "error"),
+    [],
+  );
   const data = outputs.map(({ data }) => data);
   const table = data.map((forms) => [forms["text/html"] ?? ""].flat().join("")).join("");
   assert.equal(table.match(/<th>river-\d+<\/th>/g)?.length, 50);

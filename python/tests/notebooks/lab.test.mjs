@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browse, coloursOf, folder, freePort, part, serve, until } from "./host.mjs";
 
-const SEED = "\"><img src=x onerror=alert(1)>";
+const SEED = '"><img src=x onerror=alert(1)>';
 const CELLS = [
   `import riverseed\nkauri = riverseed.grow("seed=kauri", attractors=300)\nkauri`,
   `river = riverseed.Widget(seed=${JSON.stringify(SEED)}, attractors=300, paused=True)\nriver`,
@@ -64,7 +64,11 @@ const state = (name) => page.locator("river-seed").evaluate((river, name) => riv
 test("a map is shown as its picture, sharp and as large as text", async () => {
   const picture = page.locator(".jp-OutputArea-output img").first();
   await picture.waitFor();
-  const size = await picture.evaluate((image) => [image.naturalWidth, image.naturalHeight, image.getAttribute("width")]);
+  const size = await picture.evaluate((image) => [
+    image.naturalWidth,
+    image.naturalHeight,
+    image.getAttribute("width"),
+  ]);
   assert.deepEqual(size, [1200, 750, "800"]);
 });
 
@@ -105,7 +109,9 @@ test("values that are no good are refused in Python, and change nothing", async 
 
 test("a map beyond the element's limits is shown smaller, and Python is told", async () => {
   await python("river.attractors = 30_000");
-  await until(async () => /attractors=20000/.test(await told("river.shown")) || !/attractors/.test(await told("river.shown")));
+  await until(
+    async () => /attractors=20000/.test(await told("river.shown")) || !/attractors/.test(await told("river.shown")),
+  );
   await python("river.attractors = 300");
   await until(async () => (await told("river.shown == river.link and river.phase")) === "finished");
 });
@@ -116,9 +122,9 @@ test("a busy kernel is said to be silent until it answers", async () => {
   const note = page.locator("river-seed + [role=status]");
   const busy = python("import time; time.sleep(8)");
   await part(page, "button").click();
-  await until(async () => /kernel-silent: Python does not answer/.test(await note.innerText()));
+  await until(async () => /kernel-silent: Python does not answer/.test(await note.textContent()));
   await busy;
-  await until(async () => (await note.innerText()) === "");
+  await until(async () => (await note.textContent()) === "");
   assert.equal(await told("river.paused"), false);
 });
 
@@ -132,7 +138,7 @@ test("a kernel that dies leaves the map, which goes on without it and says so", 
   assert.ok((await coloursOf(page)) > 100);
   await part(page, "button").click();
   await until(async () => (await state("phase")) === "finished");
-  await until(async () => /kernel-silent/.test(await page.locator("river-seed + [role=status]").innerText()));
+  await until(async () => /kernel-silent/.test(await page.locator("river-seed + [role=status]").textContent()));
 });
 
 test("nothing was complained of", () => {
