@@ -228,7 +228,7 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
-	$(run) biome check --error-on-warnings --config-path=www/biome.json python/riverseed/static/widget.js python/tests/notebooks
+	cd www && ../$(run) biome check --error-on-warnings ../python/riverseed/static/widget.js ../python/tests/notebooks
 	$(lap) "formats, lints, types, licences"
 
 .PHONY: prose
