@@ -116,6 +116,12 @@ def test_a_hostile_seed_is_no_markup_and_turns_no_line(hostile: list[riverseed.M
         assert parse_qs(map_.link)["seed"] == [seed]
 
 
+def test_a_name_that_would_turn_the_line_does_not() -> None:
+    map_ = riverseed.grow(TINY)
+    vars(map_)["title"] = "Te\u202eAwa\u2066\u200f"
+    assert "# TeAwa: " in repr(map_)
+
+
 # ---- the widget
 
 
@@ -220,7 +226,7 @@ def test_a_browser_that_asks_is_answered(river: Widget, monkeypatch: pytest.Monk
     monkeypatch.setattr(type(river), "send", lambda _, content: said.append(content))
     contents: list[object] = [{"ask": "heard"}, {"else": 1}, "text", None, []]
     for content in contents:
-        river._handle_custom_msg(content, [])
+        river._answer(river, content, [])
     assert said == [{"answer": "heard"}]
     river.seek(0.5)
     river.play()
