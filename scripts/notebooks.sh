@@ -25,4 +25,5 @@ get_python_packages "$packages" python/requirements-notebooks.txt "JupyterLab, m
 scripts/python.sh try
 compgen -G "target/python/wheels/*.whl" >/dev/null || skip "there is no wheel"
 "$packages/bin/pip" install --quiet --disable-pip-version-check --no-index --no-deps --force-reinstall target/python/wheels/*.whl
-NOTEBOOKS=$PWD/$packages node --test --test-concurrency=1 python/tests/notebooks/*.test.mjs
+# Two at a time: most of them wait for a browser.
+NOTEBOOKS=$PWD/$packages node --test --test-concurrency=2 python/tests/notebooks/*.test.mjs
