@@ -26,4 +26,4 @@ scripts/python.sh try
 compgen -G "target/python/wheels/*.whl" >/dev/null || skip "there is no wheel"
 "$packages/bin/pip" install --quiet --disable-pip-version-check --no-index --no-deps --force-reinstall target/python/wheels/*.whl
 # Two at a time: most of them wait for a browser.
-NOTEBOOKS=$PWD/$packages node --test --test-concurrency=2 python/tests/notebooks/*.test.mjs
+NOTEBOOKS=$PWD/$packages node --test --test-concurrency=2 --test-timeout=300000 python/tests/notebooks/*.test.mjs

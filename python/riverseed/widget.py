@@ -52,10 +52,10 @@ class Widget(AnyWidget):
     >>> import riverseed
     >>> river = riverseed.Widget("seed=kauri", curl=0.4)
     >>> river.link
-    'seed=kauri&curl=0.4'
+    'seed=kauri&edition=1&curl=0.4'
     >>> river.seed = "rimu"
     >>> river.link
-    'seed=rimu&curl=0.4'
+    'seed=rimu&edition=1&curl=0.4'
     >>> river.curl = 3
     Traceback (most recent call last):
     ValueError: curl: 3 is not between 0 and 2

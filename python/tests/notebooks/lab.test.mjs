@@ -121,9 +121,12 @@ test("a kernel that stands still is said to be silent until it answers", async (
   const pid = await told("__import__('os').getpid()");
   const note = page.locator("river-seed + [role=status]");
   process.kill(pid, "SIGSTOP");
-  await part(page, "button").click();
-  await until(async () => /^kernel-silent: Python does not answer/.test(await note.textContent()));
-  process.kill(pid, "SIGCONT");
+  try {
+    await part(page, "button").click();
+    await until(async () => /^kernel-silent: Python does not answer/.test(await note.textContent()));
+  } finally {
+    process.kill(pid, "SIGCONT");
+  }
   await until(async () => (await note.textContent()) === "");
   await until(async () => (await told("river.paused")) === false);
 });
