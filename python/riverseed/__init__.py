@@ -88,3 +88,8 @@ def __getattr__(name: str) -> object:
         message = f"riverseed.Widget needs anywidget, and there is no {error.name}: pip install riverseed[notebook]"
         raise ImportError(message, name=error.name) from error
     return Widget
+
+
+def __dir__() -> list[str]:
+    """Return all names, for completion: `Widget` too, before it is loaded."""
+    return sorted({*globals(), "Widget"})

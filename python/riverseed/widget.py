@@ -16,7 +16,7 @@ from riverseed._map import Map
 from riverseed._options import by_keyword, texts
 from riverseed._parameters import parameters
 
-_PARAMETERS = {keyword: parameter.default for keyword, parameter in parameters().items()}
+_PARAMETERS = parameters()
 
 _OPTIONS = ("still", "controls", "speed", "theme", "alt", "paused", "layout")
 
@@ -84,7 +84,7 @@ class Widget(AnyWidget):
     ).tag(sync=True)
 
     # A trait for every parameter. Browsers read the link, which has them all.
-    locals().update({keyword: traitlets.Any(default) for keyword, default in _PARAMETERS.items()})
+    locals().update({name: traitlets.Any(one.default, help=one.help) for name, one in _PARAMETERS.items()})
 
     def __init__(self, link: str | Map = "", /, **options: object) -> None:
         """Make a widget of a map.
