@@ -60,7 +60,7 @@ wordpress: tarball ## the WordPress plugin as a zip, with the element in it, in 
 	@scripts/integrations.sh wordpress
 
 .PHONY: wheel
-wheel: ## the Python package as a wheel, in target/package
+wheel: widget ## the Python package as a wheel, in target/package
 	@$(setup) rust
 	@scripts/python.sh wheel
 
@@ -77,7 +77,7 @@ test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package test-integrations
+test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-notebooks test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package test-integrations
 
 .PHONY: clock
 clock:
@@ -113,7 +113,7 @@ program:
 	@$(setup) rust
 	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
-# These four are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
+# These five are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
 .PHONY: test-hydrology
 test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
 	@scripts/hydrology.sh target/debug/riverseed
@@ -131,9 +131,15 @@ test-batch: program ## a distributed engine makes the maps that one call makes, 
 	$(lap) "many maps, by a distributed engine"
 
 .PHONY: test-python
-test-python: program ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
+test-python: program widget ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
 	@scripts/python.sh test target/debug/riverseed
 	$(lap) "the Python package"
+
+.PHONY: test-notebooks
+test-notebooks: widget ## its widget in JupyterLab and marimo, in Chromium, and the notebook that measures fifty networks
+	@$(setup) rust browser
+	@scripts/notebooks.sh
+	$(lap) "the Python package, in notebooks"
 
 .PHONY: webdriver
 webdriver:
@@ -239,6 +245,7 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
+	cd www && ../$(run) biome check --error-on-warnings ../python/riverseed/static/widget.js ../python/tests/notebooks
 	$(lap) "formats, lints, types, licences"
 
 .PHONY: prose

@@ -16,6 +16,7 @@ threads work at the same time, and hears Ctrl+C.
 """
 
 from importlib.metadata import version as _version
+from typing import TYPE_CHECKING
 
 from riverseed import _native
 from riverseed._arrays import Nodes, Oxbows, Relief, Rivers
@@ -23,6 +24,10 @@ from riverseed._map import Map, Name, Summary
 from riverseed._options import texts as _texts
 from riverseed._parameters import Parameter, parameters
 
+if TYPE_CHECKING:
+    from riverseed.widget import Widget as Widget
+
+# Not `Widget`, which needs anywidget: `from riverseed import *` works without.
 __all__ = [
     "FORMS",
     "LAYERS",
@@ -70,3 +75,21 @@ def grow(link: str = "", /, **parameters: str | float) -> Map:
     ValueError: curl: 3 is not between 0 and 2
     """
     return Map(_native.grow(link, _texts(parameters)))
+
+
+def __getattr__(name: str) -> object:
+    """Return `Widget`, which is loaded when it is first asked for."""
+    if name != "Widget":
+        message = f"module 'riverseed' has no attribute {name!r}"
+        raise AttributeError(message)
+    try:
+        from riverseed.widget import Widget
+    except ModuleNotFoundError as error:
+        message = f"riverseed.Widget needs anywidget, and there is no {error.name}: pip install riverseed[notebook]"
+        raise ImportError(message, name=error.name) from error
+    return Widget
+
+
+def __dir__() -> list[str]:
+    """Return all names, for completion: `Widget` too, before it is loaded."""
+    return sorted({*globals(), "Widget"})

@@ -61,6 +61,17 @@ class _Lines:
         """Return all lines in their order, as views."""
         return map(self.line, range(len(self)))
 
+    @property
+    def lengths(self) -> NDArray[np.float64]:
+        """The length of each line along its course, in units."""
+        steps = np.hypot(*np.diff(self.points[:, :2].astype(np.float64), axis=0).T)
+        along = np.zeros(len(self.points) + 1)
+        along[1:-1] = np.cumsum(steps)
+        first = self.offsets[:-1]
+        # A line without points has no last one.
+        last = np.maximum(self.offsets[1:] - 1, first)
+        return along[last] - along[first]
+
 
 @dataclass(frozen=True, eq=False)
 class Rivers(_Lines):

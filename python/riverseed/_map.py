@@ -1,18 +1,24 @@
 """The finished map: its files, and its parts as data."""
 
 import os
-from collections.abc import Mapping
+from base64 import b64encode
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riverseed import _native
 from riverseed._arrays import Nodes, Oxbows, Relief, Rivers
-from riverseed._options import keyword, pixels
+from riverseed._options import by_keyword, pixels
+from riverseed._words import describe
+
+# The picture in a notebook: as wide as its text, and sharp on screens of more than a pixel to a CSS pixel.
+_SHOWN_SIZE, _SHOWN_RATIO = 1200, 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,8 +79,23 @@ class Map:
     _grown: _native.Map
 
     def __repr__(self) -> str:
-        """Return the link, as a call."""
-        return f"riverseed.grow({self.link!r})"
+        """Return the call that grows the map and, as a comment, the map in a sentence."""
+        return describe(self.link, self.title, self.summary, self.rivers)
+
+    def _repr_mimebundle_(
+        self, include: Collection[str] | None = None, exclude: Collection[str] | None = None
+    ) -> tuple[dict[str, str], dict[str, Any]]:
+        """Return what a notebook shows: the picture, and `repr` where there are no pictures."""
+        wanted = {"image/png", "text/plain"} if include is None else set(include)
+        wanted -= set(exclude or ())
+        data, metadata = {}, {}
+        if "text/plain" in wanted:
+            data["text/plain"] = repr(self)
+        if "image/png" in wanted:
+            picture = self.png(size=_SHOWN_SIZE, ratio=_SHOWN_RATIO)
+            data["image/png"] = b64encode(picture).decode()
+            metadata["image/png"] = _shown_size(picture)
+        return data, metadata
 
     def png(self, *, size: int | None = None, ratio: float | None = None) -> bytes:
         """Return the picture as a PNG file.
@@ -209,7 +230,7 @@ class Map:
     @cached_property
     def recipe(self) -> Mapping[str, str | int | float]:
         """The value of each parameter, by its name as a keyword: `riverseed.grow(**recipe)` gives the same map."""
-        return MappingProxyType({keyword(name): value for name, value in self._grown.recipe().items()})
+        return MappingProxyType(by_keyword(self._grown.recipe()))
 
     @cached_property
     def size(self) -> tuple[float, float]:
@@ -269,3 +290,9 @@ class Map:
 
     def _relief(self, raster_size: int | None) -> Relief:
         return Relief(**self._grown.relief(pixels("raster_size", raster_size, _native.LONGEST_RASTER)))
+
+
+def _shown_size(picture: bytes) -> dict[str, int]:
+    """Return width and height in CSS pixels, of those in the head of a PNG file."""
+    width, height = (int.from_bytes(picture[at : at + 4], "big") for at in (16, 20))
+    return {"width": round(width / _SHOWN_RATIO), "height": round(height / _SHOWN_RATIO)}

@@ -2,13 +2,21 @@
 
 import operator
 from collections.abc import Mapping
+from typing import TypeVar
 
 import numpy as np
+
+T = TypeVar("T")
 
 
 def keyword(name: str) -> str:
     """Return the name of a parameter as Python spells it."""
     return name.replace("-", "_")
+
+
+def by_keyword(values: Mapping[str, T]) -> dict[str, T]:
+    """Return values of parameters by their names in Python."""
+    return {keyword(name): value for name, value in values.items()}
 
 
 def texts(parameters: Mapping[str, object]) -> list[tuple[str, str]]:

@@ -28,6 +28,8 @@ mod _native {
     #[pymodule_export]
     use crate::map::{Map, grow};
     #[pymodule_export]
+    use crate::order::read;
+    #[pymodule_export]
     use crate::values::parameters;
 
     /// Facts of the library that its callers need.

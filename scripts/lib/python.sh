@@ -12,7 +12,8 @@ get_python_packages() {
   cmp --silent "$wanted" "$environment/installed.txt" && finds_packages "$environment" && return
   rm -rf "$environment"
   python3 -m venv "$environment" &>/dev/null || skip "this machine has no Python with venv"
-  "$environment/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
+  # Not compiled: Python does that with what is used of them, which is little of the large ones.
+  "$environment/bin/pip" install --quiet --disable-pip-version-check --retries 1 --no-compile --only-binary :all: -r "$wanted" ||
     skip "$name cannot be had from PyPI"
   cp "$wanted" "$environment/installed.txt"
 }

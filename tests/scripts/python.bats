@@ -19,7 +19,7 @@ case "\$1 \$2" in
   "-m venv")
     echo "venv \$3" >>"\$machine/calls"
     mkdir -p "\$3/bin"
-    for name in python ruff mypy; do
+    for name in python maturin ruff mypy; do
       printf '#!/bin/sh\n' >"\$3/bin/\$name"
     done
     printf '#!/bin/sh\n%s\n' '$pip' >"\$3/bin/pip"
@@ -79,6 +79,25 @@ EOF
     succeeded
     called 2 "venv"
   done
+}
+
+@test "a wheel has the element of now, and a word says where it has none" {
+  local static=$checkout/python/riverseed/static element=river-seed.classic.js
+  put_python 0 ""
+  mkdir -p "$static" "$checkout/www/dist-widget"
+  echo notices >"$checkout/THIRD-PARTY.txt"
+  for said in first second; do
+    echo "$said" >"$checkout/www/dist-widget/$element"
+    python_sh try
+    succeeded
+    never_said "has no widget"
+    [[ $(cat "$static/$element" "$static/THIRD-PARTY.txt") == "$said"$'\n'notices ]]
+  done
+  rm "$checkout/www/dist-widget/$element"
+  python_sh try
+  succeeded
+  said "The Python package has no widget: there is no www/dist-widget/$element."
+  [[ -z $(ls "$static") ]]
 }
 
 @test "without a command that it knows, it tells them" {

@@ -1,0 +1,38 @@
+"""A map in words: what a prompt shows, and a notebook under its picture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riverseed._arrays import Rivers
+    from riverseed._map import Summary
+
+KILOMETRES_A_UNIT = 1.1132
+"""A unit is a hundredth of a degree of the equator, as on the scale bars and plates of the picture."""
+
+
+def describe(link: str, title: str | None, summary: Summary, rivers: Rivers) -> str:
+    """Return the call that grows a map and, as its comment, the map in one sentence."""
+    said = f"{_shown(title)}: " if title else ""
+    return f"riverseed.grow({link!r})  # {said}{_rivers(summary, rivers)}"
+
+
+def _rivers(summary: Summary, rivers: Rivers) -> str:
+    if not len(rivers):
+        return "no rivers"
+    lengths = rivers.lengths
+    longest = int(lengths.argmax())
+    name = rivers.name[longest]
+    count = "1 river" if len(rivers) == 1 else f"{len(rivers)} rivers"
+    which = f"the longest, {_shown(name)}," if name else "the longest"
+    length = lengths[longest]
+    return (
+        f"{count}, {summary.mouths} of which reach the sea; {which} "
+        f"runs {length * KILOMETRES_A_UNIT:.0f} km ({length:.0f} units)"
+    )
+
+
+def _shown(text: str | None) -> str:
+    """Return a name without what has no shape of its own, such as a mark that turns the rest of a line around."""
+    return "".join(letter for letter in text or "" if letter.isprintable())
