@@ -215,7 +215,7 @@ class Page {
     // Without hashchange, which follows the popstate of another fragment: the link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
     prefersDark.addEventListener("change", () => this.#followScheme());
-    hideWhatIsAway(document.querySelectorAll<HTMLAnchorElement>(".gallery-link"));
+    hideWhatIsAway(document.querySelectorAll<HTMLAnchorElement>(".gallery-link, .docs-link"));
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
