@@ -77,7 +77,7 @@ class Widget(AnyWidget):
     shown = traitlets.Unicode(
         "",
         read_only=True,
-        help="The link of what is seen: of a smaller map if `link` is beyond the element's limits.",
+        help="The link of what is seen: within the element's limits, and by night on a dark page.",
     ).tag(sync=True)
     error = traitlets.Dict(
         None, allow_none=True, read_only=True, help="Why there is no map: code, message and advice."
