@@ -72,7 +72,9 @@ export async function copyElement(folder) {
 /** Returns the address of the element's folder in a site whose own address or path is `site`. */
 export function baseOf(site) {
   if (!/^(https?:\/\/[^/]|\.?\/(?!\/))/.test(site))
-    throw new RiverSeedError(`the site's base is a path such as "/", "/blog/" or "./", or a whole address, not ${JSON.stringify(site)}`);
+    throw new RiverSeedError(
+      `the site's base is a path such as "/", "/blog/" or "./", or a whole address, not ${JSON.stringify(site)}`,
+    );
   return `${site.replace(/\/*$/, "/")}riverseed/`;
 }
 
@@ -98,7 +100,9 @@ const drawing = new Map();
 /** Draws a map's picture once, however many pages ask for it at the same time, and returns its size. */
 export function drawOnce(map, folder) {
   if (typeof map !== "string" || map.trim() === "")
-    throw new RiverSeedError(`a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`);
+    throw new RiverSeedError(
+      `a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`,
+    );
   const path = join(folder, fileOf(map));
   if (!drawing.has(path)) drawing.set(path, draw(map, path));
   return drawing.get(path);
@@ -107,7 +111,10 @@ export function drawOnce(map, folder) {
 async function draw(map, path) {
   if (!(await stat(path).catch(() => undefined))) {
     await mkdir(dirname(path), { recursive: true });
-    await sharp(Buffer.from(svgOf(map)), { unlimited: true }).resize(WIDTH).webp({ quality: QUALITY }).toFile(`${path}.new`);
+    await sharp(Buffer.from(svgOf(map)), { unlimited: true })
+      .resize(WIDTH)
+      .webp({ quality: QUALITY })
+      .toFile(`${path}.new`);
     await rename(`${path}.new`, path);
   }
   return await sharp(path).metadata();
@@ -125,7 +132,9 @@ function svgOf(map) {
 }
 
 function attributes(values) {
-  return Object.entries(values).map(([name, value]) => ` ${name}="${escaped(String(value))}"`).join("");
+  return Object.entries(values)
+    .map(([name, value]) => ` ${name}="${escaped(String(value))}"`)
+    .join("");
 }
 
 /** Escapes a text for HTML, and for what reads HTML as a template: `${…}` in a notebook's cell, `{{…}}` in a page of Vue. */

@@ -43,8 +43,8 @@ case ${1-} in
     export RIVERSEED_PROGRAM
     shift 2
     (($#)) || set -- integrations/tests/*.test.mjs
-    # One file at a time: browsers and generators use every core by themselves.
-    exec node --test --test-concurrency=1 --test-timeout=300000 --test-reporter=spec "$@"
+    # Two files at a time: a generator uses one core most of the time.
+    exec node --test --test-concurrency=2 --test-timeout=300000 --test-reporter=spec "$@"
     ;;
   wordpress)
     # Who asks for a plugin is not helped without one.

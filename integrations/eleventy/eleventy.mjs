@@ -7,7 +7,9 @@ export default function riverSeed(config, { base } = {}) {
   const folder = () => `${config.directories.output}riverseed/`;
   const address = () => baseOf(base ?? config.getFilter("url")("/"));
   config.on("eleventy.before", () => copyElement(folder()));
-  config.addShortcode("riverSeed", async (map, alt) => html(await embed(map, { folder: folder(), base: address(), alt })));
+  config.addShortcode("riverSeed", async (map, alt) =>
+    html(await embed(map, { folder: folder(), base: address(), alt })),
+  );
   config.addTransform("river-seed", function (page) {
     refuseNested(String(page), this.page.outputPath);
     return page;

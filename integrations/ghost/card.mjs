@@ -6,7 +6,10 @@
 import { parseArgs } from "node:util";
 import { baseOf, copyElement, embed, html, RiverSeedError } from "./river-seed.mjs";
 
-const { values, positionals } = parseArgs({ allowPositionals: true, options: { site: { type: "string", default: "/" }, alt: { type: "string" } } });
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: { site: { type: "string", default: "/" }, alt: { type: "string" } },
+});
 
 try {
   console.log(html(await embed(positionals[0], { folder: "riverseed", base: baseOf(values.site), alt: values.alt })));

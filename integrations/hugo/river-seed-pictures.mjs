@@ -11,7 +11,8 @@ const SHORTCODE = /\{\{[<%]\s*river-seed\s+(?:"((?:\\"|[^"])*)"|`([^`]*)`|([^\s"
 const [content = "content", assets = "assets", statics = "static"] = process.argv.slice(2);
 
 await copyElement(join(statics, "riverseed"));
-for (const name of readdirSync(content, { recursive: true })) if (/\.(md|markdown|html)$/.test(name)) await drawAll(join(content, name));
+for (const name of readdirSync(content, { recursive: true }))
+  if (/\.(md|markdown|html)$/.test(name)) await drawAll(join(content, name));
 
 async function drawAll(file) {
   const text = readFileSync(file, "utf8");

@@ -7,7 +7,9 @@ export default function remarkRiverSeed({ folder = "public/riverseed", base = "/
   return async (tree, file) => {
     for (const [parent, node] of maps(tree)) {
       await copyElement(folder).catch((error) => file.fail(error));
-      const embedded = await embed(text(node, "map"), { folder, base: baseOf(base), alt: text(node, "alt") }).catch((error) => file.fail(error, node));
+      const embedded = await embed(text(node, "map"), { folder, base: baseOf(base), alt: text(node, "alt") }).catch(
+        (error) => file.fail(error, node),
+      );
       parent.children.splice(parent.children.indexOf(node), 1, ...elements(embedded));
     }
 
@@ -15,7 +17,12 @@ export default function remarkRiverSeed({ folder = "public/riverseed", base = "/
       const value = node.attributes.find((one) => one.name === name)?.value;
       const literal = typeof value === "object" ? value?.data?.estree?.body[0]?.expression : { value };
       if (literal && "value" in literal) return literal.value ?? undefined;
-      return file.fail(new RiverSeedError(`"${name}" is a literal text, since the picture is drawn before the page runs; got {${value.value}}`), node);
+      return file.fail(
+        new RiverSeedError(
+          `"${name}" is a literal text, since the picture is drawn before the page runs; got {${value.value}}`,
+        ),
+        node,
+      );
     }
 
     function* maps(parent, isInMap = false) {

@@ -23,8 +23,12 @@ test("Astro: a blog under a path", async () => {
 
 test("Astro: hostile words are text", async () => {
   const { source, built } = site("hostile");
-  write(source, "src/pages/index.mdx", "---\nlayout: ../layouts/Post.astro\ntitle: Hostile\n---\n\n"
-    + `${IMPORT}\n\nexport const words = ${JSON.stringify(HOSTILE)};\n\n{words.map((word) => <RiverSeed map={word} alt={word} />)}\n`);
+  write(
+    source,
+    "src/pages/index.mdx",
+    "---\nlayout: ../layouts/Post.astro\ntitle: Hostile\n---\n\n" +
+      `${IMPORT}\n\nexport const words = ${JSON.stringify(HOSTILE)};\n\n{words.map((word) => <RiverSeed map={word} alt={word} />)}\n`,
+  );
   await placePictures(join(source, "public/riverseed"), HOSTILE, "webp");
   await build(source, "astro", ["build"], QUIET);
   await expectHarmless(built, HOSTILE);
@@ -34,8 +38,14 @@ test("Astro: hostile words are text", async () => {
 test("Astro: what stops the build is named, with its page", async () => {
   const { source } = site("bad");
   for (const [text, said] of [
-    ['<RiverSeed map="seed=kauri&frog=1" />', /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/],
-    ['<RiverSeed map="kauri"><RiverSeed map="rimu" /></RiverSeed>', /river-seed: <RiverSeed> has no content; a map cannot stand in a map/],
+    [
+      '<RiverSeed map="seed=kauri&frog=1" />',
+      /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/,
+    ],
+    [
+      '<RiverSeed map="kauri"><RiverSeed map="rimu" /></RiverSeed>',
+      /river-seed: <RiverSeed> has no content; a map cannot stand in a map/,
+    ],
   ]) {
     write(source, "src/pages/index.mdx", `${IMPORT}\n\n${text}\n`);
     const heard = await astro(source);
@@ -53,5 +63,8 @@ test("Astro: an element around an element, an older Astro and a forgotten integr
   const older = site("older", [["RiverSeed.astro", '"5.0"', '"99.0"']]);
   assert.match((await astro(older.source)).said, /river-seed: Astro 99\.0 or newer is needed; this is Astro v5/);
   const forgotten = site("forgotten", [["site/astro.config.mjs", ", riverSeed()", ""]]);
-  assert.match((await astro(forgotten.source)).said, /river-seed: integrations of astro\.config\.mjs lacks riverSeed\(\)/);
+  assert.match(
+    (await astro(forgotten.source)).said,
+    /river-seed: integrations of astro\.config\.mjs lacks riverSeed\(\)/,
+  );
 });

@@ -23,7 +23,11 @@ test("Eleventy: hostile words are text", async () => {
   const { source, built } = site("hostile");
   // Liquid has no escapes, so words come from data, as they would from a stranger's file.
   write(source, "_data/words.json", JSON.stringify(HOSTILE));
-  write(source, "index.md", "---\nlayout: post.liquid\ntitle: Hostile\n---\n{% for word in words %}\n{% riverSeed word, word %}\n{% endfor %}\n");
+  write(
+    source,
+    "index.md",
+    "---\nlayout: post.liquid\ntitle: Hostile\n---\n{% for word in words %}\n{% riverSeed word, word %}\n{% endfor %}\n",
+  );
   await placePictures(join(built, "riverseed"), HOSTILE, "webp");
   await build(source, "eleventy", PREFIX);
   await expectHarmless(built, HOSTILE);
@@ -31,11 +35,27 @@ test("Eleventy: hostile words are text", async () => {
 });
 
 const BAD = [
-  ["an unknown parameter", '{% riverSeed "seed=kauri&frog=1" %}', /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/],
-  ["a word that is too long", `{% riverSeed "${LONG}" %}`, /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/],
-  ["a hidden character", '{% riverSeed "seed=a%00b" %}', /river-seed: no map of "seed=a%00b": seed: the text holds a character that cannot be shown/],
+  [
+    "an unknown parameter",
+    '{% riverSeed "seed=kauri&frog=1" %}',
+    /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/,
+  ],
+  [
+    "a word that is too long",
+    `{% riverSeed "${LONG}" %}`,
+    /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/,
+  ],
+  [
+    "a hidden character",
+    '{% riverSeed "seed=a%00b" %}',
+    /river-seed: no map of "seed=a%00b": seed: the text holds a character that cannot be shown/,
+  ],
   ["no word", "{% riverSeed %}", /river-seed: a word or a link is wanted/],
-  ["an embed in an embed", '<river-seed seed="a">{% riverSeed "seed=b&attractors=300" %}</river-seed>', /river-seed: a river-seed stands inside another: \.\/_site\/bad/],
+  [
+    "an embed in an embed",
+    '<river-seed seed="a">{% riverSeed "seed=b&attractors=300" %}</river-seed>',
+    /river-seed: a river-seed stands inside another: \.\/_site\/bad/,
+  ],
 ];
 
 for (const [what, text, said] of BAD) {
@@ -55,5 +75,8 @@ test("Eleventy: a base that is no address, and an older Eleventy, are named", as
   const base = site("base", [["site/eleventy.config.mjs", plugin, `${plugin}, { base: "blog" }`]]);
   assert.match((await run(base.source, "eleventy", [])).said, /river-seed: the site's base is a path .*, not "blog"/);
   const older = site("older", [["eleventy.mjs", '"3.0"', '"99.0"']]);
-  assert.match((await run(older.source, "eleventy", [])).said, /river-seed: Eleventy 99.0 or newer is needed; this is 3\./);
+  assert.match(
+    (await run(older.source, "eleventy", [])).said,
+    /river-seed: Eleventy 99.0 or newer is needed; this is 3\./,
+  );
 });

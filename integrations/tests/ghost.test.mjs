@@ -5,14 +5,25 @@ import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
 import { copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
 
-const site = (name) => copied(`ghost-${name}`, { "ghost/card.mjs": "card.mjs", "river-seed.mjs": "river-seed.mjs", "example.css": "example.css" });
+const site = (name) =>
+  copied(`ghost-${name}`, {
+    "ghost/card.mjs": "card.mjs",
+    "river-seed.mjs": "river-seed.mjs",
+    "example.css": "example.css",
+  });
 const card = (folder, ...words) => run(folder, "node", ["card.mjs", ...words]);
 
 /** Writes a post as Ghost does, which takes an HTML card as it is. */
 function post(folder, cards) {
-  const content = cards.map((one) => `<p>A map needs its water first.</p>\n<!--kg-card-begin: html-->\n${one}<!--kg-card-end: html-->`).join("\n");
-  write(folder, "index.html", `<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>Thursday maps</title>
-<link rel="stylesheet" href="example.css"><link rel="icon" href="data:,"></head><body><header>Thursday maps, by Ghost</header><main><h1>One river</h1>${content}</main></body></html>`);
+  const content = cards
+    .map((one) => `<p>A map needs its water first.</p>\n<!--kg-card-begin: html-->\n${one}<!--kg-card-end: html-->`)
+    .join("\n");
+  write(
+    folder,
+    "index.html",
+    `<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>Thursday maps</title>
+<link rel="stylesheet" href="example.css"><link rel="icon" href="data:,"></head><body><header>Thursday maps, by Ghost</header><main><h1>One river</h1>${content}</main></body></html>`,
+  );
 }
 
 test("Ghost: a card under a path", async () => {

@@ -30,7 +30,11 @@ test("Hugo: hostile words are text, in each spelling of a parameter", { skip }, 
   const words = HOSTILE.map((word) => (word.includes("`") ? `"${word.replaceAll('"', '\\"')}"` : `\`${word}\``));
   words.push('"say \\"hi\\""', "kauri");
   const texts = [...HOSTILE, 'say "hi"', "kauri"];
-  write(source, "content/_index.md", `---\ntitle: Hostile\n---\n${words.map((word) => `{{< river-seed ${word} ${word} >}}`).join("\n\n")}\n`);
+  write(
+    source,
+    "content/_index.md",
+    `---\ntitle: Hostile\n---\n${words.map((word) => `{{< river-seed ${word} ${word} >}}`).join("\n\n")}\n`,
+  );
   await placePictures(join(source, "assets/riverseed"), texts, "webp");
   await build(source, "node", ["river-seed-pictures.mjs"]);
   await build(source, "hugo", ["--quiet"]);
@@ -40,9 +44,21 @@ test("Hugo: hostile words are text, in each spelling of a parameter", { skip }, 
 });
 
 const BAD = [
-  ["an unknown parameter", '{{< river-seed "seed=kauri&frog=1" >}}', /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/],
-  ["a word that is too long", `{{< river-seed "${LONG}" >}}`, /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/],
-  ["an embed in an embed", '<river-seed>{{< river-seed "kauri" >}}</river-seed>', /river-seed: a river-seed stands inside another/],
+  [
+    "an unknown parameter",
+    '{{< river-seed "seed=kauri&frog=1" >}}',
+    /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/,
+  ],
+  [
+    "a word that is too long",
+    `{{< river-seed "${LONG}" >}}`,
+    /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/,
+  ],
+  [
+    "an embed in an embed",
+    '<river-seed>{{< river-seed "kauri" >}}</river-seed>',
+    /river-seed: a river-seed stands inside another/,
+  ],
 ];
 
 for (const [what, text, said] of BAD) {
@@ -57,9 +73,14 @@ for (const [what, text, said] of BAD) {
   });
 }
 
-test("Hugo: a picture that is not drawn yet, a shortcode in a shortcode, and an older Hugo stop the build and are named", { skip }, async () => {
+test("Hugo: a picture that is not drawn yet, a shortcode in a shortcode, and an older Hugo stop the build and are named", {
+  skip,
+}, async () => {
   const source = site("undrawn");
-  assert.match((await run(source, "hugo", [])).said, /river-seed: no picture of "kauri" yet; run `node river-seed-pictures\.mjs` before hugo: .*_index\.md:7/);
+  assert.match(
+    (await run(source, "hugo", [])).said,
+    /river-seed: no picture of "kauri" yet; run `node river-seed-pictures\.mjs` before hugo: .*_index\.md:7/,
+  );
   write(source, "content/_index.md", '# A\n{{< river-seed "kauri" >}}{{< river-seed "rimu" >}}{{< /river-seed >}}');
   assert.match((await run(source, "hugo", [])).said, /_index\.md:2.*"river-seed".*yet a closing tag was provided/);
   const older = site("older", [["layouts/shortcodes/river-seed.html", '"0.111.0"', '"99.0.0"']]);

@@ -24,7 +24,11 @@ test("Jekyll: a blog under a path", { skip }, async () => {
 test("Jekyll: hostile words are text", { skip }, async () => {
   const source = site("hostile");
   write(source, "_data/words.json", JSON.stringify(HOSTILE));
-  write(source, "index.md", "---\nlayout: post\ntitle: Hostile\n---\n{% for word in site.data.words %}\n{% river_seed word word %}\n{% endfor %}\n");
+  write(
+    source,
+    "index.md",
+    "---\nlayout: post\ntitle: Hostile\n---\n{% for word in site.data.words %}\n{% river_seed word word %}\n{% endfor %}\n",
+  );
   await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), HOSTILE, "png");
   await build(source, "jekyll", ["build", "--quiet"]);
   await expectHarmless(join(source, "_site"), HOSTILE);
@@ -34,8 +38,16 @@ test("Jekyll: hostile words are text", { skip }, async () => {
 test("Jekyll: a hostile word is no option and no order of a shell where it is drawn", { skip }, async () => {
   const source = site("drawn");
   const words = ["-o hit.png", "$(touch hit) `touch hit`; touch hit"];
-  write(source, "_data/words.json", JSON.stringify(words.map((word) => `seed=${encodeURIComponent(word)}&attractors=300`).concat("--help")));
-  write(source, "index.md", "---\nlayout: post\ntitle: Hostile\n---\n{% for word in site.data.words %}\n{% river_seed word %}\n{% endfor %}\n");
+  write(
+    source,
+    "_data/words.json",
+    JSON.stringify(words.map((word) => `seed=${encodeURIComponent(word)}&attractors=300`).concat("--help")),
+  );
+  write(
+    source,
+    "index.md",
+    "---\nlayout: post\ntitle: Hostile\n---\n{% for word in site.data.words %}\n{% river_seed word %}\n{% endfor %}\n",
+  );
   await build(source, "jekyll", ["build", "--quiet"]);
   await expectHarmless(join(source, "_site"), [...words, "--help"]);
   assert.deepEqual(strangersIn(join(source, "_site")), []);
@@ -43,10 +55,22 @@ test("Jekyll: a hostile word is no option and no order of a shell where it is dr
 
 const BAD = [
   ["an unknown parameter", '{% river_seed "seed=kauri&frog=1" %}', /river-seed: there is no parameter 'frog'/],
-  ["a word that is too long", `{% river_seed "${LONG}" %}`, /river-seed: seed: the text has 200 characters, at most 64/],
-  ["a hidden character", '{% river_seed "seed=a%00b" %}', /river-seed: seed: the text holds a character that cannot be shown/],
+  [
+    "a word that is too long",
+    `{% river_seed "${LONG}" %}`,
+    /river-seed: seed: the text has 200 characters, at most 64/,
+  ],
+  [
+    "a hidden character",
+    '{% river_seed "seed=a%00b" %}',
+    /river-seed: seed: the text holds a character that cannot be shown/,
+  ],
   ["no word", "{% river_seed %}", /river-seed: a word or a link is wanted/],
-  ["an embed in an embed", '<river-seed>{% river_seed "seed=b&attractors=300" %}</river-seed>', /river-seed: a river-seed stands inside another: bad\.md/],
+  [
+    "an embed in an embed",
+    '<river-seed>{% river_seed "seed=b&attractors=300" %}</river-seed>',
+    /river-seed: a river-seed stands inside another: bad\.md/,
+  ],
 ];
 
 for (const [what, text, said] of BAD) {
@@ -63,14 +87,23 @@ for (const [what, text, said] of BAD) {
 
 test("Jekyll: an older Jekyll, an older or missing command and a missing element are named", { skip }, async () => {
   const older = site("older", [["_plugins/river_seed.rb", '"Jekyll" => "4.0"', '"Jekyll" => "99.0"']]);
-  assert.match((await run(older, "jekyll", ["build"])).said, /river-seed: Jekyll 99\.0 or newer is needed; this is 4\./);
+  assert.match(
+    (await run(older, "jekyll", ["build"])).said,
+    /river-seed: Jekyll 99\.0 or newer is needed; this is 4\./,
+  );
   const command = site("command", [["_plugins/river_seed.rb", '"riverseed" => "0.1.0"', '"riverseed" => "99.0.0"']]);
-  assert.match((await run(command, "jekyll", ["build"])).said, /river-seed: riverseed 99\.0\.0 or newer is needed; this is \d/);
+  assert.match(
+    (await run(command, "jekyll", ["build"])).said,
+    /river-seed: riverseed 99\.0\.0 or newer is needed; this is \d/,
+  );
   const missing = site("missing");
   mkdirSync(join(missing, "bin"));
   symlinkSync("/dev/null", join(missing, "bin/riverseed"));
   const said = (await run(missing, "jekyll", ["build"], { PATH: join(missing, "bin"), HOME: missing })).said;
   assert.match(said, /river-seed: the command `riverseed` cannot be run/);
   const bare = site("bare", [["_plugins/river_seed.rb", "riverseed/river-seed.js", "elsewhere/river-seed.js"]]);
-  assert.match((await run(bare, "jekyll", ["build"])).said, /river-seed: the element's files are not in the folder riverseed/);
+  assert.match(
+    (await run(bare, "jekyll", ["build"])).said,
+    /river-seed: the element's files are not in the folder riverseed/,
+  );
 });

@@ -21,7 +21,11 @@ test("MDX: a post under a path", async () => {
 
 test("MDX: hostile words are text", async () => {
   const { source, built } = site("hostile");
-  write(source, "post.mdx", `# Hostile\n\n${HOSTILE.map((word) => `<RiverSeed map={${JSON.stringify(word)}} alt={${JSON.stringify(word)}} />`).join("\n\n")}\n`);
+  write(
+    source,
+    "post.mdx",
+    `# Hostile\n\n${HOSTILE.map((word) => `<RiverSeed map={${JSON.stringify(word)}} alt={${JSON.stringify(word)}} />`).join("\n\n")}\n`,
+  );
   await placePictures(join(built, "riverseed"), HOSTILE, "webp");
   await build(source, "node", BUILD);
   await expectHarmless(built, HOSTILE);
@@ -29,12 +33,32 @@ test("MDX: hostile words are text", async () => {
 });
 
 for (const [what, text, said] of [
-  ["an unknown parameter", '<RiverSeed map="seed=kauri&frog=1" />', /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/],
-  ["a word that is too long", `<RiverSeed map="${LONG}" />`, /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/],
+  [
+    "an unknown parameter",
+    '<RiverSeed map="seed=kauri&frog=1" />',
+    /river-seed: no map of "seed=kauri&frog=1": there is no parameter 'frog'/,
+  ],
+  [
+    "a word that is too long",
+    `<RiverSeed map="${LONG}" />`,
+    /river-seed: no map of "x+": seed: the text has 200 characters, at most 64/,
+  ],
   ["no word", "<RiverSeed />", /river-seed: a word or a link is wanted/],
-  ["a word that is known too late", "<RiverSeed map={props.word} />", /river-seed: "map" is a literal text, .*; got \{props\.word\}/],
-  ["an embed in an embed", '<RiverSeed map="kauri"><RiverSeed map="rimu" /></RiverSeed>', /river-seed: a river-seed stands inside another/],
-  ["an embed in an element", '<river-seed seed="a">\n<RiverSeed map="rimu" />\n</river-seed>', /river-seed: a river-seed stands inside another/],
+  [
+    "a word that is known too late",
+    "<RiverSeed map={props.word} />",
+    /river-seed: "map" is a literal text, .*; got \{props\.word\}/,
+  ],
+  [
+    "an embed in an embed",
+    '<RiverSeed map="kauri"><RiverSeed map="rimu" /></RiverSeed>',
+    /river-seed: a river-seed stands inside another/,
+  ],
+  [
+    "an embed in an element",
+    '<river-seed seed="a">\n<RiverSeed map="rimu" />\n</river-seed>',
+    /river-seed: a river-seed stands inside another/,
+  ],
 ]) {
   test(`MDX: ${what} stops the build and is named, with its place`, async () => {
     const { source } = site("bad");
@@ -48,5 +72,8 @@ for (const [what, text, said] of [
 
 test("MDX: a base that is no address is named", async () => {
   const { source } = site("base");
-  assert.match((await run(source, "node", [...BUILD, "blog"])).said, /river-seed: the site's base is a path .*, not "blog"/);
+  assert.match(
+    (await run(source, "node", [...BUILD, "blog"])).said,
+    /river-seed: the site's base is a path .*, not "blog"/,
+  );
 });

@@ -13,7 +13,10 @@ const SHORTCODE = /^\{\{< river-seed (?:"([^"]*)"|(\S+))(?: alt="([^"]*)")? >\}\
 
 /** Writes a post with calls of the shortcode, each of them a map and a text alternative. */
 function post(folder, text, calls) {
-  const lua = (word) => (word === undefined ? "nil" : `"${[...Buffer.from(word)].map((byte) => `\\${String(byte).padStart(3, "0")}`).join("")}"`);
+  const lua = (word) =>
+    word === undefined
+      ? "nil"
+      : `"${[...Buffer.from(word)].map((byte) => `\\${String(byte).padStart(3, "0")}`).join("")}"`;
   write(folder, "calls.lua", `return { ${calls.map((call) => `{ ${call.map(lua).join(", ")} }`).join(", ")} }`);
   write(folder, "post.md", text);
 }
@@ -30,14 +33,20 @@ const allOf = (calls) => `# Hostile\n\n${calls.map((_, i) => `SHORTCODE ${i + 1}
 test("Quarto: the example, in Pandoc", { skip }, async () => {
   const folder = site("blog");
   const calls = [];
-  const text = readFileSync(join(folder, "example.qmd"), "utf8").replace(SHORTCODE, (_, quoted, bare, alt) => `SHORTCODE ${calls.push([quoted ?? bare, alt])}`);
+  const text = readFileSync(join(folder, "example.qmd"), "utf8").replace(
+    SHORTCODE,
+    (_, quoted, bare, alt) => `SHORTCODE ${calls.push([quoted ?? bare, alt])}`,
+  );
   assert.equal(calls.length, 2);
   post(folder, text.replace(/^---\ntitle: (.*)\n---/, "# $1"), calls);
   await build(folder, "pandoc", [...PANDOC, "index.html"]);
   await expectRivers(folder, { rivers: 2, picture: join(LOOKS, "quarto.png") });
   // A printed page has the picture.
   await build(folder, "pandoc", [...PANDOC.filter((word) => !/template|page/.test(word)), "post.tex"]);
-  assert.match(readFileSync(join(folder, "post.tex"), "utf8"), /\\includegraphics\{\.\/riverseed\/river-seed-[0-9a-f]{16}\.png\}/);
+  assert.match(
+    readFileSync(join(folder, "post.tex"), "utf8"),
+    /\\includegraphics\{\.\/riverseed\/river-seed-[0-9a-f]{16}\.png\}/,
+  );
 });
 
 test("Quarto: hostile words are text", { skip }, async () => {
@@ -47,13 +56,21 @@ test("Quarto: hostile words are text", { skip }, async () => {
   await placePictures(join(folder, "riverseed"), HOSTILE, "png", "sha1");
   await build(folder, "pandoc", [...PANDOC, "index.html"]);
   await expectHarmless(folder, HOSTILE, { pictures: /^\.\/riverseed\/river-seed-[0-9a-f]{16}\.png$/ });
-  assert.deepEqual(strangersIn(join(folder, "riverseed")).filter((file) => !/^([\w.-]+\.(js|wasm)|river-seed-[0-9a-f]{16}\.png)$/.test(file)), []);
+  assert.deepEqual(
+    strangersIn(join(folder, "riverseed")).filter(
+      (file) => !/^([\w.-]+\.(js|wasm)|river-seed-[0-9a-f]{16}\.png)$/.test(file),
+    ),
+    [],
+  );
 });
 
 test("Quarto: what is wrong stops the build and is named", { skip }, async () => {
   const folder = site("bad");
   for (const [call, said, environment] of [
-    [["seed=kauri&frog=1"], /riverseed: there is no parameter 'frog'[^]*river-seed: no map of "seed=kauri&frog=1": see above/],
+    [
+      ["seed=kauri&frog=1"],
+      /riverseed: there is no parameter 'frog'[^]*river-seed: no map of "seed=kauri&frog=1": see above/,
+    ],
     [[LONG], /riverseed: seed: the text has 200 characters, at most 64[^]*river-seed: no map of "seed=x+": see above/],
     [["a\0b"], /river-seed: the map holds a character that cannot be shown/],
     [[], /river-seed: a word or a link is wanted/],

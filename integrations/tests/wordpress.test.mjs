@@ -35,7 +35,11 @@ async function site(name) {
 /** Answers a request for a page, as WordPress does: the plugin is run on a post. */
 async function render(folder, { post = POST, version = "6.5", may = [], media = {} }) {
   write(folder, "state.json", JSON.stringify({ post, version, may, media, address: "/blog/" }));
-  const { code, said } = await run(folder, "php", [STAND_IN, join(folder, "wp-content/plugins/river-seed/river-seed.php"), "state.json"]);
+  const { code, said } = await run(folder, "php", [
+    STAND_IN,
+    join(folder, "wp-content/plugins/river-seed/river-seed.php"),
+    "state.json",
+  ]);
   assert.equal(code, 0, said);
   write(folder, "index.html", said);
   return said;
@@ -49,7 +53,9 @@ async function lookAsAuthor(folder) {
     if (method !== "POST") return 404;
     assert.equal(url, "/blog/wp-json/wp/v2/media");
     assert.equal(headers["x-wp-nonce"], "nonce-wp_rest");
-    const [, name] = /^attachment; filename="(river-seed-[0-9a-f]{16}\.(?:webp|png))"$/.exec(headers["content-disposition"]);
+    const [, name] = /^attachment; filename="(river-seed-[0-9a-f]{16}\.(?:webp|png))"$/.exec(
+      headers["content-disposition"],
+    );
     write(folder, `uploads/${name}`, body);
     const { width, height, format } = await sharp(body).metadata();
     assert.equal(headers["content-type"], `image/${format}`);
@@ -76,13 +82,24 @@ test("WordPress: a page under a path, whose pictures its author's browser has dr
   await expectRivers(folder, { rivers: 2, picture: join(LOOKS, "wordpress.png") });
 });
 
-test("WordPress: before there is a picture the place is kept, and an author's page asks for one", { skip }, async () => {
+test("WordPress: before there is a picture the place is kept, and an author's page asks for one", {
+  skip,
+}, async () => {
   const folder = await site("words");
   const reader = await render(folder, {});
-  assert.match(reader, /aspect-ratio:1\.6;min-height:0;overflow:hidden"><p style="margin:0">Rivers grown from “kauri”<\/p><\/river-seed>/);
+  assert.match(
+    reader,
+    /aspect-ratio:1\.6;min-height:0;overflow:hidden"><p style="margin:0">Rivers grown from “kauri”<\/p><\/river-seed>/,
+  );
   assert.doesNotMatch(reader, /data-poster|poster\.js/);
-  assert.match(await render(folder, { post: '[river-seed map="seed=a&amp;aspect=2.5"]' }), /recipe="seed=a&amp;aspect=2\.5" style="display:block;aspect-ratio:2\.5;/);
-  assert.match(await render(folder, { post: '[river-seed map="seed=a&aspect=1;color:red"]' }), /style="display:block;aspect-ratio:1\.6;/);
+  assert.match(
+    await render(folder, { post: '[river-seed map="seed=a&amp;aspect=2.5"]' }),
+    /recipe="seed=a&amp;aspect=2\.5" style="display:block;aspect-ratio:2\.5;/,
+  );
+  assert.match(
+    await render(folder, { post: '[river-seed map="seed=a&aspect=1;color:red"]' }),
+    /style="display:block;aspect-ratio:1\.6;/,
+  );
   await render(folder, {});
   await expectRivers(folder, { rivers: 2, pictures: 0 });
 });
@@ -90,7 +107,10 @@ test("WordPress: before there is a picture the place is kept, and an author's pa
 test("WordPress: hostile words are text, as block and as shortcode", { skip }, async () => {
   const folder = await site("hostile");
   // As WordPress saves them: a block's attributes as JSON in a comment, a shortcode's with entities.
-  const json = (word) => JSON.stringify({ map: word, alt: word }).replaceAll("--", "\\u002d\\u002d").replace(/[<>]/g, (sign) => (sign === "<" ? "\\u003c" : "\\u003e"));
+  const json = (word) =>
+    JSON.stringify({ map: word, alt: word })
+      .replaceAll("--", "\\u002d\\u002d")
+      .replace(/[<>]/g, (sign) => (sign === "<" ? "\\u003c" : "\\u003e"));
   const entities = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#039;" };
   const block = (word) => `<!-- wp:river-seed/map ${json(word)} /-->`;
   const shortcode = (word) => `[river-seed map="${word.replace(/[&<>"']/g, (sign) => entities[sign])}" alt="x"]`;
@@ -101,7 +121,9 @@ test("WordPress: hostile words are text, as block and as shortcode", { skip }, a
   await expectHarmless(folder, unslashed, { attributes: ["data-media", "data-nonce", "data-poster"] });
 });
 
-test("WordPress: what is wrong is told to those who can mend it, and an older WordPress is named", { skip }, async () => {
+test("WordPress: what is wrong is told to those who can mend it, and an older WordPress is named", {
+  skip,
+}, async () => {
   const folder = await site("bad");
   const may = ["edit_posts"];
   for (const [post, said] of [
@@ -113,7 +135,10 @@ test("WordPress: what is wrong is told to those who can mend it, and an older Wo
     assert.doesNotMatch(await render(folder, { post }), /river-seed:|<river-seed/);
   }
   const older = await render(folder, { version: "6.4.3", may });
-  assert.match(older, /river-seed: WordPress 6\.5 or newer is needed; this is 6\.4\.3\. Until then maps are pictures\./);
+  assert.match(
+    older,
+    /river-seed: WordPress 6\.5 or newer is needed; this is 6\.4\.3\. Until then maps are pictures\./,
+  );
   assert.doesNotMatch(older, /<script/);
 });
 
@@ -121,9 +146,39 @@ test("WordPress: two packings are equal, and a zip holds what a site needs and n
   const zip = await packed("zip");
   assert.deepEqual(zip, await packed("zip"));
   const files = unzipSync(zip);
-  for (const name of ["river-seed.php", "readme.txt", "poster.js", "block/block.json", "block/editor.js", "block/editor.asset.php", "element/river-seed.js", "LICENSE-MIT"])
+  for (const name of [
+    "river-seed.php",
+    "readme.txt",
+    "poster.js",
+    "block/block.json",
+    "block/editor.js",
+    "block/editor.asset.php",
+    "element/river-seed.js",
+    "LICENSE-MIT",
+  ])
     assert.ok(`river-seed/${name}` in files, name);
-  for (const name of ["river-seed.php", "poster.js", "block/editor.js"]) assert.doesNotMatch(strFromU8(files[`river-seed/${name}`]), /https?:/);
+  for (const name of ["river-seed.php", "poster.js", "block/editor.js"])
+    assert.doesNotMatch(strFromU8(files[`river-seed/${name}`]), /https?:/);
+});
+
+test("WordPress: every file of the plugin names the version of the element that is in it", async () => {
+  const files = unzipSync(await packed("version"));
+  const text = (name) => strFromU8(files[`river-seed/${name}`]);
+  const { version } = JSON.parse(readFileSync(join(PACKAGE, "package.json"), "utf8"));
+  const block = JSON.parse(text("block/block.json"));
+  assert.deepEqual(
+    [
+      /^ \* Version: (.*)$/m.exec(text("river-seed.php"))?.[1],
+      /RIVER_SEED_VERSION = '(.*)'/.exec(text("river-seed.php"))?.[1],
+      /'version' +=> '(.*)'/.exec(text("block/editor.asset.php"))?.[1],
+      /^Stable tag: (.*)$/m.exec(text("readme.txt"))?.[1],
+      block.version,
+    ],
+    Array(5).fill(version),
+  );
+  // As the published schema of block.json has it.
+  assert.match(block.name, /^[a-z][a-z0-9-]*\/[a-z][a-z0-9-]*$/);
+  assert.ok(text("block/editor.js").includes(`registerBlockType("${block.name}"`));
 });
 
 test("WordPress: the block in the editor shows the map and changes it", async () => {
@@ -136,7 +191,10 @@ test("WordPress: the block in the editor shows the map and changes it", async ()
   assert.equal(await page.locator("iframe").contentFrame().locator("river-seed").getAttribute("seed"), "kauri");
   await page.getByLabel("Word or link").fill("seed=rimu&attractors=300");
   await page.waitForFunction(() => globalThis.seen_.complete === 2);
-  assert.equal(await page.locator("iframe").contentFrame().locator("river-seed").getAttribute("recipe"), "seed=rimu&attractors=300");
+  assert.equal(
+    await page.locator("iframe").contentFrame().locator("river-seed").getAttribute("recipe"),
+    "seed=rimu&attractors=300",
+  );
   assert.deepEqual(site_.missing, []);
   await close();
   await site_[Symbol.asyncDispose]();

@@ -14,7 +14,9 @@ const PLUGIN = fileURLToPath(new URL("river-seed/", import.meta.url));
 const PAPERS = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
 const UNUSED = new Set(["river-seed.classic.js", "node.js"]);
 
-const element = Object.keys(JSON.parse(readFileSync(join(folder, "integrity.json"), "utf8"))).filter((name) => !UNUSED.has(name));
+const element = Object.keys(JSON.parse(readFileSync(join(folder, "integrity.json"), "utf8"))).filter(
+  (name) => !UNUSED.has(name),
+);
 const files = [
   ...readdirSync(PLUGIN, { recursive: true })
     .filter((name) => statSync(join(PLUGIN, name)).isFile())
@@ -25,6 +27,9 @@ const files = [
 
 // A zip has no time zone, and no year before 1980.
 const mtime = new Date(1980, 0, 1);
-const packed = zipSync(Object.fromEntries(files.map(([name, path]) => [`river-seed/${name}`, readFileSync(path)])), { mtime, level: 9 });
+const packed = zipSync(Object.fromEntries(files.map(([name, path]) => [`river-seed/${name}`, readFileSync(path)])), {
+  mtime,
+  level: 9,
+});
 writeFileSync(out, packed);
 console.log(`${out}: ${files.length} files, ${packed.length} bytes`);

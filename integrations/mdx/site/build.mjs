@@ -13,10 +13,22 @@ const options = { ...runtime, remarkPlugins: [[remarkRiverSeed, { folder: "publi
 
 try {
   const { default: Post } = await evaluate(new VFile({ path: post, value: readFileSync(post) }), options);
-  const head = [h("meta", { charSet: "utf-8" }), h("meta", { name: "viewport", content: "width=device-width" }), h("title", null, "Thursday maps")];
+  const head = [
+    h("meta", { charSet: "utf-8" }),
+    h("meta", { name: "viewport", content: "width=device-width" }),
+    h("title", null, "Thursday maps"),
+  ];
   const links = [h("link", { rel: "stylesheet", href: "example.css" }), h("link", { rel: "icon", href: "data:," })];
-  const body = h("body", null, h("header", null, h("a", { href: base }, "Thursday maps, by MDX")), h("main", null, h(Post)));
-  writeFileSync(page, `<!doctype html>${renderToStaticMarkup(h("html", { lang: "en" }, h("head", null, ...head, ...links), body))}\n`);
+  const body = h(
+    "body",
+    null,
+    h("header", null, h("a", { href: base }, "Thursday maps, by MDX")),
+    h("main", null, h(Post)),
+  );
+  writeFileSync(
+    page,
+    `<!doctype html>${renderToStaticMarkup(h("html", { lang: "en" }, h("head", null, ...head, ...links), body))}\n`,
+  );
 } catch (error) {
   console.error(String(error));
   process.exitCode = 1;

@@ -28,7 +28,11 @@ after(() => browser.close());
 
 /** Opens an empty page, without animation. */
 export async function openPage(options) {
-  const context = await browser.newContext({ reducedMotion: "reduce", viewport: { width: 760, height: 2400 }, ...options });
+  const context = await browser.newContext({
+    reducedMotion: "reduce",
+    viewport: { width: 760, height: 2400 },
+    ...options,
+  });
   return { page: await context.newPage(), close: () => context.close() };
 }
 
@@ -69,7 +73,10 @@ export async function serve(folder, path, take) {
  * first, the rivers in its place, and that nothing moves. `pictures` are as many as `rivers`, unless it says otherwise; `picture` is
  * where a screenshot goes. Without fonts, none that come late move what this is not about.
  */
-export async function expectRivers(folder, { rivers, pictures = rivers, path = "/blog/", page = "", picture, hasFonts = true }) {
+export async function expectRivers(
+  folder,
+  { rivers, pictures = rivers, path = "/blog/", page = "", picture, hasFonts = true },
+) {
   const site = await serve(folder, path);
   try {
     await expectPictures(site.address + page, pictures);
@@ -122,7 +129,11 @@ async function expectTakeover(address, { rivers, picture, hasFonts }) {
   const maps = page.locator("river-seed");
   for (const map of await maps.all()) {
     assert.ok(await map.locator("canvas").isVisible(), "the element's own map is seen");
-    assert.equal(await map.evaluate(({ children }) => [...children].some((one) => one.checkVisibility())), false, "in place of the picture");
+    assert.equal(
+      await map.evaluate(({ children }) => [...children].some((one) => one.checkVisibility())),
+      false,
+      "in place of the picture",
+    );
   }
   assert.equal(await page.evaluate(() => seen_.shifts), 0, "layout shift");
   assert.deepEqual(complaints, [], "the console is silent");
@@ -131,27 +142,61 @@ async function expectTakeover(address, { rivers, picture, hasFonts }) {
 }
 
 /** Opens a page of hostile seeds and expects them as text and nowhere else. */
-export async function expectHarmless(folder, words, { path = "/blog/", page = "", pictures = /^\/blog\/riverseed\/river-seed-[0-9a-f]{16}\.(webp|png)$/, attributes = [], own = "div.wp-block-river-seed-map" } = {}) {
+export async function expectHarmless(
+  folder,
+  words,
+  {
+    path = "/blog/",
+    page = "",
+    pictures = /^\/blog\/riverseed\/river-seed-[0-9a-f]{16}\.(webp|png)$/,
+    attributes = [],
+    own = "div.wp-block-river-seed-map",
+  } = {},
+) {
   const site = await serve(folder, path);
   const { page: tab, close } = await openPage();
   try {
     await tab.goto(site.address + page);
-    const found = await tab.evaluate((own) => ({
-      isHit: "hit" in globalThis,
-      asked: [...document.querySelectorAll("main river-seed")].map((one) => one.getAttribute("seed") ?? new URLSearchParams(one.getAttribute("recipe")).get("seed")),
-      // What a shortcode may write, and nothing else.
-      strange: [...document.querySelectorAll("main *")]
-        .filter((one) => !one.matches(`h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`))
-        .map((one) => one.outerHTML),
-      attributes: [...new Set([...document.querySelectorAll("main river-seed, main img")].flatMap((one) => one.getAttributeNames()))].sort(),
-      pictures: [...document.querySelectorAll("main img")].map((one) => ({ source: one.getAttribute("src"), alt: one.alt })),
-    }), own);
+    const found = await tab.evaluate(
+      (own) => ({
+        isHit: "hit" in globalThis,
+        asked: [...document.querySelectorAll("main river-seed")].map(
+          (one) => one.getAttribute("seed") ?? new URLSearchParams(one.getAttribute("recipe")).get("seed"),
+        ),
+        // What a shortcode may write, and nothing else.
+        strange: [...document.querySelectorAll("main *")]
+          .filter(
+            (one) =>
+              !one.matches(
+                `h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`,
+              ),
+          )
+          .map((one) => one.outerHTML),
+        attributes: [
+          ...new Set(
+            [...document.querySelectorAll("main river-seed, main img")].flatMap((one) => one.getAttributeNames()),
+          ),
+        ].sort(),
+        pictures: [...document.querySelectorAll("main img")].map((one) => ({
+          source: one.getAttribute("src"),
+          alt: one.alt,
+        })),
+      }),
+      own,
+    );
     assert.equal(found.isHit, false, "no seed is run as a script");
     assert.deepEqual(found.asked, words, "every seed arrives as it was written");
     assert.deepEqual(found.strange, [], "no seed becomes an element");
-    assert.deepEqual(found.attributes.filter((name) => !["alt", "height", "recipe", "seed", "src", "style", "width", ...attributes].includes(name)), [], "no seed becomes an attribute");
+    assert.deepEqual(
+      found.attributes.filter(
+        (name) => !["alt", "height", "recipe", "seed", "src", "style", "width", ...attributes].includes(name),
+      ),
+      [],
+      "no seed becomes an attribute",
+    );
     for (const { source } of found.pictures) assert.match(source, pictures, "no seed is in a path");
-    for (const [i, { alt }] of found.pictures.entries()) assert.ok(alt.includes(words[i]), `a text alternative is whole: ${alt}`);
+    for (const [i, { alt }] of found.pictures.entries())
+      assert.ok(alt.includes(words[i]), `a text alternative is whole: ${alt}`);
     assert.deepEqual(site.missing, [], "no seed asks for a file");
   } finally {
     await close();

@@ -20,7 +20,8 @@ export const theirs = createRequire(join(WORKSHOP, "package.json"));
 const sharp = theirs("sharp");
 
 /** The command line, as `riverseed` on the path of a generator. */
-const PROGRAM = process.env["RIVERSEED_PROGRAM"] ?? fileURLToPath(new URL("../../../target/debug/riverseed", import.meta.url));
+const PROGRAM =
+  process.env["RIVERSEED_PROGRAM"] ?? fileURLToPath(new URL("../../../target/debug/riverseed", import.meta.url));
 
 /** Where screenshots of the examples go. */
 export const LOOKS = join(WORKSHOP, "looks");
@@ -43,7 +44,8 @@ function replace(file, before, after) {
 /** Copies the element's files, as an author does whose generator knows no npm. */
 export function copyElement(folder) {
   mkdirSync(folder, { recursive: true });
-  for (const name of Object.keys(JSON.parse(readFileSync(join(PACKAGE, "integrity.json"), "utf8")))) cpSync(join(PACKAGE, name), join(folder, name));
+  for (const name of Object.keys(JSON.parse(readFileSync(join(PACKAGE, "integrity.json"), "utf8"))))
+    cpSync(join(PACKAGE, name), join(folder, name));
 }
 
 /** Puts pictures of maps where they would be drawn, so that a build with many maps draws none. */
@@ -94,11 +96,14 @@ export async function without(program, word = "--version") {
 
 /** The files of a built site that are neither pages and their styles, nor the element, nor a picture whose name is a hash. */
 export function strangersIn(folder) {
-  const known = /^(example\.css|(.+\/)?index\.html|riverseed\/[\w.-]+\.(js|wasm)|riverseed\/river-seed-[0-9a-f]{16}\.(webp|png))$/;
+  const known =
+    /^(example\.css|(.+\/)?index\.html|riverseed\/[\w.-]+\.(js|wasm)|riverseed\/river-seed-[0-9a-f]{16}\.(webp|png))$/;
   return filesOf(folder).filter((file) => !known.test(file));
 }
 
 /** All files of a folder, by their paths in it. */
 export function filesOf(folder) {
-  return readdirSync(folder, { recursive: true }).filter((file) => statSync(join(folder, file)).isFile()).sort();
+  return readdirSync(folder, { recursive: true })
+    .filter((file) => statSync(join(folder, file)).isFile())
+    .sort();
 }

@@ -10,7 +10,11 @@ async function keep(map) {
     const { poster, media, nonce } = map.dataset;
     const picture = await packed(await drawn(map));
     const name = `${poster}.${picture.type.replace("image/", "")}`;
-    const headers = { "X-WP-Nonce": nonce, "Content-Type": picture.type, "Content-Disposition": `attachment; filename="${name}"` };
+    const headers = {
+      "X-WP-Nonce": nonce,
+      "Content-Type": picture.type,
+      "Content-Disposition": `attachment; filename="${name}"`,
+    };
     const answer = await fetch(media, { method: "POST", headers, body: picture });
     if (!answer.ok) throw new Error(`the media library answers ${answer.status}`);
   } catch (error) {
