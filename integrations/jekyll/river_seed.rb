@@ -65,6 +65,7 @@ module RiverSeed
   Jekyll::Hooks.register :site, :after_init do |site|
     need("Jekyll", Jekyll::VERSION)
     need("riverseed", riverseed("--version")[/[\d.]+/])
+    raise Error, "baseurl is a path such as \"/blog\", not \"#{site.baseurl}\"" unless site.baseurl.to_s.match?(%r{\A(/(?!/).*)?\z})
     raise Error, "the element's files are not in the folder riverseed of the site" unless File.exist?(site.in_source_dir("riverseed/river-seed.js"))
   end
 

@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
+import { expectAlternatives, LINKS } from "./lib/links.mjs";
 import { build, copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
 
 const PREFIX = ["--pathprefix=blog"];
@@ -32,6 +34,18 @@ test("Eleventy: hostile words are text", async () => {
   await build(source, "eleventy", PREFIX);
   await expectHarmless(built, HOSTILE);
   assert.deepEqual(strangersIn(built), []);
+});
+
+test("Eleventy: a link's text alternative names its seed", async () => {
+  const { source, built } = site("links");
+  write(source, "index.md", LINKS.map(([link]) => `{% riverSeed "${link}" %}`).join("\n\n"));
+  await placePictures(
+    join(built, "riverseed"),
+    LINKS.map(([link]) => link),
+    "webp",
+  );
+  await build(source, "eleventy", PREFIX);
+  expectAlternatives(readFileSync(join(built, "index.html"), "utf8"));
 });
 
 const BAD = [

@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
+import { expectAlternatives, LINKS } from "./lib/links.mjs";
 import { build, copied, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
 
 const skip = await without("hugo", "version");
@@ -43,6 +45,22 @@ test("Hugo: hostile words are text, in each spelling of a parameter", { skip }, 
   assert.deepEqual(strangersIn(join(source, "assets")), []);
 });
 
+test("Hugo: a link's text alternative names its seed", { skip }, async () => {
+  const source = site("links");
+  write(
+    source,
+    "content/_index.md",
+    `---\n---\n${LINKS.map(([link]) => `{{< river-seed "${link}" >}}`).join("\n\n")}\n`,
+  );
+  await placePictures(
+    join(source, "assets/riverseed"),
+    LINKS.map(([link]) => link),
+    "webp",
+  );
+  await build(source, "hugo", ["--quiet"]);
+  expectAlternatives(readFileSync(join(source, "public/index.html"), "utf8"));
+});
+
 const BAD = [
   [
     "an unknown parameter",
@@ -80,6 +98,11 @@ test("Hugo: a picture that is not drawn yet, a shortcode in a shortcode, and an 
   assert.match(
     (await run(source, "hugo", [])).said,
     /river-seed: no picture of "kauri" yet; run `node river-seed-pictures\.mjs` before hugo: .*_index\.md:7/,
+  );
+  write(source, "content/_index.md", "# A\n{{< river-seed >}}");
+  assert.match(
+    (await run(source, "hugo", [])).said,
+    /river-seed: a word or a link is wanted, as "kauri": .*_index\.md:2/,
   );
   write(source, "content/_index.md", '# A\n{{< river-seed "kauri" >}}{{< river-seed "rimu" >}}{{< /river-seed >}}');
   assert.match((await run(source, "hugo", [])).said, /_index\.md:2.*"river-seed".*yet a closing tag was provided/);

@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
-import { mkdirSync, symlinkSync } from "node:fs";
+import { mkdirSync, readFileSync, symlinkSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
+import { expectAlternatives, LINKS } from "./lib/links.mjs";
 import { build, copied, copyElement, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
 
 const skip = await without("jekyll");
@@ -53,6 +54,18 @@ test("Jekyll: a hostile word is no option and no order of a shell where it is dr
   assert.deepEqual(strangersIn(join(source, "_site")), []);
 });
 
+test("Jekyll: a link's text alternative names its seed", { skip }, async () => {
+  const source = site("links");
+  write(source, "index.md", `---\n---\n${LINKS.map(([link]) => `{% river_seed "${link}" %}`).join("\n\n")}\n`);
+  await placePictures(
+    join(source, ".jekyll-cache/river-seed/riverseed"),
+    LINKS.map(([link]) => link),
+    "png",
+  );
+  await build(source, "jekyll", ["build", "--quiet"]);
+  expectAlternatives(readFileSync(join(source, "_site/index.html"), "utf8"));
+});
+
 const BAD = [
   ["an unknown parameter", '{% river_seed "seed=kauri&frog=1" %}', /river-seed: there is no parameter 'frog'/],
   [
@@ -84,6 +97,14 @@ for (const [what, text, said] of BAD) {
     assert.match(heard.said, /bad\.md/);
   });
 }
+
+test("Jekyll: a baseurl that is no path is named", { skip }, async () => {
+  for (const base of ["blog", "//blog", "https://example.org/blog"]) {
+    const source = site("baseurl", [["_config.yml", "baseurl: /blog", `baseurl: ${base}`]]);
+    const { said } = await run(source, "jekyll", ["build"]);
+    assert.ok(said.includes(`river-seed: baseurl is a path such as "/blog", not "${base}"`), said);
+  }
+});
 
 test("Jekyll: an older Jekyll, an older or missing command and a missing element are named", { skip }, async () => {
   const older = site("older", [["_plugins/river_seed.rb", '"Jekyll" => "4.0"', '"Jekyll" => "99.0"']]);

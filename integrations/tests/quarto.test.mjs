@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
+import { expectAlternatives, LINKS } from "./lib/links.mjs";
 import { build, copied, copyElement, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
 
 // Quarto itself cannot be had from Debian or npm. Its shortcodes are Lua that Pandoc runs.
@@ -62,6 +63,19 @@ test("Quarto: hostile words are text", { skip }, async () => {
     ),
     [],
   );
+});
+
+test("Quarto: a link's text alternative names its seed", { skip }, async () => {
+  const folder = site("links");
+  const maps = LINKS.map(([link]) => link);
+  post(
+    folder,
+    allOf(maps),
+    maps.map((map) => [map]),
+  );
+  await placePictures(join(folder, "riverseed"), maps, "png", "sha1");
+  await build(folder, "pandoc", [...PANDOC, "index.html"]);
+  expectAlternatives(readFileSync(join(folder, "index.html"), "utf8"));
 });
 
 test("Quarto: what is wrong stops the build and is named", { skip }, async () => {

@@ -1,9 +1,11 @@
 import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers, openPage, serve } from "./lib/browser.mjs";
 import { HOSTILE } from "./lib/hostile.mjs";
+import { expectAlternatives, LINKS } from "./lib/links.mjs";
 import { build, copied, LOOKS, PACKAGE, run, SOURCES, theirs, without, write } from "./lib/workshop.mjs";
 
 const { strFromU8, unzipSync } = theirs("fflate");
@@ -102,6 +104,15 @@ test("WordPress: before there is a picture the place is kept, and an author's pa
   );
   await render(folder, {});
   await expectRivers(folder, { rivers: 2, pictures: 0 });
+});
+
+test("WordPress: a link's text alternative names its seed", { skip }, async () => {
+  const folder = await site("links");
+  const name = (map) => `river-seed-${createHash("sha256").update(map).digest("hex").slice(0, 16)}`;
+  const media = Object.fromEntries(LINKS.map(([link]) => [name(link), ["/blog/a.webp", 1200, 750]]));
+  expectAlternatives(
+    await render(folder, { post: LINKS.map(([link]) => `[river-seed map="${link}"]`).join("\n"), media }),
+  );
 });
 
 test("WordPress: hostile words are text, as block and as shortcode", { skip }, async () => {

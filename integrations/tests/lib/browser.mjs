@@ -24,7 +24,8 @@ let browser;
 before(async () => {
   browser = await chromium.launch({ executablePath: process.env["HEADLESS_SHELL"] });
 });
-after(() => browser.close());
+// Where all tests of a file are skipped, none was opened.
+after(() => browser?.close());
 
 /** Opens an empty page, without animation. */
 export async function openPage(options) {

@@ -6,7 +6,6 @@
  */
 
 define( 'ABSPATH', __DIR__ . '/' );
-define( 'OBJECT', 'OBJECT' );
 
 $state      = json_decode( file_get_contents( $argv[2] ), true );
 $actions    = array();
@@ -64,9 +63,10 @@ if ( version_compare( $state['version'], '6.5', '>=' ) ) {
 	function wp_enqueue_script_module( $id ) { global $wanted; $wanted[ $id ] = true; }
 }
 
-function get_page_by_path( $name, $form, $type ) {
+function get_posts( $query ) {
 	global $state;
-	return $type === 'attachment' && isset( $state['media'][ $name ] ) ? (object) array( 'ID' => $name ) : null;
+	$is_asked = $query['post_type'] === 'attachment' && $query['post_status'] === 'inherit' && $query['fields'] === 'ids';
+	return $is_asked && isset( $state['media'][ $query['name'] ] ) ? array( $query['name'] ) : array();
 }
 function wp_get_attachment_image( $id, $size, $icon, $more ) {
 	global $state;

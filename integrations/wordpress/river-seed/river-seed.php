@@ -100,8 +100,16 @@ function river_seed_picture( $map, $alt ) {
 
 /** Returns the number of a map's picture in the media library; 0 if there is none. */
 function river_seed_attachment( $map ) {
-	$found = get_page_by_path( river_seed_name( $map ), OBJECT, 'attachment' );
-	return $found ? $found->ID : 0;
+	$found = get_posts(
+		array(
+			'post_type'   => 'attachment',
+			'post_status' => 'inherit',
+			'name'        => river_seed_name( $map ),
+			'numberposts' => 1,
+			'fields'      => 'ids',
+		)
+	);
+	return $found ? $found[0] : 0;
 }
 
 /** Returns the name of a map's picture. Words may be any text, also `../`. */
