@@ -164,7 +164,7 @@ class Map:
         raster_size: int | None = None,
         text: bool = False,
     ) -> bytes:
-        """Return a file in any form, such as ``"gpkg"`` for a geographic information system or ``"unity.zip"`` for an engine.
+        """Return a file in any form, also for game engines and geographic information systems.
 
         Args:
             form: One of `riverseed.FORMS`.

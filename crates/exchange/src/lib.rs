@@ -1,6 +1,6 @@
 //! Maps as files for game engines and geographic information systems.
 //!
-//! The core makes pictures, rasters and features; here they become what other programs read. [`write`] is the one door:
+//! The core makes pictures, rasters and features; here they become what other programs read. [`write()`] is the one door:
 //! whoever has a map and what its [`Form`] holds gives them to it, the command line as well as the Python package.
 //!
 //! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it

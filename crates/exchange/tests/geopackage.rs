@@ -222,6 +222,9 @@ fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
     let styles: Vec<String> = query.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
     assert_eq!(styles.len(), 7);
     assert!(styles.iter().all(|style| !style.contains("script") && !style.contains("../")));
+    let titled = "SELECT count(*) FROM places WHERE name = '<script>&' AND kind = 'island'";
+    let count: i64 = database.query_row(titled, [], |row| row.get(0)).unwrap();
+    assert_eq!(count, 1, "the title is the name of the main land");
     let metadata: String = database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get(0)).unwrap();
     let document = roxmltree::Document::parse(&metadata).unwrap();
     let items: Vec<&str> =

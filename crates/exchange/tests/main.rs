@@ -6,4 +6,5 @@ mod engines;
 mod geopackage;
 mod geotiff;
 mod gltf_files;
+mod hostile;
 mod maps;

@@ -118,11 +118,13 @@ impl Frame {
     }
 
     /// The keys of the coordinate system: pixels are areas, and the system is a plane in metres with this name.
-    fn keys() -> ([u16; 16], String) {
+    fn keys() -> ([u16; 20], String) {
         const NAME: u16 = 34737;
         const METRE: u16 = 9001;
+        const OWN: u16 = 32_767;
         let name = format!("{}|", crs::NAME);
-        let keys = [1, 1, 0, 3, 1025, 0, 1, 1, 1026, NAME, name.len() as u16, 0, 3076, 0, 1, METRE];
+        let length = name.len() as u16;
+        let keys = [1, 1, 0, 4, 1024, 0, 1, OWN, 1025, 0, 1, 1, 1026, NAME, length, 0, 3076, 0, 1, METRE];
         (keys, name)
     }
 }
