@@ -142,65 +142,56 @@ async function expectTakeover(address, { rivers, picture, hasFonts }) {
   await close();
 }
 
-/** Opens a page of hostile seeds and expects them as text and nowhere else. */
+/** The address of a picture whose name is a hash. */
+const PICTURE = /^\/blog\/riverseed\/river-seed-[0-9a-f]{16}\.(webp|png)$/;
+const ATTRIBUTES = ["alt", "height", "recipe", "seed", "src", "style", "width"];
+
+/**
+ * Opens a page of hostile words and expects them as text and nowhere else. `own` and `attributes` are what the system itself
+ * writes into a post besides, and `pictures` the addresses that it gives to pictures.
+ */
 export async function expectHarmless(
   folder,
   words,
-  {
-    path = "/blog/",
-    page = "",
-    pictures = /^\/blog\/riverseed\/river-seed-[0-9a-f]{16}\.(webp|png)$/,
-    attributes = [],
-    own = "div.wp-block-river-seed-map",
-  } = {},
+  { page = "", pictures = PICTURE, attributes = [], own = "h1" } = {},
 ) {
-  const site = await serve(folder, path);
+  const site = await serve(folder, "/blog/");
   const { page: tab, close } = await openPage();
   try {
     await tab.goto(site.address + page);
-    const found = await tab.evaluate(
-      (own) => ({
-        isHit: "hit" in globalThis,
-        asked: [...document.querySelectorAll("main river-seed")].map(
-          (one) => one.getAttribute("seed") ?? new URLSearchParams(one.getAttribute("recipe")).get("seed"),
-        ),
-        // What a shortcode may write, and nothing else.
-        strange: [...document.querySelectorAll("main *")]
-          .filter(
-            (one) =>
-              !one.matches(
-                `h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`,
-              ),
-          )
-          .map((one) => one.outerHTML),
-        attributes: [
-          ...new Set(
-            [...document.querySelectorAll("main river-seed, main img")].flatMap((one) => one.getAttributeNames()),
-          ),
-        ].sort(),
-        pictures: [...document.querySelectorAll("main img")].map((one) => ({
-          source: one.getAttribute("src"),
-          alt: one.alt,
-        })),
-      }),
-      own,
-    );
-    assert.equal(found.isHit, false, "no seed is run as a script");
-    assert.deepEqual(found.asked, words, "every seed arrives as it was written");
-    assert.deepEqual(found.strange, [], "no seed becomes an element");
+    const found = await tab.evaluate(contents, own);
+    assert.equal(found.isHit, false, "no word is run as a script");
+    assert.deepEqual(found.asked, words, "every word arrives as it was written");
+    assert.deepEqual(found.strange, [], "no word becomes an element");
+    const known = [...ATTRIBUTES, ...attributes];
     assert.deepEqual(
-      found.attributes.filter(
-        (name) => !["alt", "height", "recipe", "seed", "src", "style", "width", ...attributes].includes(name),
-      ),
+      found.attributes.filter((name) => !known.includes(name)),
       [],
-      "no seed becomes an attribute",
+      "no word becomes an attribute",
     );
-    for (const { source } of found.pictures) assert.match(source, pictures, "no seed is in a path");
-    for (const [i, { alt }] of found.pictures.entries())
+    for (const [i, { source, alt }] of found.pictures.entries()) {
+      assert.match(source, pictures, "no word is in a path");
       assert.ok(alt.includes(words[i]), `a text alternative is whole: ${alt}`);
-    assert.deepEqual(site.missing, [], "no seed asks for a file");
+    }
+    assert.deepEqual(site.missing, [], "no word asks for a file");
   } finally {
     await close();
     await site[Symbol.asyncDispose]();
   }
+}
+
+/** Says, in a page, what its post holds: the seeds, what no shortcode may write, and the pictures. */
+function contents(own) {
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const written = `h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`;
+  const recipe = (map) => new URLSearchParams(map.getAttribute("recipe"));
+  return {
+    isHit: "hit" in globalThis,
+    asked: all("main river-seed").map((map) => map.getAttribute("seed") ?? recipe(map).get("seed")),
+    strange: all("main *")
+      .filter((one) => !one.matches(written))
+      .map((one) => one.outerHTML),
+    attributes: all("main river-seed, main img").flatMap((one) => one.getAttributeNames()),
+    pictures: all("main img").map((one) => ({ source: one.getAttribute("src"), alt: one.alt })),
+  };
 }
