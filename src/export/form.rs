@@ -22,7 +22,7 @@ pub enum Form {
     RawHeights,
     /// The directions that the ground faces, as a texture of game engines.
     Normals,
-    /// The shares of four grounds in each pixel, as a texture of game engines.
+    /// The shares of four kinds of ground in each pixel, as a texture for game engines.
     Splat,
     /// The rivers as lines in space with width and depth, for game engines.
     Splines,

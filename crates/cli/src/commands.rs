@@ -45,7 +45,7 @@ fn render_command() -> Command {
                 .value_name("OUT")
                 .required(true)
                 .action(ArgAction::Append)
-                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or a raster of it: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; for GIS .gpkg, .tif, and rasters: .heights.tif and so on, .heights.qml; for game engines .unreal.zip, .unity.zip, .godot.zip, .glb, .r16, .normals.png, .splat.png, .splines.json; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
+                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or one of its rasters: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; for GIS .gpkg, .tif, and rasters: .heights.tif and so on, .heights.qml; for game engines .unreal.zip, .unity.zip, .godot.zip, .glb, .r16, .normals.png, .splat.png, .splines.json; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -60,7 +60,7 @@ fn render_command() -> Command {
             Arg::new("raster-size")
                 .long("raster-size")
                 .value_name("PIXELS")
-                .help("The longer side of rasters, alone or in a ZIP, up to 4097; of the packs of engines 505, 1009, 2017 [default] or 4033 for Unreal, 513, 1025, 2049 [default] or 4097 for Unity and Godot. Of all others the minimum and default is one pixel for 2 units of the map: 500 on a square map")
+                .help("The longer side of rasters, alone or in a ZIP, up to 4097. In packs for engines it is 505, 1009, 2017 [default] or 4033 for Unreal, and 513, 1025, 2049 [default] or 4097 for Unity and Godot. For all other rasters the minimum and the default are one pixel for 2 units of the map: 500 on a square map")
                 .value_parser(value_parser!(u32)),
         )
         .arg(
@@ -82,7 +82,7 @@ fn render_command() -> Command {
 
 fn page_command() -> Command {
     Command::new("page")
-        .about("Writes a map's page as a folder for any static host: page, pictures, a card for chats, an embed page that blogs unfold, and the element")
+        .about("Writes a page for one map, as a folder for any static host: the page, pictures, a card for link previews, an embed page and the element")
         .after_help(MIXED)
         .args(recipe_arguments())
         .args(page_arguments())
@@ -95,12 +95,12 @@ fn page_arguments() -> [Arg; 9] {
         argument("output", "FOLDER")
             .short('o')
             .required(true)
-            .help("The folder to write, which is made if need be. {seed} in it stands for the seed")
+            .help("The folder to write, which is created if necessary. {seed} in its name stands for the seed")
             .value_parser(value_parser!(PathBuf)),
         argument("address", "URL")
-            .help("The address where the folder will be. Cards and oEmbed need it; without it the page has neither"),
+            .help("The address that the folder will have. The card and oEmbed need it; without it the page has neither"),
         argument("element", "FOLDER|URL")
-            .help("The folder with the files of <river-seed>, which are copied, or the address of one [default: $RIVERSEED_ELEMENT]")
+            .help("The folder with the files of <river-seed>, which are copied, or the address of such a folder on another host [default: $RIVERSEED_ELEMENT]")
             .value_parser(value_parser!(OsString)),
         Arg::new("no-element")
             .long("no-element")
@@ -109,7 +109,7 @@ fn page_arguments() -> [Arg; 9] {
             .help("Show the picture only"),
         argument("maker", "URL").help("The address of a page of Riverseed, where readers can change the map"),
         argument("title", "TEXT").help("The heading [default: the map's name]"),
-        argument("description", "TEXT").help("A sentence under it [default: of the rivers]"),
+        argument("description", "TEXT").help("The sentence under the heading [default: one about the rivers]"),
         argument("size", "PIXELS")
             .default_value("1600")
             .help("The longer side of the picture")
@@ -117,7 +117,7 @@ fn page_arguments() -> [Arg; 9] {
         Arg::new("replace")
             .long("replace")
             .action(ArgAction::SetTrue)
-            .help("Overwrite an index.html that is not of this command"),
+            .help("Overwrite an index.html that this command did not write"),
     ]
 }
 

@@ -113,10 +113,10 @@ enum Failure {
     Address { option: &'static str, text: String, reason: String },
     #[error(
         "the page needs the files of the element <river-seed>: name their folder with --element or RIVERSEED_ELEMENT \
-         (www/dist-widget after 'make widget', or that of the npm package), or leave it out with --no-element"
+         (www/dist-widget after 'make widget', or the folder of the npm package), or show the picture only with --no-element"
     )]
     NoElement,
-    #[error("{}: this page is not one of 'riverseed page'; --replace overwrites it", path.display())]
+    #[error("{}: this page was not written by 'riverseed page'; --replace overwrites it", path.display())]
     OtherPage { path: PathBuf },
     #[error("{failed} of {all} maps were not made")]
     Maps { failed: u64, all: u64 },

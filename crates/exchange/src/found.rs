@@ -1,4 +1,4 @@
-//! Existing files: whether one is the complete file that would be made now.
+//! Checks of existing files: one that is complete and what would be made now need not be made again.
 
 use std::fs::File;
 use std::io::{BufReader, Error, Read, Result, Seek};
@@ -22,7 +22,7 @@ pub struct Asked {
     pub picture: [u32; 2],
 }
 
-/// Returns `true` if a file has the contents and is complete. Files that cannot tell, such as bare numbers, are never.
+/// Returns `true` if a file has the contents and is complete. Files without a link, such as bare numbers, never are.
 ///
 /// # Errors
 /// Fails with the reader's errors, also for files of another form.
@@ -44,7 +44,7 @@ fn is_gltf(file: &mut File, asked: &Asked) -> Result<bool> {
 }
 
 fn is_geopackage(file: &mut File, asked: &Asked) -> Result<bool> {
-    /// The place of the number of pages in a file of SQLite, and of the size of a page.
+    /// The offsets of the number of pages and of the size of a page in a file of SQLite.
     const PAGES: usize = 28;
     const PAGE_SIZE: usize = 16;
     let mut bytes = Vec::new();

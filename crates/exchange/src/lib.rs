@@ -1,7 +1,12 @@
 //! Maps as files for game engines and geographic information systems.
 //!
+<<<<<<< HEAD
 //! The core makes pictures, rasters and features; here they become what other programs read. [`write()`] is the one door:
 //! whoever has a map and what its [`Form`] holds gives them to it, the command line as well as the Python package.
+=======
+//! The core makes pictures, rasters and features; here they become files that other programs read. The command line and
+//! the Python package both call [`write`], with a map and what its [`Form`] is made from.
+>>>>>>> notebooks
 //!
 //! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it
 //! ([`gis::crs`]); game engines have 50 m ([`engine::METRES_A_UNIT`]).
@@ -48,7 +53,7 @@ impl<'a> Source<'a> {
 }
 
 fn missing(part: &str) -> Error {
-    Error::new(ErrorKind::InvalidInput, format!("files of this form are made from {part}, and there is none"))
+    Error::new(ErrorKind::InvalidInput, format!("{part} must be given for files of this form"))
 }
 
 /// Writes a file.
@@ -74,7 +79,7 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
         Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer),
         Form::HeightStyle => gis::style::write_heights(&mut out, &link()),
         Form::Png | Form::Svg | Form::GeoJson | Form::Json | Form::Pack | Form::Raster(_) => {
-            Err(Error::new(ErrorKind::InvalidInput, format!("the core writes .{}", form.name())))
+            Err(Error::new(ErrorKind::InvalidInput, format!(".{} files are written by the core", form.name())))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{Error, ErrorKind, Result};
 
-/// Checks that bytes can be allocated that are needed soon.
+/// Checks that bytes that are needed soon can be allocated.
 ///
 /// # Errors
 /// Fails if there is not enough memory.

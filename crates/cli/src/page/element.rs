@@ -49,7 +49,7 @@ impl Element {
             return Ok(Self::None);
         }
         if order.land.is_some() {
-            say("the page shows a picture instead of the element: no attribute holds the land of a picture");
+            say("the page shows a picture instead of the element: its attributes cannot hold land from a picture");
             return Ok(Self::None);
         }
         match matches.get_one::<OsString>("element").cloned() {

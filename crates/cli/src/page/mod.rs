@@ -1,5 +1,5 @@
 //! `riverseed page`: a map as a folder of static files that any host can serve under any path: a page, pictures, a card
-//! for chats, an embed page that blogs unfold by oEmbed, and the element.
+//! for chats, an embed page that blogs show by oEmbed, and the element.
 
 mod address;
 mod attributes;
@@ -42,7 +42,7 @@ pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     order.say_what_is_idle(&[true]);
     say_what_has_no_letters(&order.recipe, &say);
     if address.is_none() {
-        say("without --address chats show no card of the page, and blogs do not unfold its address");
+        say("without --address, chats show no card for the page, and blogs do not embed its map");
     }
     let size = matches.get_one("size").copied().unwrap_or(shots::SIZE);
     let recipe = order.recipe.clone();

@@ -1,4 +1,4 @@
-//! The oEmbed response of a map's page, as a static file that the page names. Programs that unfold addresses by
+//! The oEmbed response of a map's page, as a static file that the page names. Programs that preview links by
 //! discovery show the map in a frame, or its card. See the oEmbed specification, section 4.
 
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ use super::card;
 use super::folder::{CARD, EMBED};
 use super::templates::Content;
 
-/// The width of the frame where its place has none, in CSS pixels.
+/// The width of the frame where the page around it sets none, in CSS pixels.
 const WIDTH: u32 = 720;
 
 /// Makes the response. The frame's HTML is escaped here, once.

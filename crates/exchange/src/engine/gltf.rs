@@ -1,4 +1,4 @@
-//! The relief as a mesh under the picture, in one binary file (glTF 2.0).
+//! The relief as a mesh with the picture on it, in one binary file (glTF 2.0).
 //!
 //! Metres, y up, x east, z south, the origin at the map's centre and the sea's surface. The sea is flat.
 
@@ -30,7 +30,7 @@ const CHUNK: usize = 8;
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
 pub fn write(mut out: impl Write, domain: &Domain, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
-    /// The parts with six corners of triangles, and the same once more as one.
+    /// The parts, with six corners of triangles for each vertex, and all of them once more in one list.
     const BYTES_A_VERTEX: usize = 2 * (32 + 24) + 8;
     /// The text, and the memory of compression.
     const BYTES: usize = 4_000_000;

@@ -1,6 +1,6 @@
 //! The README of an engine's pack: the scale, and how to import the files step by step.
 //!
-//! No engine runs where Riverseed is tested. The texts name where each fact comes from, and say so.
+//! No engine runs where Riverseed is tested. The texts say so, and say where each fact comes from.
 
 use riverseed::export::Engine;
 
@@ -13,8 +13,8 @@ use super::terrain::{METRES_A_UNIT, Terrain};
 /// The first lines of a README, which depend on nothing that has to be computed.
 pub fn head(engine: Engine, link: &str, side: u32, picture: [u32; 2]) -> String {
     format!(
-        "A map by Riverseed, for {}. This draws it again:\n  {link}\n\
-         with a landscape of {side} x {side} pixels and a picture of {} x {}.\n\n",
+        "A map by Riverseed, for {}. This link draws it again:\n  {link}\n\
+         The landscape has {side} x {side} pixels, and the picture in the middle of map.png has {} x {}.\n\n",
         name(engine),
         picture[0],
         picture[1]
@@ -27,17 +27,17 @@ pub fn body(engine: Engine, terrain: &Terrain) -> String {
 }
 
 const UNCHECKED: &str = "\nUNCHECKED\n\
-    The numbers above follow from the files, and those are tested. The steps are written after the engine's documentation\n\
-    and source; Riverseed's tests run no engine. If one of them is wrong in your version, please report it.\n";
+    The numbers above follow from the files, and are tested. The steps come from the engine's documentation and source:\n\
+    Riverseed's tests run no engine. If a step is wrong in your version, please report it.\n";
 
 fn scale(terrain: &Terrain) -> String {
     let [deepest, highest] = terrain.range();
     let size = (terrain.columns - 1) as f64 * terrain.metres_a_pixel;
     format!(
         "SCALE\n\
-         A pixel is {pixel} m wide, the landscape {size} m. A unit of the map is {METRES_A_UNIT} m on the ground, and\n\
-         {METRES} m in height: half as steep as pictures shade it, so that most of it can be walked. To have it smaller or larger,\n\
-         multiply all three axes by the same number.\n\
+         A pixel is {pixel} m wide, and the landscape {size} m. A unit of the map is {METRES_A_UNIT} m on the ground and\n\
+         {METRES} m in height. Slopes are half as steep as the picture shades them, so that most land can be walked on.\n\
+         To make the landscape smaller or larger, multiply all three axes by the same number.\n\
          Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m. One step is {step} m.\n\
          The first row of every picture and of heights.r16 is the northernmost.\n\n",
         pixel = number(terrain.metres_a_pixel, 4),
@@ -73,9 +73,10 @@ fn unreal(terrain: &Terrain) -> String {
          5. Layers: assign a material with the layers low, steep, shore and high, and import layers/low.png and so on as their\n\
          \x20  masks. They add up to 255 in every pixel.\n\
          6. Sea: a Water Body Ocean, or a plane, at Z = 0.\n\
-         7. Rivers: splines.json has the points of one spline a river, in centimetres from the landscape's corner of least X and\n\
-         \x20  Y: set that corner as their parent, or add its location. Width and depth are those of a Water Body River's points.\n\
-         8. normals.png: turn off sRGB, compression Normalmap; green points down, as Unreal has it.\n\n",
+         7. Rivers: splines.json has the points of one spline for each river, in centimetres from the landscape's corner with\n\
+         \x20  the least X and Y: attach the splines to an actor at that corner, or add its location to each point. Width and depth\n\
+         \x20  are those of a Water Body River's points.\n\
+         8. normals.png: turn off sRGB, and set the compression to Normalmap. Green points down, as Unreal expects.\n\n",
         side = terrain.columns,
         pixel = number(terrain.metres_a_pixel * 100.0, 4),
         z = number(step * STEPS_A_SCALE, 6),
@@ -93,11 +94,12 @@ fn unity(terrain: &Terrain) -> String {
          2. Depth 16 bit, Resolution {side}, Byte Order Windows, Flip Vertically on: the first row is the northernmost.\n\
          3. Terrain Size: X {size}, Y {height}, Z {size}. (Y is the height of a step, times 65536.)\n\
          4. Position: Y {lift}. The sea's surface is then at Y = 0.\n\
-         5. splat.png has four layers in red, green, blue and alpha, which add up to 1: low, steep, shore, high. A script sets\n\
-         \x20  them with TerrainData.SetAlphamaps, or the Terrain Toolbox imports them as a splatmap. Turn off sRGB, and flip it too.\n\
+         5. splat.png has four layers in red, green, blue and alpha, which add up to 1: low, steep, shore, high. Set them\n\
+         \x20  by a script with TerrainData.SetAlphamaps, or import them as a splatmap with the Terrain Toolbox. Turn off sRGB, and\n\
+         \x20  flip this file vertically too.\n\
          6. Sea: a plane at Y = 0.\n\
-         7. Rivers: splines.json has the points of one spline a river, in metres from the terrain's own corner, Z north.\n\
-         8. normals.png: texture type Normal map; green points up, as Unity has it.\n\n",
+         7. Rivers: splines.json has the points of one spline for each river, in metres from the terrain's own corner; Z is north.\n\
+         8. normals.png: set the texture type to Normal map. Green points up, as Unity expects.\n\n",
         side = terrain.columns,
         size = number(size, 2),
         height = number(terrain.metres_a_step * 65_536.0, 3),
@@ -110,16 +112,16 @@ fn godot(terrain: &Terrain) -> String {
     let [deepest, highest] = terrain.range();
     format!(
         "STEPS\n\
-         Godot has no landscapes of its own: these are for the add-on Terrain3D. HTerrain takes the same file and range.\n\
+         Godot has no landscapes of its own. These steps are for the add-on Terrain3D; HTerrain takes the same file and range.\n\
          1. Open addons/terrain_3d/tools/importer.tscn, and choose heights.r16 as the height file.\n\
          2. R16 Range: {deepest} to {highest}. R16 Size: {side} x {side}. The sea's surface is then at Y = 0.\n\
-         3. Color File: map.png, if its size is that of the heights (--size {side}); else leave it out.\n\
-         4. Run the import, save the data, and set Vertex Spacing to {pixel}. (At 1 the ground is that many times narrower, and as high.)\n\
-         5. splat.png has four grounds in red, green, blue and alpha, which add up to 1: low, steep, shore, high, for a shader.\n\
+         3. Color File: map.png, if its size is that of the heights (--size {side}); otherwise leave it out.\n\
+         4. Run the import, save the data, and set Vertex Spacing to {pixel}. (At 1 the ground would be that many times narrower, and just as high.)\n\
+         5. splat.png has four kinds of ground for a shader, in red, green, blue and alpha, which add up to 1: low, steep, shore, high.\n\
          6. Sea: a plane at Y = 0.\n\
-         7. Rivers: splines.json has the points of one Curve3D a river, in metres from the landscape's north-western corner,\n\
-         \x20  Z south: move them to where that corner lies. A point's tilt and width are yours: width and depth are in the file.\n\
-         8. normals.png: import it as a normal map; green points up, as Godot has it.\n\n",
+         7. Rivers: splines.json has the points of one Curve3D for each river, in metres from the landscape's north-western corner;\n\
+         \x20  Z is south. Move them to where that corner lies. A Curve3D has no width or depth: read them from the file.\n\
+         8. normals.png: import it as a normal map. Green points up, as Godot expects.\n\n",
         side = terrain.columns,
         pixel = number(terrain.metres_a_pixel, 4),
         deepest = number(deepest, 3),

@@ -9,9 +9,9 @@ use riverseed::export::{Engine, ExportError};
 use riverseed::relief::Grid;
 use thiserror::Error;
 
-/// The sides of Unreal's landscapes that its guide recommends: whole components of 2 x 2 sections of 63 quads, and a row.
+/// The sides of landscapes that Unreal's guide recommends: whole components of 2 x 2 sections of 63 quads, plus a row.
 const UNREAL: [u32; 4] = [505, 1009, 2017, 4033];
-/// Powers of two and one: Unity's terrains, and those of Godot's add-ons.
+/// Powers of two plus one, for Unity's terrains and those of Godot's add-ons.
 const POWERS: [u32; 4] = [513, 1025, 2049, 4097];
 /// The place in these lists of the side that is taken unless another one is asked for.
 const USUAL: usize = 2;

@@ -1,4 +1,4 @@
-//! Splat maps: how much of each pixel four grounds have, which always add up to 255.
+//! Splat maps: the shares of four kinds of ground in each pixel, which always add up to 255.
 
 use std::io::{Result, Write};
 
@@ -10,9 +10,9 @@ use super::textures;
 use crate::memory::ask;
 
 /// The first words of the description of a splat map.
-pub const SUBJECT: &str = "The shares of four grounds";
+pub const SUBJECT: &str = "The shares of four kinds of ground";
 
-/// The grounds in the order of the channels, with the names of their masks and with what they are.
+/// The kinds of ground in the order of the channels: the names of their masks and their descriptions.
 pub const GROUNDS: [(&str, &str); 4] = [
     ("low", "low ground, such as grass"),
     ("steep", "steep ground, such as rock"),
@@ -62,7 +62,7 @@ fn smooth(x: f64, [from, to]: [f64; 2]) -> f64 {
     share * share * (3.0 - 2.0 * share)
 }
 
-/// Writes the splat map of a landscape: red, green, blue and alpha are the four grounds.
+/// Writes the splat map of a landscape: red, green, blue and alpha are the four kinds of ground.
 ///
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.

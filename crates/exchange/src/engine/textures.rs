@@ -8,7 +8,7 @@ use riverseed::tiny_skia::Pixmap;
 
 use crate::memory::ask;
 
-/// Asks for the memory that a texture of so many values takes: with its filtered and its compressed bytes.
+/// Asks for the memory that a texture with this many values takes, with its filtered and its compressed bytes.
 fn ask_for(values: usize) -> Result<()> {
     const BYTES_A_VALUE: usize = 4;
     const BYTES: usize = 2_000_000;

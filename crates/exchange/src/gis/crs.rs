@@ -12,7 +12,7 @@ pub const METRES_A_UNIT: f64 = 1113.2;
 /// The name of the system.
 pub const NAME: &str = "Riverseed map, metres from its centre";
 
-/// The number of the system in a GeoPackage: the first that is no authority's.
+/// The number of the system in a GeoPackage: the first that belongs to no authority.
 pub const NUMBER: i32 = 100_000;
 
 /// The system as well-known text of the first version, which all readers know.

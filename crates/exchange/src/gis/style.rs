@@ -50,7 +50,7 @@ pub fn of_layer(name: &str) -> String {
     }
 }
 
-/// Writes the style of heights. It holds the link, so that it can be told whose it is.
+/// Writes the style of heights. It holds the link, which says to which map it belongs.
 ///
 /// # Errors
 /// Fails with the writer's errors.

@@ -1,7 +1,7 @@
 //! GeoPackage (OGC 12-128r18): the map as one SQLite file with a table for each layer.
 //!
-//! The same map always gives the same bytes: no row holds a moment. Styles for QGIS are rows of `layer_styles`, which it
-//! applies by itself.
+//! The same map always gives the same bytes: no row holds the current time. Styles are rows of `layer_styles`, which
+//! QGIS applies by itself.
 
 mod binary;
 mod layers;

@@ -2,7 +2,7 @@
 
 use super::layers::Layer;
 
-/// The moment in rows that have to have one. It is fixed so that the bytes are the same on any day.
+/// The time in rows that have to have one. It is fixed so that the bytes are the same on any day.
 pub const MOMENT: &str = "1980-01-01T00:00:00.000Z";
 
 /// The tables that every GeoPackage has, metadata as an extension (registered, as it has to be), and the styles of QGIS.
