@@ -85,7 +85,7 @@ def __getattr__(name: str) -> object:
     try:
         from riverseed.widget import Widget
     except ModuleNotFoundError as error:
-        message = f"riverseed.Widget needs anywidget, and there is no {error.name}: pip install riverseed[notebook]"
+        message = f"riverseed.Widget needs anywidget, and there is no {error.name}: pip install anywidget"
         raise ImportError(message, name=error.name) from error
     return Widget
 

@@ -1,7 +1,8 @@
 """A map as a widget of notebooks: Jupyter, JupyterLab, VS Code, Colab and marimo.
 
 It is the element `<river-seed>`, which grows in the reader's browser. Python says what it shows, and hears how far it
-is. Needs anywidget: ``pip install riverseed[notebook]``. Use it as `riverseed.Widget`.
+is. Needs anywidget (``pip install anywidget``) and a package with the element in it, such as `make wheel` builds in a
+clone. Use it as `riverseed.Widget`.
 """
 
 from collections.abc import Mapping
@@ -35,7 +36,8 @@ def _module() -> str:
     except FileNotFoundError:
         message = (
             f"riverseed.Widget: this package was built without {ELEMENT}, the element that the widget shows; "
-            "`make wheel` in the repository builds it with that"
+            "run `make wheel` in a clone of the repository, "
+            "then `pip install --force-reinstall --no-deps target/package/riverseed-*.whl`"
         )
         raise ImportError(message) from None
     script = folder.joinpath("widget.js").read_text(encoding="utf-8")
@@ -59,6 +61,9 @@ class Widget(AnyWidget):
     >>> river.curl = 3
     Traceback (most recent call last):
     ValueError: curl: 3 is not between 0 and 2
+    >>> river.crul = 1
+    Traceback (most recent call last):
+    ValueError: there is no parameter 'crul'
     """
 
     _esm = _module()
@@ -102,6 +107,20 @@ class Widget(AnyWidget):
         link, values = _native.read(link.link if isinstance(link, Map) else link, texts(options))
         super().__init__(link=link, **by_keyword(values), **given)
         self.on_msg(self._answer)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set a trait. A public name that the class has not is refused, since setting it would not change the map.
+
+        Raises:
+            ValueError: There is no parameter or option of this name, or it is ``preset``.
+        """
+        if name == "preset":
+            message = "preset: a widget takes it when it is made, and in its link"
+            raise ValueError(message)
+        if name.startswith("_") or hasattr(type(self), name):
+            super().__setattr__(name, value)
+        else:
+            _native.read("", texts({name: ""}))  # which says that there is no such parameter
 
     def __repr__(self) -> str:
         """Return the call that makes the widget."""

@@ -210,6 +210,33 @@ def test_what_is_no_good_is_refused_by_name_and_changes_nothing(river: Widget) -
         riverseed.Widget(colour="red")
 
 
+def test_a_name_that_a_widget_has_not_is_refused_as_when_it_is_made(river: Widget) -> None:
+    before, had = river.link, set(vars(river))
+    for name in ("crul", "meander_round", "colour", "x" * 200, "<script>"):
+        with pytest.raises(ValueError, match="there is no parameter ") as made:
+            riverseed.Widget(**{name: 1})
+        for value in (1, "x", [1], None):
+            with pytest.raises(ValueError, match="there is no parameter ") as told:
+                setattr(river, name, value)
+            assert str(told.value) == str(made.value)
+    with pytest.raises(ValueError, match="preset: a widget takes it when it is made, and in its link"):
+        river.preset = "curl"
+    assert (river.link, set(vars(river))) == (before, had)
+    assert riverseed.Widget(preset="curl").link == riverseed.Widget("preset=curl").link != riverseed.Widget().link
+
+
+def test_what_a_widget_has_can_be_set(river: Widget) -> None:
+    ipywidgets, traitlets = import_module("ipywidgets"), import_module("traitlets")  # untyped
+    layout = ipywidgets.Layout(width="50%")
+    for name, value in {"layout": layout, "tabbable": True, "tooltip": "a river", "_mine": 1, "still": True}.items():
+        setattr(river, name, value)
+        assert getattr(river, name) == value
+    river.add_traits(mine=traitlets.Int(1))
+    river.mine = 2
+    assert river.mine == 2
+    river.close()
+
+
 def test_only_the_browser_says_how_far_it_is(river: Widget) -> None:
     from traitlets import TraitError
 
@@ -284,7 +311,7 @@ except ImportError as error:
     print(error)
 """
     assert run(BLOCKED + program) == (
-        "riverseed.Widget needs anywidget, and there is no anywidget: pip install riverseed[notebook]\n"
+        "riverseed.Widget needs anywidget, and there is no anywidget: pip install anywidget\n"
     )
 
 
@@ -307,4 +334,7 @@ try:
 except ImportError as error:
     print(error)
 """
-    assert run(program).startswith("riverseed.Widget: this package was built without river-seed.classic.js, ")
+    said = run(program)
+    assert said.startswith("riverseed.Widget: this package was built without river-seed.classic.js, ")
+    for command in ("make wheel", "pip install --force-reinstall --no-deps target/package/riverseed-*.whl"):
+        assert f"`{command}`" in said

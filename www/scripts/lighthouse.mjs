@@ -1,18 +1,17 @@
 #!/usr/bin/env node
 // Checks the built site with Lighthouse, on a phone and on a desktop: all checks of accessibility, best practices and
-// search engines must
-// pass, and almost nothing may shift.
+// search engines must pass, and almost nothing may shift.
 //
 //   node scripts/lighthouse.mjs            fails if a check fails
-//   node scripts/lighthouse.mjs figures    prints the page's performance instead, the median of five, as JSON on one
-// line: {"mobile", "desktop"}
+//   node scripts/lighthouse.mjs figures    prints the page's performance instead, the median of five, as JSON on one line:
+//                                          {"mobile", "desktop"}
 //
 // The site must have been built (npm run build). CHROME names the browser.
 
 import puppeteer from "puppeteer-core";
 import { preview } from "vite";
 
-const PAGES = ["", "gallery/", "gallery/skye.html", "docs/", "docs/for/novelists.html"];
+const PAGES = ["", "gallery/", "gallery/skye.html", "docs/for/novelists.html"];
 const GATES = ["accessibility", "best-practices", "seo"];
 /** The most layout shift. Lighthouse calls a tenth good. */
 const MOST_SHIFT = 0.02;

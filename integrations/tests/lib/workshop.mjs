@@ -23,7 +23,7 @@ const sharp = theirs("sharp");
 const PROGRAM =
   process.env["RIVERSEED_PROGRAM"] ?? fileURLToPath(new URL("../../../target/debug/riverseed", import.meta.url));
 
-/** Where screenshots of the examples go. */
+/** Folder of the screenshots of the examples. */
 export const LOOKS = join(WORKSHOP, "looks");
 
 /** Copies files of `integrations/` to where an example is built, and returns that folder; `changes` replaces texts in them. */

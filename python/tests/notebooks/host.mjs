@@ -1,4 +1,4 @@
-/** What the tests in notebooks share: servers of notebooks from a Python environment of their own, and a browser. */
+/** Servers of notebooks from a Python environment of their own, and a browser, for the tests in notebooks. */
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";

@@ -6,10 +6,13 @@ import { codeWithSite } from "./stand-in.ts";
 
 const LANGUAGES: Readonly<Record<string, string>> = {
   css: "CSS",
+  "go-html-template": "Hugo",
   html: "HTML",
   js: "JavaScript",
   json: "JSON",
   jsx: "JSX",
+  liquid: "Liquid",
+  mdx: "MDX",
   php: "PHP",
   python: "Python",
   rust: "Rust",

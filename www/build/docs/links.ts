@@ -31,11 +31,12 @@ export function targetOf(href: string, from: Article, all: ReadonlyMap<string, A
   if (/^[a-z][a-z0-9+.-]*:|^\/\/|^\//i.test(href)) return { fault: `${href} is neither relative nor https` };
   const [path = "", anchor] = href.split("#");
   const source = path === "" ? from.source : posix.join(posix.dirname(from.source), path);
-  const article = all.get(source);
+  // Code hosts show a folder with its README.
+  const article = all.get(source) ?? all.get(posix.join(source, "README.md"));
   if (!article) return besides(source, href, root);
   if (anchor !== undefined && !article.headings.some(({ id }) => id === anchor))
-    return { fault: `${source} has no heading #${anchor}` };
-  const address = article === from ? "" : `${wayUp(addressOf(from.source))}${addressOf(source)}`;
+    return { fault: `${article.source} has no heading #${anchor}` };
+  const address = article === from ? "" : `${wayUp(addressOf(from.source))}${addressOf(article.source)}`;
   return { href: anchor === undefined ? address || "#" : `${address}#${anchor}` };
 }
 

@@ -6,7 +6,7 @@
 import { readFileSync } from "node:fs";
 import Handlebars from "handlebars";
 
-/** What the head of a page says. */
+/** The contents of a page's head. */
 export interface Head {
   readonly policy: string | undefined;
   readonly title: string;
@@ -23,7 +23,7 @@ export interface Head {
   readonly oembed: string | undefined;
 }
 
-/** What the page of a map says. */
+/** The contents of a map's page. */
 export interface MapPage extends Head {
   readonly name: string;
   /** The way back. */

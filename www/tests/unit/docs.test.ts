@@ -1,7 +1,7 @@
 import { posix } from "node:path";
 import { expect, test } from "vitest";
 import { articleOf } from "../../build/docs/article.ts";
-import { addressOf, contents, documentsIn } from "../../build/docs/contents.ts";
+import { addressOf, contents, documents, misplaced } from "../../build/docs/contents.ts";
 import { pictures } from "../../build/docs/pictures.ts";
 import { writtenFor } from "../../build/docs/plugin.ts";
 import { bodyOf } from "../../build/docs/rendering.ts";
@@ -31,11 +31,35 @@ function attributes(html: string, name: string): string[] {
   return [...html.matchAll(new RegExp(` ${name}="([^"]*)"`, "g"))].map(([, value = ""]) => value);
 }
 
-test("every document of docs has a page, and so has the README of the Python package", () => {
-  for (const source of [...documentsIn("docs"), "python/README.md"])
-    expect([...files.keys()]).toContain(addressOf(source));
-  expect(files.has("index.html")).toBe(true);
+test("every document of docs has a page, and so have the READMEs of the Python package and of each integration", () => {
+  for (const source of documents()) expect([...files.keys()]).toContain(addressOf(source));
+  for (const page of ["index.html", "files.html", "python.html", "integrations.html", "integrations/hugo.html"])
+    expect(files.has(page), page).toBe(true);
 });
+
+test("a document that is in no group is told by name, and so is one that a group has and the repository has not", () => {
+  expect(misplaced(documents())).toEqual([]);
+  expect(misplaced([...documents().filter((source) => source !== "docs/gis.md"), "docs/new.md"])).toEqual([
+    "docs/new.md: the document is in no group of www/build/docs/contents.ts",
+    "docs/gis.md: www/build/docs/contents.ts names it, and it is not there",
+  ]);
+});
+
+test("bloggers get from their first page to the set-up of each system", () => {
+  const leadsTo = (page: string) => attributes(mainOf(`${files.get(page)}`), "href");
+  expect(leadsTo("for/bloggers.html")).toContain("../blogs.html");
+  const systems = documents().filter((source) => /^integrations\/.+\/README\.md$/.test(source));
+  expect(systems.length).toBeGreaterThan(5);
+  for (const source of systems) {
+    expect(leadsTo("blogs.html"), source).toContain(addressOf(source));
+    expect(leadsTo("integrations.html"), source).toContain(addressOf(source));
+  }
+});
+
+/** Returns a page's text without the list of contents and the ways to the next page. */
+function mainOf(html: string): string {
+  return html.slice(html.indexOf("<main"), html.indexOf('<nav class="around"'));
+}
 
 test("the list of contents has every page once", () => {
   const listed = contents().flatMap(({ articles }) => articles.map(({ source }) => source));
@@ -96,6 +120,21 @@ test.each([
   "https://example.org/riverseed/none.html",
 ])("no page leads to %s", (href) => {
   expect(() => bodyOfText(`# Title\n\n[words](${href})\n`)).toThrow("docs/some.md:3: ");
+});
+
+test("a link to a folder leads to its README's page", () => {
+  const all = new Map(contents().flatMap(({ articles }) => articles.map((one) => [one.source, one])));
+  const htmlOf = (source: string, text: string) =>
+    bodyOf(articleOf(source, `# Title\n\n${text}\n`), all, undefined).html;
+  expect(htmlOf("integrations/mdx/README.md", "[it](../ghost)")).toContain(
+    '<a href="../integrations/ghost.html">it</a>',
+  );
+  expect(htmlOf("docs/for/bloggers.md", "[it](../../integrations/)")).toContain(
+    '<a href="../integrations.html">it</a>',
+  );
+  expect(() => htmlOf("docs/some.md", "[it](../integrations/ghost#none)")).toThrow(
+    "docs/some.md:3: integrations/ghost/README.md has no heading #none",
+  );
 });
 
 test("a link to what only the repository has leaves its words", () => {

@@ -13,7 +13,7 @@ const EMPTY: ReadonlySet<string> = new Set([
   "or", "so", "that", "the", "their", "then", "they", "this", "to", "what", "where", "which", "with", "you", "your",
 ]);
 
-/** How the index is made. It must be read with the same settings. */
+/** Settings of the index, which must be read with those that it was made with. */
 const OPTIONS: Options<Section> = {
   idField: "address",
   fields: ["heading", "page", "text", "code"],
