@@ -76,8 +76,18 @@ test: clock test-rust test-page test-wasm test-browser ## the tests of the first
 test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
+# Tests with other people's programs. They come last: .ci/run leaves them out where its time would not do.
+outside := test-hydrology test-gis test-batch test-notebooks test-integrations
+
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-gis test-batch test-python test-notebooks test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package test-integrations
+test-more: test-own $(outside)
+
+.PHONY: test-own
+test-own: test-scripts test-rust-more test-crate test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
+
+.PHONY: outside
+outside:
+	@echo $(outside)
 
 .PHONY: clock
 clock:

@@ -53,6 +53,27 @@ test("the frame that oEmbed gives shows the map on another page, as large as its
   });
 });
 
+for (const hasCors of [true, false])
+  test(`in a frame without an origin, as WordPress makes it, there is ${hasCors ? "the map where the host sends CORS" : "the picture where the host sends no CORS"}`, async () => {
+    const folder = await written("page-sandbox", ["--seed", "moa", "--address", "https://example.org/moa/"]);
+    await served(folder, "/moa/", async (page, { address }) => {
+      const blog = new URL("/post.html", address).href;
+      const frame = `<iframe sandbox="allow-scripts" src="${address}embed.html" width="600" height="400"></iframe>`;
+      await page.route(blog, (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><body>${frame}` }));
+      if (hasCors)
+        await page.route("**/element/**", async (route) => {
+          const response = await route.fetch();
+          await route.fulfill({ response, headers: { ...response.headers(), "access-control-allow-origin": "*" } });
+        });
+      await page.goto(blog);
+      const map = page.frameLocator("iframe").locator("river-seed");
+      if (hasCors) await map.locator("canvas").waitFor();
+      else await page.waitForFunction(() => performance.getEntriesByType("resource").length > 0);
+      await map.locator("img").waitFor({ state: hasCors ? "hidden" : "visible" });
+      assert.equal(await map.locator("canvas").count(), hasCors ? 1 : 0);
+    });
+  });
+
 test("hostile words are text on a map's page, and attributes hold them whole", async () => {
   // Those that could be markup; the others have a test of the command.
   for (const [i, word] of HOSTILE.slice(0, 4).entries()) {

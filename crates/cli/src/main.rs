@@ -116,7 +116,13 @@ enum Failure {
          (www/dist-widget after 'make widget', or the folder of the npm package), or show the picture only with --no-element"
     )]
     NoElement,
-    #[error("{}: this page was not written by 'riverseed page'; --replace overwrites it", path.display())]
+    #[error("{named_by}: {}: there is no river-seed.js in this folder", path.display())]
+    NotElement { named_by: &'static str, path: PathBuf },
+    #[error("--{option}: {reason}")]
+    Words { option: &'static str, reason: &'static str },
+    #[error("{}: this is a file, not a folder", path.display())]
+    NoFolder { path: PathBuf },
+    #[error("{}: this file was not written by 'riverseed page'; --replace overwrites it", path.display())]
     OtherPage { path: PathBuf },
     #[error("{failed} of {all} maps were not made")]
     Maps { failed: u64, all: u64 },
@@ -144,6 +150,9 @@ impl Failure {
             | Self::SeedBesides
             | Self::Address { .. }
             | Self::NoElement
+            | Self::NotElement { .. }
+            | Self::Words { .. }
+            | Self::NoFolder { .. }
             | Self::Pattern { .. } => ExitCode::from(2),
             Self::Session(_)
             | Self::Paint(_)

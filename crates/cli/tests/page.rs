@@ -176,17 +176,75 @@ fn out_of(name: &str) -> PathBuf {
 }
 
 #[test]
-fn pages_of_others_are_kept_unless_they_are_to_be_replaced() {
-    let (folder, files) = (out("page-other"), element("page-other"));
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("index.html"), "mine").unwrap();
-    let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--element", &files, "--size", "256"];
-    let (code, said) = refusal(&call);
-    assert!(code == 1 && said.contains("index.html") && said.contains("--replace"), "{code}: {said}");
-    assert_eq!(names(&folder), ["index.html".to_owned()].into(), "nothing else is written");
-    assert_eq!(text(&folder, "index.html"), "mine");
-    assert!(riverseed(&[&call[..], &["--replace"]].concat()).status.success());
-    assert!(riverseed(&call).status.success(), "its own page is replaced");
+fn files_of_others_are_kept_unless_they_are_to_be_replaced() {
+    // The page of the gallery is none of this command, either.
+    for (i, name) in ["index.html", "map.png", "element", "page.css"].into_iter().enumerate() {
+        let test = format!("page-other-{i}");
+        let (folder, files) = (out(&test), element(&test));
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join(name), "<meta name=\"generator\" content=\"Riverseed\" />").unwrap();
+        let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--element", &files, "--size", "256"];
+        let (code, said) = refusal(&call);
+        assert!(code == 1 && said.contains(name) && said.contains("--replace"), "{code}: {said}");
+        assert_eq!(names(&folder), [name.to_owned()].into(), "nothing else is written");
+        if name != "element" {
+            assert!(riverseed(&[&call[..], &["--replace"]].concat()).status.success());
+            assert!(riverseed(&call).status.success(), "its own page is replaced");
+        }
+    }
+}
+
+#[test]
+fn nothing_of_an_earlier_page_stays_that_the_new_one_does_not_have() {
+    let folder = page("page-again", &format!("{FEW}kauri"), &["--address", "https://example.org/"]);
+    fs::write(folder.join("element/mine.txt"), "mine").unwrap();
+    fs::write(folder.join("mine.txt"), "mine").unwrap();
+    let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--no-element", "--size", "256"];
+    assert!(riverseed(&call).status.success());
+    let there =
+        ["card.jpg", "element", "embed.html", "index.html", "map.jpg", "map.png", "mine.txt", "page.css", "shape.css"];
+    assert_eq!(names(&folder), there.map(String::from).into());
+    assert_eq!(names(&folder.join("element")), ["mine.txt".to_owned()].into());
+}
+
+#[test]
+fn seed_of_a_folder_is_that_of_its_address_and_an_empty_one_is_refused() {
+    let place = out("page-seed").join("{seed}");
+    let call = ["page", "attractors=300&seed=Kea", "-o", place.to_str().unwrap(), "--no-element", "--size", "256"];
+    assert!(riverseed(&[&call[..], &["--address", "https://example.org/maps/{seed}"]].concat()).status.success());
+    let html = text(&out_of("page-seed").join("%4Bea"), "index.html");
+    assert!(html.contains("href=\"https://example.org/maps/%254Bea/\""), "{html}");
+    let (code, said) = refusal(&[&call[..], &["--seed", ""]].concat());
+    assert!(code == 2 && said.contains("the seed is empty"), "{code}: {said}");
+}
+
+#[test]
+fn title_is_on_the_card_and_must_be_seen() {
+    let link = format!("{FEW}kauri");
+    let cards = [&[][..], &["--title", "Home"]]
+        .map(|title| fs::read(page("page-title", &link, title).join("card.jpg")).unwrap());
+    assert!(cards[0] != cards[1]);
+    for (option, words, reason) in [
+        ("--title", " ", "no words"),
+        ("--title", "a\u{7}b", "cannot be shown"),
+        ("--description", &"x".repeat(301), "more than 300"),
+    ] {
+        let folder = out("page-title-wrong");
+        let (code, said) = refusal(&["page", &link, "-o", folder.to_str().unwrap(), "--no-element", option, words]);
+        assert!(code == 2 && said.contains(option) && said.contains(reason), "{code}: {said}");
+    }
+}
+
+#[test]
+fn a_page_without_the_element_allows_no_script() {
+    let folder = page("page-policy", &format!("{FEW}kauri"), &[]);
+    assert!(text(&folder, "index.html").contains("script-src &#x27;self&#x27; &#x27;wasm-unsafe-eval&#x27;"));
+    let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--no-element", "--size", "256"];
+    assert!(riverseed(&call).status.success());
+    for file in ["index.html", "embed.html"] {
+        let html = text(&folder, file);
+        assert!(!html.contains("<script") && !html.contains("script-src"), "{file}: {html}");
+    }
 }
 
 #[test]
@@ -196,7 +254,9 @@ fn wrong_calls_are_told_what_is_expected() {
     let call = |options: &[&str]| refusal(&[&["page", "seed=kauri", "-o", folder], options].concat());
     for (options, code, expected) in [
         (&[][..], 2, "--no-element"),
-        (&["--element", "/nowhere"], 1, "there is no river-seed.js in it"),
+        (&["--element", ""], 2, "--no-element"),
+        (&["--element", "/nowhere"], 2, "--element: /nowhere: there is no river-seed.js"),
+        (&["--no-element", "--address", "https://a.b;script-src/"], 2, "https://example.org/maps/kauri/"),
         (&["--no-element", "--address", "kauri"], 2, "https://example.org/maps/kauri/"),
         (&["--no-element", "--maker", "javascript:alert(1)"], 2, "--maker javascript:alert(1)"),
         (&["--element", "ftp://example.org/"], 2, "--element ftp://example.org/"),
@@ -207,4 +267,8 @@ fn wrong_calls_are_told_what_is_expected() {
         assert!(actual == code && said.contains(expected), "{options:?}: {actual}, {said}");
     }
     assert!(!Path::new(folder).exists(), "nothing is written");
+    let file = scratch("page-file");
+    fs::write(&file, "").unwrap();
+    let (code, said) = refusal(&["page", "-o", file.to_str().unwrap(), "--no-element"]);
+    assert!(code == 2 && said.contains("a file, not a folder"), "{code}: {said}");
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::super::Failure;
 
 /// The placeholder of the seed.
-const PLACE: &str = "{seed}";
+pub const PLACE: &str = "{seed}";
 
 /// The reason why two outputs of a call are refused.
 pub const MEETS: &str =
@@ -59,11 +59,17 @@ impl Pattern {
     }
 }
 
-/// A path with the escaped seed in each place for it, of one map. Escaped seeds name no other folder.
-pub fn with_seed(path: &Path, seed: &str) -> PathBuf {
-    match path.to_str() {
-        Some(text) if text.contains(PLACE) => text.replace(PLACE, &escaped(seed)).into(),
-        _ => path.into(),
+/// A text with the escaped seed in each place for it. An escaped seed in a path names no other folder.
+///
+/// # Errors
+/// Fails if there is a place for the seed and the seed is empty: the path would be that of the folder above.
+pub fn with_seed(text: &str, seed: &str) -> Result<String, Failure> {
+    match text.contains(PLACE) {
+        true if seed.is_empty() => {
+            Err(Failure::Pattern { path: text.into(), reason: "'{seed}' stands for nothing, since the seed is empty" })
+        }
+        true => Ok(text.replace(PLACE, &escaped(seed))),
+        false => Ok(text.into()),
     }
 }
 

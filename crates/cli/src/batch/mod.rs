@@ -20,7 +20,7 @@ use indicatif::ProgressBar;
 use riverseed::recipe::{Key, Recipe, link};
 
 use self::file_name::Pattern;
-pub use self::file_name::with_seed;
+pub use self::file_name::{PLACE, with_seed};
 use self::found::Found;
 use self::lines::{Lines, Turn};
 use self::place::Places;

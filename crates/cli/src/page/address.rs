@@ -1,7 +1,7 @@
 //! The address of a site, given by the caller and written into files as it is read.
 
 use http::Uri;
-use http::uri::{Authority, Scheme};
+use http::uri::Scheme;
 use riverseed::recipe::shown;
 
 use super::super::Failure;
@@ -22,15 +22,20 @@ impl Address {
     /// Refuses everything but an http or https address of a folder.
     pub fn read(option: &'static str, text: &str) -> Result<Self, Failure> {
         let refused = |reason: String| Failure::Address { option, text: shown(text), reason };
+        if !text.is_ascii() {
+            return Err(refused(format!(
+                "other letters than ASCII have to be encoded (xn--… in hosts, %… in paths); {EXPECTED}"
+            )));
+        }
         let uri: Uri = text.parse().map_err(|error| refused(format!("{error}; {EXPECTED}")))?;
-        let is_web = |scheme: &&Scheme| [Scheme::HTTP, Scheme::HTTPS].contains(scheme);
-        let is_host = |authority: &&Authority| !authority.as_str().contains('@');
-        match (uri.scheme().filter(is_web), uri.authority().filter(is_host), uri.query()) {
+        let scheme = uri.scheme().filter(|scheme| [&Scheme::HTTP, &Scheme::HTTPS].contains(scheme));
+        let authority = uri.authority().map(http::uri::Authority::as_str).filter(|authority| is_authority(authority));
+        let path = Some(uri.path()).filter(|path| is_folder(path));
+        match (scheme, authority, path, uri.query()) {
             // The parser drops fragments.
-            (Some(scheme), Some(authority), None) if !text.contains('#') => Ok(Self {
-                origin: format!("{scheme}://{authority}"),
-                path: format!("{}/", uri.path().trim_end_matches('/')),
-            }),
+            (Some(scheme), Some(authority), Some(path), None) if !text.contains('#') => {
+                Ok(Self { origin: format!("{scheme}://{authority}"), path: format!("{}/", path.trim_end_matches('/')) })
+            }
             _ => Err(refused(EXPECTED.into())),
         }
     }
@@ -48,6 +53,40 @@ impl Address {
 
 const EXPECTED: &str = "expected the address of a folder, such as https://example.org/maps/kauri/, without ? and #";
 
+/// Returns `true` for a host with or without a port. It is stricter than the standard, since hosts stand in content
+/// security policies, where other signs have a meaning.
+fn is_authority(authority: &str) -> bool {
+    let (host, port) = match authority.rsplit_once(':').filter(|(_, port)| !port.ends_with(']')) {
+        Some((host, port)) => (host, Some(port)),
+        None => (authority, None),
+    };
+    let is_name = |sign: u8| sign.is_ascii_alphanumeric() || sign == b'-' || sign == b'.';
+    let is_number = |sign: u8| sign.is_ascii_hexdigit() || sign == b':' || sign == b'.';
+    let is_host = match host.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        Some(number) => !number.is_empty() && number.bytes().all(is_number),
+        None => !host.is_empty() && host.bytes().all(is_name),
+    };
+    let is_port =
+        |port: &str| port.bytes().all(|sign| sign.is_ascii_digit()) && port.parse::<u16>().is_ok_and(|port| port > 0);
+    is_host && port.is_none_or(is_port)
+}
+
+/// Returns `true` for the path of a folder: of plain and percent-encoded signs, without steps up, and no page.
+fn is_folder(path: &str) -> bool {
+    let is_plain = |sign: u8| sign.is_ascii_alphanumeric() || b"-._~!$&'()*+,;=:@/".contains(&sign);
+    let mut signs = path.bytes();
+    while let Some(sign) = signs.next() {
+        let is_encoded =
+            |signs: &mut std::str::Bytes<'_>| (0..2).all(|_| signs.next().is_some_and(|sign| sign.is_ascii_hexdigit()));
+        if !(is_plain(sign) || sign == b'%' && is_encoded(&mut signs)) {
+            return false;
+        }
+    }
+    let is_step = |part: &str| matches!(part, "." | "..");
+    let page = path.trim_end_matches('/').to_ascii_lowercase();
+    !path.split('/').any(is_step) && !page.ends_with(".html") && !page.ends_with(".htm")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +100,10 @@ mod tests {
             assert_eq!(address.with_query("seed=a+b"), "https://example.org/maps/kauri/?seed=a+b");
         }
         assert_eq!(Address::read("--address", "http://localhost:8000").unwrap().of("a"), "http://localhost:8000/a");
+        assert_eq!(
+            Address::read("--address", "https://[::1]:80/%C3%A4/").unwrap().of("b"),
+            "https://[::1]:80/%C3%A4/b"
+        );
         assert_eq!(Address::read("--address", "https://a.b:1/c//").unwrap().origin, "https://a.b:1");
     }
 

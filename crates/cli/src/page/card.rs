@@ -17,12 +17,15 @@ pub const SIZE: (u32, u32) = (1200, 630);
 /// The width that they show it with, in CSS pixels. Letters that could not be read there are left out.
 const SEEN_WIDTH: f32 = 300.0;
 
-/// Paints the card of a finished session, and leaves the session with the card's recipe.
+/// The mark of the map's name among its names.
+const TITLE: &str = "t";
+
+/// Paints the card of a finished session, with another title if one is given, and leaves the session with the card's recipe.
 ///
 /// # Errors
 /// Fails if there is not enough memory.
-pub fn paint(session: &mut Session) -> Result<Picture, Failure> {
-    session.change(card_recipe(session.recipe())?)?;
+pub fn paint(session: &mut Session, title: Option<&str>) -> Result<Picture, Failure> {
+    session.change(card_recipe(session.recipe(), title)?)?;
     let map = session.finish()?;
     let (width, height) = SIZE;
     let size = session.domain().size;
@@ -36,9 +39,13 @@ pub fn paint(session: &mut Session) -> Result<Picture, Failure> {
     Ok(picture)
 }
 
-/// The recipe of a card: without the map's own title, and with few labels if it has any.
-fn card_recipe(recipe: &Recipe) -> Result<Recipe, Failure> {
+/// The recipe of a card: without the map's own title, and with few labels if it has any. A title that no map can have as
+/// its name, such as a long one, is left out.
+fn card_recipe(recipe: &Recipe, title: Option<&str>) -> Result<Recipe, Failure> {
     let mut recipe = recipe.clone();
+    if let Some(names) = title.and_then(|title| recipe.own_names().with(TITLE, Some(title)).ok()) {
+        recipe.set(Key::Names, &names.to_string())?;
+    }
     recipe.set(Key::Cartouche, "none")?;
     if recipe.get::<Labels>() != Labels::None {
         recipe.set(Key::Labels, "few")?;

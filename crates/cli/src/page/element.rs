@@ -3,7 +3,6 @@
 use std::env;
 use std::ffi::OsString;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
@@ -16,8 +15,8 @@ use super::address::Address;
 
 /// The element's script, which must be in the folder.
 const SCRIPT: &str = "river-seed.js";
-/// The single-file variant for pages opened from disk. Pages of a server do not load it.
-const CLASSIC: &str = "river-seed.classic.js";
+/// Scripts beside it that no page of a server loads: the variant for pages opened from disk, and the one for Node.
+const UNUSED: [&str; 2] = ["river-seed.classic.js", "node.js"];
 /// The folder of the element in that of the page.
 pub const FOLDER: &str = "element";
 /// Names the folder of the element's files where `--element` does not.
@@ -52,19 +51,19 @@ impl Element {
             say("the page shows a picture instead of the element: its attributes cannot hold land from a picture");
             return Ok(Self::None);
         }
-        match matches.get_one::<OsString>("element").cloned() {
-            Some(given) => Self::given(given),
-            None => match env::var_os(VARIABLE).or_else(beside_the_program) {
-                Some(folder) => Self::given(folder),
-                None => Err(Failure::NoElement),
-            },
-        }
+        let is_said = |place: &OsString| !place.is_empty();
+        let given = matches.get_one::<OsString>("element").cloned().map(|place| ("--element", place));
+        let set = || env::var_os(VARIABLE).map(|place| (VARIABLE, place));
+        let installed = || beside_the_program().map(|place| ("share/riverseed", place));
+        let places = given.or_else(set).filter(|(_, place)| is_said(place)).or_else(installed);
+        places.map_or(Err(Failure::NoElement), |(named_by, place)| Self::at(named_by, &place))
     }
 
-    fn given(place: OsString) -> Result<Self, Failure> {
+    /// The element at a place. `named_by` is the option or the variable that named it.
+    fn at(named_by: &'static str, place: &OsString) -> Result<Self, Failure> {
         match place.to_str().filter(|text| text.contains("://")) {
-            Some(address) => Address::read("--element", address).map(Self::Elsewhere),
-            None => files(Path::new(&place)).map(Self::Files),
+            Some(address) => Address::read(named_by, address).map(Self::Elsewhere),
+            None => files(named_by, Path::new(place)).map(Self::Files),
         }
     }
 
@@ -93,20 +92,25 @@ fn beside_the_program() -> Option<OsString> {
     folder.join(SCRIPT).is_file().then(|| folder.into())
 }
 
-/// The scripts and wasm files of a folder, in the order of their names.
-fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// The element's files in a folder, in the order of their names.
+///
+/// # Errors
+/// Fails if its script is not there.
+fn files(named_by: &'static str, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !folder.join(SCRIPT).is_file() {
-        let error = std::io::Error::new(ErrorKind::NotFound, format!("there is no {SCRIPT} in it"));
-        return Err(Failure::File { path: folder.into(), error });
+        return Err(Failure::NotElement { named_by, path: folder.into() });
     }
+    let mut paths = code_in(folder)?;
+    paths.retain(|path| !UNUSED.iter().any(|name| path.ends_with(name)));
+    Ok(paths)
+}
+
+/// All scripts and wasm files of a folder, in the order of their names.
+pub fn code_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(Failure::file(folder))?;
     let paths = entries.map(|entry| Ok(entry.map_err(Failure::file(folder))?.path()));
     let mut paths = paths.collect::<Result<Vec<_>, Failure>>()?;
-    let is_loaded = |path: &PathBuf| {
-        let is_code = path.extension().is_some_and(|ending| ending == "js" || ending == "wasm");
-        is_code && path.is_file() && path.file_name().is_some_and(|name| name != CLASSIC)
-    };
-    paths.retain(is_loaded);
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "js" || ending == "wasm") && path.is_file());
     paths.sort_unstable();
     Ok(paths)
 }

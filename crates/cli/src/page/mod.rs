@@ -24,7 +24,7 @@ use self::element::Element;
 use self::folder::Folder;
 use self::shots::Shots;
 use self::templates::{Content, Shot};
-use super::batch::with_seed;
+use super::batch::{PLACE, with_seed};
 use super::grow::grow;
 use super::grow::progress;
 use super::names::{say_what_has_no_letters, say_what_is_unused};
@@ -34,11 +34,11 @@ use super::{Failure, say};
 /// Writes the folder.
 pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
-    let address = matches.get_one::<String>("address").map(|text| Address::read("--address", text)).transpose()?;
+    let address = matches.get_one::<String>("address").map(|text| address_of(text, order.recipe.seed())).transpose()?;
     let maker = matches.get_one::<String>("maker").map(|text| Address::read("--maker", text)).transpose()?;
     let element = Element::asked(matches, &order)?;
-    let out = matches.get_one::<PathBuf>("output").map(|path| with_seed(path, order.recipe.seed()));
-    let folder = Folder::open(&out.unwrap_or_default(), matches.get_flag("replace"))?;
+    let [title, description] = [words::given(matches, "title")?, words::given(matches, "description")?];
+    let folder = Folder::open(&folder_of(matches, order.recipe.seed())?, matches.get_flag("replace"))?;
     order.say_what_is_idle(&[true]);
     say_what_has_no_letters(&order.recipe, &say);
     if address.is_none() {
@@ -48,19 +48,18 @@ pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let recipe = order.recipe.clone();
     let progress = progress(&recipe, size);
     let mut session = grow(order, &progress, &say)?;
-    let shots = Shots::take(&mut session, size, &progress)?;
+    let shots = Shots::take(&mut session, size, title.as_deref(), &progress)?;
     let map = session.finish()?;
     say_what_is_unused(&map, &say);
     let names = Names::of(&map);
-    let own = |option: &str| matches.get_one::<String>(option).cloned();
-    let name = own("title").unwrap_or_else(|| words::name(&names, &recipe));
+    let name = title.unwrap_or_else(|| words::name(&names, &recipe));
     let link = link::write_for_file(&recipe);
     let (width, height) = shots.size();
     let content = Content {
         title: name.clone(),
-        description: own("description").unwrap_or_else(|| words::description(&map, &names)),
+        description: description.unwrap_or_else(|| words::description(&map, &names)),
         alternative: words::alternative(&names, &name),
-        settings: words::settings(&link::write(&recipe))?,
+        settings: words::settings(&link)?,
         aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
         ratio: Domain::of(&recipe).size,
         picture: Shot { width, height },
@@ -74,4 +73,21 @@ pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     folder.write(&content, &shots)?;
     progress.finish_and_clear();
     Ok(())
+}
+
+/// The folder to write, with the seed in its place.
+fn folder_of(matches: &ArgMatches, seed: &str) -> Result<PathBuf, Failure> {
+    let path = matches.get_one::<PathBuf>("output").cloned().unwrap_or_default();
+    match path.to_str() {
+        Some(text) => with_seed(text, seed).map(PathBuf::from),
+        None => Ok(path),
+    }
+}
+
+/// The address of that folder. A percent sign in the folder's name is `%25` there.
+fn address_of(text: &str, seed: &str) -> Result<Address, Failure> {
+    let encoded = |escaped: String| escaped.replace('%', "%25");
+    let parts = text.split(PLACE).map(str::to_owned).collect::<Vec<_>>();
+    let seed = if parts.len() > 1 { encoded(with_seed(PLACE, seed)?) } else { String::new() };
+    Address::read("--address", &parts.join(&seed))
 }

@@ -30,11 +30,16 @@ pub struct Shots {
 }
 
 impl Shots {
-    /// Paints the pictures of a grown session, and leaves the session finished, with its own recipe.
+    /// Paints the pictures of a grown session, the card with another title if one is given, and leaves the session finished, with its own recipe.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
-    pub fn take(session: &mut Session, longer: u32, progress: &ProgressBar) -> Result<Self, Failure> {
+    pub fn take(
+        session: &mut Session,
+        longer: u32,
+        title: Option<&str>,
+        progress: &ProgressBar,
+    ) -> Result<Self, Failure> {
         let recipe = session.recipe().clone();
         progress.set_message("raising land");
         while session.raise_relief()? {}
@@ -44,7 +49,7 @@ impl Shots {
         let map = session.finish()?;
         memory::ask_for_picture(&map, &picture)?;
         picture.paint_map(&map);
-        let card = card::jpeg(&card::paint(session)?, QUALITY)?;
+        let card = card::jpeg(&card::paint(session, title)?, QUALITY)?;
         session.change(recipe)?;
         let mut png = Vec::new();
         export::png::write(&mut png, picture.pixmap(), &link::write_for_file(map.recipe())).map_err(io::Error::from)?;

@@ -143,16 +143,14 @@ fn snippet(content: &Content, attributes: &[Value], here: &str) -> String {
 /// The content security policy of a page with this element. `'wasm-unsafe-eval'` allows WebAssembly and no more.
 fn policy(element: &Element) -> String {
     let origin = element.origin();
-    let worker = if matches!(element, Element::Elsewhere(_)) { "blob:" } else { "'self'" };
-    let rows = [
-        "default-src 'none'".into(),
-        format!("script-src {origin} 'wasm-unsafe-eval'"),
-        "style-src 'self'".into(),
-        "img-src 'self' data: blob:".into(),
-        format!("connect-src {origin}"),
-        format!("worker-src {worker}"),
-        "base-uri 'none'".into(),
-        "form-action 'none'".into(),
-    ];
-    rows.join("; ")
+    // In a frame without an origin, and from another host, the worker's script is a blob.
+    let scripts = match element {
+        Element::None => String::new(),
+        Element::Files(_) | Element::Elsewhere(_) => {
+            format!("; script-src {origin} 'wasm-unsafe-eval'; connect-src {origin}; worker-src 'self' blob:")
+        }
+    };
+    format!(
+        "default-src 'none'{scripts}; style-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'"
+    )
 }

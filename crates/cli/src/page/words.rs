@@ -1,5 +1,6 @@
 //! The words on a map's page.
 
+use clap::ArgMatches;
 use riverseed::Map;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::KILOMETRE;
@@ -8,6 +9,24 @@ use riverseed::recipe::{Kind, Parameter, Recipe, link, shown};
 use serde_json::{Value, json};
 
 use super::super::Failure;
+
+/// The most characters of a title and of a description.
+const LONGEST: usize = 300;
+
+/// The words of an option, if it is given.
+///
+/// # Errors
+/// Refuses words that nobody could see, and too many.
+pub fn given(matches: &ArgMatches, option: &'static str) -> Result<Option<String>, Failure> {
+    let Some(words) = matches.get_one::<String>(option) else { return Ok(None) };
+    let refused = |reason| Err(Failure::Words { option, reason });
+    match words.trim() {
+        "" => refused("there are no words"),
+        words if words.chars().any(char::is_control) => refused("there is a character that cannot be shown"),
+        words if words.chars().count() > LONGEST => refused("there are more than 300 characters"),
+        words => Ok(Some(words.into())),
+    }
+}
 
 /// The map's name, or what it grew from if the recipe takes its name away.
 pub fn name(names: &Names, recipe: &Recipe) -> String {
