@@ -3,11 +3,11 @@
 //
 // It takes `npm install riverseed sharp`.
 
-import { createHash } from "node:crypto";
-import { copyFile, mkdir, readFile, rename, stat } from "node:fs/promises";
+import { createHash, randomUUID } from "node:crypto";
+import { copyFile, mkdir, readFile, rename, rm, stat } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { grow, PageError } from "riverseed/node";
+import { grow, PageError, readLink } from "riverseed/node";
 import sharp from "sharp";
 
 /** The picture's width in pixels: sharp in a column of 600 CSS pixels on screens of two pixels to each. */
@@ -26,47 +26,79 @@ export class RiverSeedError extends Error {
   }
 }
 
-/** Returns true for a map that is named by a link, such as `seed=kauri&land=valley`, and not by a word. */
-export function isLink(map) {
+/**
+ * Reads a map that is named by a word, or by a link such as `seed=kauri&land=valley`. Returns the canonical link, whose edition keeps
+ * the picture and the element alike after an upgrade, the seed, and true if the map is more than the element draws.
+ */
+export function readMap(map) {
+  if (typeof map !== "string" || map.trim() === "")
+    throw new RiverSeedError(
+      `a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`,
+    );
+  try {
+    const { link, seed, beyondElement } = readLink(isLink(map) ? map : `seed=${encodeURIComponent(map)}`);
+    if (beyondElement.length > 0)
+      tellOnce(`a picture without the element for ${JSON.stringify(map)}: ${beyondElement}`);
+    return { link, seed, isPictureAlone: beyondElement.length > 0 };
+  } catch (error) {
+    throw error instanceof PageError ? new RiverSeedError(`no map of ${JSON.stringify(map)}: ${error.message}`) : error;
+  }
+}
+
+function isLink(map) {
   return /^\??[a-z][a-z-]*=/.test(map);
 }
 
-/** Returns the name of a map's picture, a hash: words may be any text, also `../`. */
-export function fileOf(map) {
-  return `river-seed-${createHash("sha256").update(map).digest("hex").slice(0, 16)}.webp`;
+const told = new Set();
+
+/** Tells the author something that stops no build. A page is built many times while its author writes. */
+function tellOnce(message) {
+  if (!told.has(message)) console.warn(`river-seed: ${message}`);
+  told.add(message);
+}
+
+/** Returns the file name of a link's picture. It is a hash, since words may be any text, also `../`, and of all that decides the pixels. */
+export function fileOf(link) {
+  const hash = createHash("sha256").update(`${link} ${WIDTH} webp ${QUALITY}`).digest("hex");
+  return `river-seed-${hash.slice(0, 16)}.webp`;
 }
 
 /**
- * Draws a map into a folder, unless its picture is there, and returns the attributes of the element and of the picture.
- * `base` is the address of the folder, and `alt` a text alternative of the author's own.
+ * Draws a map into a folder, unless its picture is there, and returns the attributes of the element and of the picture. A map that is
+ * more than the element draws has the picture alone. `base` is the address of the folder, and `alt` a text alternative of the author's own.
  */
 export async function embed(map, { folder, base, alt }) {
-  const { width, height } = await drawOnce(map, folder);
-  const seed = isLink(map) ? (new URLSearchParams(map).get("seed") ?? "kauri") : map;
-  return {
-    script: `${base}river-seed.js`,
-    element: { [isLink(map) ? "recipe" : "seed"]: map, ...(alt && { alt }), style: "display:block" },
-    picture: {
-      src: base + fileOf(map),
-      alt: alt || `Rivers grown from “${seed}”`,
-      width,
-      height,
-      style: "display:block;width:100%;height:auto",
-    },
+  const { link, seed, isPictureAlone } = readMap(map);
+  const { width, height } = await drawOnce(link, folder);
+  const picture = {
+    src: base + fileOf(link),
+    alt: alt || `Rivers grown from “${seed}”`,
+    width,
+    height,
+    style: "display:block;width:100%;height:auto",
   };
+  if (isPictureAlone) return { picture };
+  const element = { recipe: link, ...(alt && { alt }), style: "display:block" };
+  return { script: `${base}river-seed.js`, element, picture };
 }
 
 /** Writes an embed as HTML. */
 export function html({ script, element, picture }) {
-  return `<script type="module" src="${escaped(script)}"></script><river-seed${attributes(element)}><img${attributes(picture)}></river-seed>`;
+  const img = `<img${attributes(picture)}>`;
+  if (!element) return img;
+  return `<script type="module" src="${escaped(script)}"></script><river-seed${attributes(element)}>${img}</river-seed>`;
 }
 
 /** Copies the element's files from the npm package into a folder. */
 export async function copyElement(folder) {
   const list = fileURLToPath(import.meta.resolve("riverseed/integrity.json"));
-  const files = Object.keys(JSON.parse(await readFile(list, "utf8"))).filter((file) => !UNUSED.has(file));
   await mkdir(folder, { recursive: true });
-  for (const file of files) await copyFile(join(dirname(list), file), join(folder, file));
+  for (const file of await elementFiles(list)) await copyFile(join(dirname(list), file), join(folder, file));
+}
+
+/** Lists the files that a page with the element loads, of all that `integrity.json` of the npm package names. */
+export async function elementFiles(list) {
+  return Object.keys(JSON.parse(await readFile(list, "utf8"))).filter((file) => !UNUSED.has(file));
 }
 
 /** Returns the address of the element's folder in a site whose own address or path is `site`. */
@@ -86,49 +118,55 @@ export function needs(generator, least, version) {
   throw new RiverSeedError(`${generator} ${least} or newer is needed; this is ${version}`);
 }
 
+/** Parts of a page in which a tag is only text: comments, scripts and styles. */
+const UNSEEN = /<!--[^]*?(?:-->|$)|<(script|style)\b[^]*?<\/\1\s*>/gi;
+
 /** Refuses a page in which one element stands in another, where nobody would see it. `where` names the page. */
 export function refuseNested(page, where) {
   let depth = 0;
-  for (const [, isEnd] of page.matchAll(/<(\/?)river-seed[\s>]/g)) {
-    depth += isEnd ? -1 : 1;
+  for (const [, isEnd] of page.replace(UNSEEN, "").matchAll(/<(\/?)river-seed[\s>]/g)) {
+    depth = Math.max(0, depth + (isEnd ? -1 : 1));
     if (depth > 1) throw new RiverSeedError(`a river-seed stands inside another${where ? `: ${where}` : ""}`);
   }
 }
 
 const drawing = new Map();
 
-/** Draws a map's picture once, however many pages ask for it at the same time, and returns its size. */
-export function drawOnce(map, folder) {
-  if (typeof map !== "string" || map.trim() === "")
-    throw new RiverSeedError(
-      `a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`,
+/** Draws a link's picture, unless it is there, and returns its size. Pages that ask for it at the same time wait for one drawing. */
+export function drawOnce(link, folder) {
+  const path = join(folder, fileOf(link));
+  // It is kept no longer, so that a failed drawing is tried again, and a deleted picture is drawn again.
+  if (!drawing.has(path))
+    drawing.set(
+      path,
+      draw(link, path).finally(() => drawing.delete(path)),
     );
-  const path = join(folder, fileOf(map));
-  if (!drawing.has(path)) drawing.set(path, draw(map, path));
   return drawing.get(path);
 }
 
-async function draw(map, path) {
+async function draw(link, path) {
   if (!(await stat(path).catch(() => undefined))) {
     await mkdir(dirname(path), { recursive: true });
-    await sharp(Buffer.from(svgOf(map)), { unlimited: true })
-      .resize(WIDTH)
-      .webp({ quality: QUALITY })
-      .toFile(`${path}.new`);
-    await rename(`${path}.new`, path);
+    // Its own name, since other processes may draw the same map.
+    const unfinished = `${path}.${randomUUID()}`;
+    try {
+      await sharp(Buffer.from(svgOf(link)), { unlimited: true })
+        .resize(WIDTH)
+        .webp({ quality: QUALITY })
+        .toFile(unfinished);
+      await rename(unfinished, path);
+    } finally {
+      await rm(unfinished, { force: true });
+    }
   }
   return await sharp(path).metadata();
 }
 
-function svgOf(map) {
-  try {
-    const grown = grow(isLink(map) ? map : `seed=${encodeURIComponent(map)}`);
-    const svg = grown.svg();
-    grown.free();
-    return svg;
-  } catch (error) {
-    throw error instanceof PageError ? new RiverSeedError(`no map of ${JSON.stringify(map)}: ${error.message}`) : error;
-  }
+function svgOf(link) {
+  const grown = grow(link);
+  const svg = grown.svg();
+  grown.free();
+  return svg;
 }
 
 function attributes(values) {

@@ -53,6 +53,7 @@ case ${1-} in
     unpack_element
     mkdir -p "$workshop/wordpress"
     cp -R integrations/wordpress/. "$workshop/wordpress"
+    cp integrations/river-seed.mjs "$workshop"
     node "$workshop/wordpress/pack.mjs" "$workshop/node_modules/riverseed" target/package/river-seed-wordpress.zip
     ;;
   *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

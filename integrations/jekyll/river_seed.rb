@@ -2,11 +2,12 @@
 
 require "cgi"
 require "digest"
+require "json"
 require "open3"
 require "uri"
 
 module RiverSeed
-  # What a site asks for and cannot have.
+  # An error that the site's author can mend; it says how.
   class Error < StandardError
     def initialize(message) = super("river-seed: #{message}")
   end
@@ -32,12 +33,20 @@ module RiverSeed
     raise Error, "the text holds a character that cannot be shown"
   end
 
+  # Names the edition of the algorithms in a link that names none, so that the element draws what the picture shows after an upgrade too.
+  def self.pinned(link) = link.match?(/(\A\??|&)edition=/) ? link : "#{link}&edition=#{edition}"
+
+  # Returns the edition that the command draws.
+  def self.edition
+    @edition ||= JSON.parse(riverseed("table", "--json"))["parameters"].find { |one| one["key"] == "edition" }["default"]
+  end
+
   class Tag < Liquid::Tag
     def render(context)
       map, alt = @markup.scan(Liquid::QuotedFragment).map { |word| context.evaluate(Liquid::Expression.parse(word)) }
       raise Error, "a word or a link is wanted, as \"kauri\" or \"seed=kauri&land=valley\"" if map.to_s.strip.empty?
       map = map.to_s
-      link = map.match?(/\A\??[a-z][a-z-]*=/) ? map : "seed=#{URI.encode_www_form_component(map)}"
+      link = RiverSeed.pinned(map.match?(/\A\??[a-z][a-z-]*=/) ? map : "seed=#{URI.encode_www_form_component(map)}")
       site = context.registers[:site]
       name, width, height = picture(site, map, link)
       base = File.join("/", site.baseurl.to_s, "riverseed/")
@@ -48,9 +57,10 @@ module RiverSeed
 
     private
 
-    # Returns the file name and the size of a map's picture, which Jekyll will write with the site's other files.
+    # Returns the file name and the size of a map's picture, which Jekyll will write with the site's other files. The name is a hash of all
+    # that decides the pixels.
     def picture(site, map, link)
-      name = "river-seed-#{Digest::SHA256.hexdigest(map)[0, 16]}.png"
+      name = "river-seed-#{Digest::SHA256.hexdigest("#{map} edition #{RiverSeed.edition}, #{SIZE} at #{RATIO}")[0, 16]}.png"
       cache = File.join(site.cache_dir, "river-seed")
       path = File.join(cache, "riverseed", name)
       FileUtils.mkdir_p(File.dirname(path))
@@ -69,8 +79,11 @@ module RiverSeed
     raise Error, "the element's files are not in the folder riverseed of the site" unless File.exist?(site.in_source_dir("riverseed/river-seed.js"))
   end
 
+  # Parts of a page in which a tag is only text: comments, scripts and styles.
+  UNSEEN = %r{<!--.*?(?:-->|\z)|<(script|style)\b.*?</\1\s*>}mi
+
   Jekyll::Hooks.register %i[pages documents], :post_render do |page|
-    raise Error, "a river-seed stands inside another: #{page.relative_path}" if page.output&.match?(%r{<river-seed[\s>](?:(?!</river-seed>).)*<river-seed[\s>]}m)
+    raise Error, "a river-seed stands inside another: #{page.relative_path}" if page.output&.gsub(UNSEEN, "")&.match?(%r{<river-seed[\s>](?:(?!</river-seed>).)*<river-seed[\s>]}m)
   end
 end
 

@@ -39,6 +39,7 @@ export default function remarkRiverSeed({ folder = "public/riverseed", base = "/
 /** Returns an embed as nodes of Markdown that become these elements; MDX gives them the form that its library wants. */
 function elements({ script, element, picture }) {
   const node = (hName, hProperties, hChildren = []) => ({ type: hName, data: { hName, hProperties, hChildren } });
+  if (!element) return [node("img", picture)];
   const img = { type: "element", tagName: "img", properties: picture, children: [] };
   return [node("script", { type: "module", async: true, src: script }), node("river-seed", element, [img])];
 }

@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE } from "./lib/hostile.mjs";
-import { build, copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
+import { build, copied, LOOKS, placePictures, run, strangersIn, webpOf, write } from "./lib/workshop.mjs";
 
 const QUIET = { ASTRO_TELEMETRY_DISABLED: "1" };
 const astro = (source) => run(source, "astro", ["build"], QUIET);
@@ -29,7 +29,7 @@ test("Astro: hostile words are text", async () => {
     "---\nlayout: ../layouts/Post.astro\ntitle: Hostile\n---\n\n" +
       `${IMPORT}\n\nexport const words = ${JSON.stringify(HOSTILE)};\n\n{words.map((word) => <RiverSeed map={word} alt={word} />)}\n`,
   );
-  await placePictures(join(source, "public/riverseed"), HOSTILE, "webp");
+  await placePictures(join(source, "public/riverseed"), HOSTILE.map(webpOf));
   await build(source, "astro", ["build"], QUIET);
   await expectHarmless(built, HOSTILE);
   assert.deepEqual(strangersIn(built), []);
@@ -57,7 +57,7 @@ test("Astro: what stops the build is named, with its page", async () => {
 
 test("Astro: an element around an element, an older Astro and a forgotten integration are named", async () => {
   const nested = site("nested");
-  await placePictures(join(nested.source, "public/riverseed"), ["kauri"], "webp");
+  await placePictures(join(nested.source, "public/riverseed"), [webpOf("kauri")]);
   write(nested.source, "src/pages/index.mdx", `${IMPORT}\n\n<river-seed><RiverSeed map="kauri" /></river-seed>\n`);
   assert.match((await astro(nested.source)).said, /river-seed: a river-seed stands inside another: .*index\.html/);
   const older = site("older", [["RiverSeed.astro", '"5.0"', '"99.0"']]);

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
 import { expectAlternatives, LINKS } from "./lib/links.mjs";
-import { build, copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
+import { build, copied, LOOKS, placePictures, run, strangersIn, webpOf, write } from "./lib/workshop.mjs";
 
 const PREFIX = ["--pathprefix=blog"];
 
@@ -30,7 +30,7 @@ test("Eleventy: hostile words are text", async () => {
     "index.md",
     "---\nlayout: post.liquid\ntitle: Hostile\n---\n{% for word in words %}\n{% riverSeed word, word %}\n{% endfor %}\n",
   );
-  await placePictures(join(built, "riverseed"), HOSTILE, "webp");
+  await placePictures(join(built, "riverseed"), HOSTILE.map(webpOf));
   await build(source, "eleventy", PREFIX);
   await expectHarmless(built, HOSTILE);
   assert.deepEqual(strangersIn(built), []);
@@ -41,8 +41,7 @@ test("Eleventy: a link's text alternative names its seed", async () => {
   write(source, "index.md", LINKS.map(([link]) => `{% riverSeed "${link}" %}`).join("\n\n"));
   await placePictures(
     join(built, "riverseed"),
-    LINKS.map(([link]) => link),
-    "webp",
+    LINKS.map(([link]) => webpOf(link)),
   );
   await build(source, "eleventy", PREFIX);
   expectAlternatives(readFileSync(join(built, "index.html"), "utf8"));

@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
-import { copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
+import { copied, LOOKS, placePictures, run, strangersIn, webpOf, write } from "./lib/workshop.mjs";
 
 const site = (name) =>
   copied(`ghost-${name}`, {
@@ -36,7 +36,7 @@ test("Ghost: a card under a path", async () => {
 
 test("Ghost: hostile words are text", async () => {
   const folder = site("hostile");
-  await placePictures(join(folder, "riverseed"), HOSTILE, "webp");
+  await placePictures(join(folder, "riverseed"), HOSTILE.map(webpOf));
   const cards = [];
   for (const word of HOSTILE) cards.push((await card(folder, "--site=/blog/", `--alt=${word}`, "--", word)).said);
   post(folder, cards);

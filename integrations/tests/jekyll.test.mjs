@@ -5,7 +5,18 @@ import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
 import { expectAlternatives, LINKS } from "./lib/links.mjs";
-import { build, copied, copyElement, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
+import {
+  build,
+  copied,
+  copyElement,
+  LOOKS,
+  placePictures,
+  pngOf,
+  run,
+  strangersIn,
+  without,
+  write,
+} from "./lib/workshop.mjs";
 
 const skip = await without("jekyll");
 
@@ -30,7 +41,7 @@ test("Jekyll: hostile words are text", { skip }, async () => {
     "index.md",
     "---\nlayout: post\ntitle: Hostile\n---\n{% for word in site.data.words %}\n{% river_seed word word %}\n{% endfor %}\n",
   );
-  await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), HOSTILE, "png");
+  await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), HOSTILE.map(pngOf("sha256")));
   await build(source, "jekyll", ["build", "--quiet"]);
   await expectHarmless(join(source, "_site"), HOSTILE);
   assert.deepEqual(strangersIn(join(source, "_site")), []);
@@ -59,11 +70,27 @@ test("Jekyll: a link's text alternative names its seed", { skip }, async () => {
   write(source, "index.md", `---\n---\n${LINKS.map(([link]) => `{% river_seed "${link}" %}`).join("\n\n")}\n`);
   await placePictures(
     join(source, ".jekyll-cache/river-seed/riverseed"),
-    LINKS.map(([link]) => link),
-    "png",
+    LINKS.map(([link]) => pngOf("sha256")(link)),
   );
   await build(source, "jekyll", ["build", "--quiet"]);
   expectAlternatives(readFileSync(join(source, "_site/index.html"), "utf8"));
+});
+
+test("Jekyll: the element and the picture are of one edition, and a tag in a comment is no element", {
+  skip,
+}, async () => {
+  const source = site("edition");
+  const maps = ["kauri", "?seed=a&sea=0.8", "edition=1&seed=b"];
+  const tags = maps.map((map) => `<!-- <river-seed> -->\n\n{% river_seed "${map}" %}`);
+  write(source, "index.md", `---\n---\n${tags.join("\n\n")}\n`);
+  await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), maps.map(pngOf("sha256")));
+  await build(source, "jekyll", ["build", "--quiet"]);
+  const page = readFileSync(join(source, "_site/index.html"), "utf8");
+  assert.deepEqual(
+    [...page.matchAll(/ recipe="([^"]*)"/g)].map(([, recipe]) => recipe),
+    ["seed=kauri&amp;edition=1", "?seed=a&amp;sea=0.8&amp;edition=1", "edition=1&amp;seed=b"],
+  );
+  assert.match(page, /width="16"/, "the pictures that are there are used");
 });
 
 const BAD = [

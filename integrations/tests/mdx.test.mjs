@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
-import { build, copied, LOOKS, placePictures, run, strangersIn, write } from "./lib/workshop.mjs";
+import { build, copied, LOOKS, placePictures, run, strangersIn, webpOf, write } from "./lib/workshop.mjs";
 
 const BUILD = ["build.mjs", "post.mdx", "public/index.html"];
 
@@ -26,10 +27,22 @@ test("MDX: hostile words are text", async () => {
     "post.mdx",
     `# Hostile\n\n${HOSTILE.map((word) => `<RiverSeed map={${JSON.stringify(word)}} alt={${JSON.stringify(word)}} />`).join("\n\n")}\n`,
   );
-  await placePictures(join(built, "riverseed"), HOSTILE, "webp");
+  await placePictures(join(built, "riverseed"), HOSTILE.map(webpOf));
   await build(source, "node", BUILD);
   await expectHarmless(built, HOSTILE);
   assert.deepEqual(strangersIn(built), []);
+});
+
+test("MDX: a map that is more than the element draws is a picture alone", async () => {
+  const { source, built } = site("large");
+  write(source, "post.mdx", '# Large\n\n<RiverSeed map="seed=moa&attractors=20001" />\n');
+  await placePictures(join(built, "riverseed"), [webpOf("seed=moa&attractors=20001")]);
+  const { code, said } = await run(source, "node", BUILD);
+  assert.equal(code, 0, said);
+  assert.match(said, /river-seed: a picture without the element for "seed=moa&attractors=20001"/);
+  const page = readFileSync(join(built, "index.html"), "utf8");
+  assert.match(page, /<img [^>]*alt="Rivers grown from “moa”"/);
+  assert.doesNotMatch(page, /<river-seed/);
 });
 
 for (const [what, text, said] of [

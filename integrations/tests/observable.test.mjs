@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE } from "./lib/hostile.mjs";
-import { build, copied, filesOf, LOOKS, placePictures, write } from "./lib/workshop.mjs";
+import { build, copied, filesOf, LOOKS, placePictures, webpOf, write } from "./lib/workshop.mjs";
 
 const BUILD = ["build", "rivers.html", "--out", "dist", "--base", "./"];
 
@@ -33,7 +33,7 @@ test("Observable: the notebook, whose card is what card.mjs prints", async () =>
 
 test("Observable: hostile words are text", async () => {
   const folder = site("hostile");
-  await placePictures(join(folder, "riverseed"), HOSTILE, "webp");
+  await placePictures(join(folder, "riverseed"), HOSTILE.map(webpOf));
   const { embed, html, copyElement } = await import(join(folder, "river-seed.mjs"));
   await copyElement(join(folder, "riverseed"));
   const cards = [];

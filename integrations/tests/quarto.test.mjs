@@ -5,7 +5,18 @@ import { test } from "node:test";
 import { expectHarmless, expectRivers } from "./lib/browser.mjs";
 import { HOSTILE, LONG } from "./lib/hostile.mjs";
 import { expectAlternatives, LINKS } from "./lib/links.mjs";
-import { build, copied, copyElement, LOOKS, placePictures, run, strangersIn, without, write } from "./lib/workshop.mjs";
+import {
+  build,
+  copied,
+  copyElement,
+  LOOKS,
+  placePictures,
+  pngOf,
+  run,
+  strangersIn,
+  without,
+  write,
+} from "./lib/workshop.mjs";
 
 // Quarto itself cannot be had from Debian or npm. Its shortcodes are Lua that Pandoc runs.
 const skip = await without("pandoc");
@@ -54,7 +65,7 @@ test("Quarto: hostile words are text", { skip }, async () => {
   const folder = site("hostile");
   const calls = HOSTILE.map((word) => [word, word]);
   post(folder, allOf(calls), calls);
-  await placePictures(join(folder, "riverseed"), HOSTILE, "png", "sha1");
+  await placePictures(join(folder, "riverseed"), HOSTILE.map(pngOf("sha1")));
   await build(folder, "pandoc", [...PANDOC, "index.html"]);
   await expectHarmless(folder, HOSTILE, { pictures: /^\.\/riverseed\/river-seed-[0-9a-f]{16}\.png$/ });
   assert.deepEqual(
@@ -73,9 +84,27 @@ test("Quarto: a link's text alternative names its seed", { skip }, async () => {
     allOf(maps),
     maps.map((map) => [map]),
   );
-  await placePictures(join(folder, "riverseed"), maps, "png", "sha1");
+  await placePictures(join(folder, "riverseed"), maps.map(pngOf("sha1")));
   await build(folder, "pandoc", [...PANDOC, "index.html"]);
   expectAlternatives(readFileSync(join(folder, "index.html"), "utf8"));
+});
+
+test("Quarto: the element and the picture are of one edition", { skip }, async () => {
+  const folder = site("edition");
+  const maps = ["kauri", "?seed=a&sea=0.8", "edition=1&seed=b"];
+  post(
+    folder,
+    allOf(maps),
+    maps.map((map) => [map]),
+  );
+  await placePictures(join(folder, "riverseed"), maps.map(pngOf("sha1")));
+  await build(folder, "pandoc", [...PANDOC, "index.html"]);
+  const page = readFileSync(join(folder, "index.html"), "utf8");
+  assert.deepEqual(
+    [...page.matchAll(/ recipe="([^"]*)"/g)].map(([, recipe]) => recipe.replaceAll("&#38;", "&")),
+    ["seed=kauri&edition=1", "?seed=a&sea=0.8&edition=1", "edition=1&seed=b"],
+  );
+  assert.match(page, /width="16"/, "the pictures that are there are used");
 });
 
 test("Quarto: what is wrong stops the build and is named", { skip }, async () => {
@@ -85,7 +114,7 @@ test("Quarto: what is wrong stops the build and is named", { skip }, async () =>
       ["seed=kauri&frog=1"],
       /riverseed: there is no parameter 'frog'[^]*river-seed: no map of "seed=kauri&frog=1": see above/,
     ],
-    [[LONG], /riverseed: seed: the text has 200 characters, at most 64[^]*river-seed: no map of "seed=x+": see above/],
+    [[LONG], /riverseed: seed: the text has 200 characters, at most 64[^]*river-seed: no map of "x+": see above/],
     [["a\0b"], /river-seed: the map holds a character that cannot be shown/],
     [[], /river-seed: a word or a link is wanted/],
     [["kauri"], /river-seed: the command `riverseed` cannot be run/, { PATH: folder }],

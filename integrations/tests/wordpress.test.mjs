@@ -10,6 +10,7 @@ import { build, copied, LOOKS, PACKAGE, run, SOURCES, theirs, without, write } f
 
 const { strFromU8, unzipSync } = theirs("fflate");
 const sharp = theirs("sharp");
+const { parameters } = await import(join(PACKAGE, "node.js"));
 
 const skip = await without("php");
 const STAND_IN = join(SOURCES, "tests/wordpress/wordpress.php");
@@ -21,8 +22,8 @@ const POST = `<p>A map needs its water first. This one comes from a single word,
 
 /** Packs the plugin and returns the zip. */
 async function packed(name) {
-  const folder = copied(`wordpress-${name}`, { wordpress: "" });
-  await build(folder, "node", ["pack.mjs", PACKAGE, "river-seed.zip"]);
+  const folder = copied(`wordpress-${name}`, { wordpress: "wordpress", "river-seed.mjs": "river-seed.mjs" });
+  await build(folder, "node", ["wordpress/pack.mjs", PACKAGE, "river-seed.zip"]);
   return readFileSync(join(folder, "river-seed.zip"));
 }
 
@@ -96,7 +97,7 @@ test("WordPress: before there is a picture the place is kept, and an author's pa
   assert.doesNotMatch(reader, /data-poster|poster\.js/);
   assert.match(
     await render(folder, { post: '[river-seed map="seed=a&amp;aspect=2.5"]' }),
-    /recipe="seed=a&amp;aspect=2\.5" style="display:block;aspect-ratio:2\.5;/,
+    /recipe="seed=a&amp;aspect=2\.5&amp;edition=1" style="display:block;aspect-ratio:2\.5;/,
   );
   assert.match(
     await render(folder, { post: '[river-seed map="seed=a&aspect=1;color:red"]' }),
@@ -108,7 +109,8 @@ test("WordPress: before there is a picture the place is kept, and an author's pa
 
 test("WordPress: a link's text alternative names its seed", { skip }, async () => {
   const folder = await site("links");
-  const name = (map) => `river-seed-${createHash("sha256").update(map).digest("hex").slice(0, 16)}`;
+  const name = (map) =>
+    `river-seed-${createHash("sha256").update(`${map} edition 1, 1200`).digest("hex").slice(0, 16)}`;
   const media = Object.fromEntries(LINKS.map(([link]) => [name(link), ["/blog/a.webp", 1200, 750]]));
   expectAlternatives(
     await render(folder, { post: LINKS.map(([link]) => `[river-seed map="${link}"]`).join("\n"), media }),
@@ -129,7 +131,7 @@ test("WordPress: hostile words are text, as block and as shortcode", { skip }, a
   await expectHarmless(folder, HOSTILE, { own: "div.wp-block-river-seed-map" });
   await render(folder, { post: HOSTILE.map(shortcode).join("\n"), may: ["upload_files"] });
   const unslashed = HOSTILE.map((word) => word.replaceAll("\\", ""));
-  await expectHarmless(folder, unslashed, { attributes: ["data-media", "data-nonce", "data-poster"] });
+  await expectHarmless(folder, unslashed, { attributes: ["data-media", "data-nonce", "data-poster", "data-size"] });
 });
 
 test("WordPress: what is wrong is told to those who can mend it, and an older WordPress is named", {
@@ -190,6 +192,14 @@ test("WordPress: every file of the plugin names the version of the element that 
   // As the published schema of block.json has it.
   assert.match(block.name, /^[a-z][a-z0-9-]*\/[a-z][a-z0-9-]*$/);
   assert.ok(text("block/editor.js").includes(`registerBlockType("${block.name}"`));
+});
+
+test("WordPress: the plugin names the edition that its element draws, unless the author does", { skip }, async () => {
+  const folder = await site("edition");
+  const post = ["a b", "edition=1&seed=b"].map((map) => `[river-seed map="${map}"]`).join("");
+  const recipes = [...(await render(folder, { post })).matchAll(/ recipe="([^"]*)"/g)].map(([, recipe]) => recipe);
+  const edition = parameters().find(({ key }) => key === "edition").default;
+  assert.deepEqual(recipes, [`seed=a%20b&amp;edition=${edition}`, "edition=1&amp;seed=b"]);
 });
 
 test("WordPress: the block in the editor shows the map and changes it", async () => {

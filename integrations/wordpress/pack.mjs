@@ -8,15 +8,13 @@ import { join } from "node:path";
 import { argv } from "node:process";
 import { fileURLToPath } from "node:url";
 import { zipSync } from "fflate";
+import { elementFiles } from "../river-seed.mjs";
 
 const [folder, out] = argv.slice(2);
 const PLUGIN = fileURLToPath(new URL("river-seed/", import.meta.url));
 const PAPERS = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
-const UNUSED = new Set(["river-seed.classic.js", "node.js"]);
 
-const element = Object.keys(JSON.parse(readFileSync(join(folder, "integrity.json"), "utf8"))).filter(
-  (name) => !UNUSED.has(name),
-);
+const element = await elementFiles(join(folder, "integrity.json"));
 const files = [
   ...readdirSync(PLUGIN, { recursive: true })
     .filter((name) => statSync(join(PLUGIN, name)).isFile())

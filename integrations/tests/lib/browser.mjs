@@ -24,7 +24,7 @@ let browser;
 before(async () => {
   browser = await chromium.launch({ executablePath: process.env["HEADLESS_SHELL"] });
 });
-// Where all tests of a file are skipped, none was opened.
+// None was opened if all tests of a file are skipped.
 after(() => browser?.close());
 
 /** Opens an empty page, without animation. */
@@ -180,7 +180,7 @@ export async function expectHarmless(
   }
 }
 
-/** Says, in a page, what its post holds: the seeds, what no shortcode may write, and the pictures. */
+/** Lists, in a page, the seeds and pictures of its post, and all elements that no shortcode writes. */
 function contents(own) {
   const all = (selector) => [...document.querySelectorAll(selector)];
   const written = `h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`;

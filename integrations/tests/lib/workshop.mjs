@@ -18,12 +18,13 @@ export const ours = createRequire(fileURLToPath(new URL("../../../www/package.js
 /** The modules that generators come with. */
 export const theirs = createRequire(join(WORKSHOP, "package.json"));
 const sharp = theirs("sharp");
+const { readLink } = await import(join(PACKAGE, "node.js"));
 
 /** The command line, as `riverseed` on the path of a generator. */
 const PROGRAM =
   process.env["RIVERSEED_PROGRAM"] ?? fileURLToPath(new URL("../../../target/debug/riverseed", import.meta.url));
 
-/** Folder of the screenshots of the examples. */
+/** The folder for screenshots of the examples. */
 export const LOOKS = join(WORKSHOP, "looks");
 
 /** Copies files of `integrations/` to where an example is built, and returns that folder; `changes` replaces texts in them. */
@@ -48,15 +49,27 @@ export function copyElement(folder) {
     cpSync(join(PACKAGE, name), join(folder, name));
 }
 
-/** Puts pictures of maps where they would be drawn, so that a build with many maps draws none. */
-export async function placePictures(folder, maps, ending, algorithm = "sha256") {
+/** Returns the file name of the picture that the npm package draws of a map. */
+export function webpOf(map) {
+  const { link } = readLink(/^\??[a-z][a-z-]*=/.test(map) ? map : `seed=${encodeURIComponent(map)}`);
+  return `river-seed-${hashOf("sha256", `${link} 1200 webp 80`)}.webp`;
+}
+
+/** Returns a function that gives the file name of the picture that the command draws of a map in edition 1. */
+export function pngOf(algorithm) {
+  return (map) => `river-seed-${hashOf(algorithm, `${map} edition 1, 960 at 1.5`)}.png`;
+}
+
+function hashOf(algorithm, text) {
+  return createHash(algorithm).update(text).digest("hex").slice(0, 16);
+}
+
+/** Puts pictures under these names where they would be drawn, so that a build with many maps draws none. */
+export async function placePictures(folder, names) {
   mkdirSync(folder, { recursive: true });
   const picture = sharp({ create: { width: 16, height: 10, channels: 3, background: "#8fb4c8" } });
-  const bytes = await picture.toFormat(ending).toBuffer();
-  for (const map of maps) {
-    const hash = createHash(algorithm).update(map).digest("hex").slice(0, 16);
-    writeFileSync(join(folder, `river-seed-${hash}.${ending}`), bytes);
-  }
+  for (const name of names)
+    writeFileSync(join(folder, name), await picture.clone().toFormat(name.split(".")[1]).toBuffer());
 }
 
 /** Writes a file of an example. */
@@ -84,7 +97,7 @@ export async function build(folder, program, words, environment) {
   if (code !== 0) throw new Error(`${program} ${words.join(" ")} failed: ${said}`);
 }
 
-/** Tells whether a program is there; a test without it is skipped with a word. */
+/** Returns the reason for which tests of a program are skipped, if it is not there. */
 export async function without(program, word = "--version") {
   try {
     await promisify(execFile)(program, [word]);

@@ -1,8 +1,5 @@
 // Draws the picture of each map that has none yet, in the browser of an author who looks at the page, and keeps it in the media library.
 
-/** The picture's longer side in pixels. */
-const SIZE = 1200;
-
 for (const map of document.querySelectorAll("river-seed[data-poster]")) void keep(map);
 
 async function keep(map) {
@@ -25,12 +22,12 @@ async function keep(map) {
 /** Draws a map as readers of a light page see it, whatever this author's page looks like. */
 async function drawn(map) {
   const copy = document.createElement("river-seed");
-  for (const name of ["seed", "recipe"]) if (map.hasAttribute(name)) copy.setAttribute(name, map.getAttribute(name));
+  copy.setAttribute("recipe", map.getAttribute("recipe"));
   copy.setAttribute("theme", "light");
   copy.style.display = "none";
   document.body.append(copy);
   try {
-    return await copy.toBlob({ longSide: SIZE });
+    return await copy.toBlob({ longSide: Number(map.dataset.size) });
   } finally {
     copy.remove();
   }

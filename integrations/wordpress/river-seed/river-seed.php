@@ -15,6 +15,10 @@ defined( 'ABSPATH' ) || exit;
 
 const RIVER_SEED_VERSION = '0.1.0';
 const RIVER_SEED_LEAST   = '6.5';
+/** The edition of the algorithms that the element in this plugin draws. */
+const RIVER_SEED_EDITION = 1;
+/** The longer side of a picture in pixels. */
+const RIVER_SEED_SIZE    = 1200;
 
 add_action( 'init', 'river_seed_register' );
 add_action( 'admin_notices', 'river_seed_tell_version' );
@@ -56,14 +60,19 @@ function river_seed_html( $map, $alt ) {
 	$seed    = $is_link ? $values['seed'] ?? 'kauri' : $map;
 	$picture = river_seed_picture( $map, $alt === '' ? sprintf( 'Rivers grown from “%s”', is_string( $seed ) ? $seed : 'kauri' ) : $alt );
 	return sprintf(
-		'<river-seed %s="%s"%s%s style="display:block;aspect-ratio:%s;min-height:0;overflow:hidden">%s</river-seed>',
-		$is_link ? 'recipe' : 'seed',
-		river_seed_attr( $map ),
+		'<river-seed recipe="%s"%s%s style="display:block;aspect-ratio:%s;min-height:0;overflow:hidden">%s</river-seed>',
+		river_seed_attr( river_seed_link( $map, $is_link ) ),
 		$alt === '' ? '' : sprintf( ' alt="%s"', river_seed_attr( $alt ) ),
 		river_seed_scripts( $map ),
 		min( 4, max( 0.25, is_numeric( $values['aspect'] ?? null ) ? (float) $values['aspect'] : 1.6 ) ),
 		$picture
 	);
+}
+
+/** Returns a map's link with the edition, so that the element draws what the picture shows after an upgrade too. */
+function river_seed_link( $map, $is_link ) {
+	$link = $is_link ? $map : 'seed=' . rawurlencode( $map );
+	return preg_match( '/(^\??|&)edition=/', $link ) ? $link : $link . '&edition=' . RIVER_SEED_EDITION;
 }
 
 /** Escapes a text for an attribute. `esc_attr` by itself takes `&amp;` for one that is escaped already. */
@@ -82,8 +91,9 @@ function river_seed_scripts( $map ) {
 	}
 	wp_enqueue_script_module( 'river-seed-poster' );
 	return sprintf(
-		' data-poster="%s" data-media="%s" data-nonce="%s"',
+		' data-poster="%s" data-size="%d" data-media="%s" data-nonce="%s"',
 		esc_attr( river_seed_name( $map ) ),
+		RIVER_SEED_SIZE,
 		esc_url( rest_url( 'wp/v2/media' ) ),
 		esc_attr( wp_create_nonce( 'wp_rest' ) )
 	);
@@ -112,9 +122,9 @@ function river_seed_attachment( $map ) {
 	return $found ? $found[0] : 0;
 }
 
-/** Returns the name of a map's picture. Words may be any text, also `../`. */
+/** Returns the name of a map's picture. It is a hash, since words may be any text, also `../`, and of all that decides the pixels. */
 function river_seed_name( $map ) {
-	return 'river-seed-' . substr( hash( 'sha256', $map ), 0, 16 );
+	return 'river-seed-' . substr( hash( 'sha256', sprintf( '%s edition %d, %d', $map, RIVER_SEED_EDITION, RIVER_SEED_SIZE ) ), 0, 16 );
 }
 
 /** Returns what is wrong, for those who can mend it; readers see nothing. */

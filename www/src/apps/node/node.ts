@@ -7,7 +7,7 @@ import { named, PageError } from "../../engine/errors.ts";
 import { engine, teller, writer } from "../../engine/from-disk.ts";
 import table from "../../engine/parameters.json";
 import type { Parameter } from "../../engine/table.ts";
-import type { Notice, River, Summary } from "../../engine/types.ts";
+import type { Notice, Reading, ReadOptions, River, Summary } from "../../engine/types.ts";
 import { askMap, writeMap } from "../../player/asking.ts";
 
 export { PageError } from "../../engine/errors.ts";
@@ -33,6 +33,15 @@ export interface GeoJson {
   }[];
 }
 
+/** A link as `readLink()` understands it. */
+export interface ReadLink {
+  /** The canonical link: it has the edition, so it names the same picture for ever, and a style if the text names one. */
+  link: string;
+  seed: string;
+  /** What is beyond the element's limits, in words. If anything is, the element draws a smaller map than `grow()`. */
+  beyondElement: string[];
+}
+
 /** Lists all parameters of a link with their ranges, choices and defaults. */
 export function parameters(): Parameter[] {
   return structuredClone(table.parameters) as Parameter[];
@@ -50,13 +59,46 @@ export function grow(link: string): GrownMap {
   }
 }
 
+/** Reads a link as strictly as `grow()`, without growing its map. */
+export function readLink(link: string): ReadLink {
+  try {
+    const { sharedLink, values, notices } = readAs(link);
+    refuse(notices, values);
+    const seed = new Map(values).get("seed") ?? "";
+    return { link: sharedLink, seed, beyondElement: readAs(link, { widget: true }).notices.map(limitOf) };
+  } catch (error) {
+    throw named(error);
+  }
+}
+
+function readAs(link: string, options?: ReadOptions): Reading {
+  return engine().readLink(link, options);
+}
+
 function planted(link: string): River {
-  const { River } = engine();
-  const river = new River(link);
-  const { notices } = river;
-  if (notices.length === 0) return river;
-  river.free();
-  throw new PageError("bad-params", notices.map(({ message }: Notice) => message).join("; "));
+  const { notices, values } = readAs(link);
+  refuse(notices, values);
+  return new (engine().River)(link);
+}
+
+function refuse(notices: readonly Notice[], values: Reading["values"]): void {
+  if (notices.length === 0) return;
+  const used = new Map(values);
+  throw new PageError("bad-params", notices.map((notice) => faultOf(notice, used)).join("; "));
+}
+
+/**
+ * Returns the part of a notice that names the fault. The rest says how the page repairs the link, which does not happen
+ * here.
+ */
+function faultOf({ key, message }: Notice, used: ReadonlyMap<string, string>): string {
+  const repair = [`: ${used.get(key) || "nothing"} is used`, ...REPAIRS].find((end) => message.endsWith(end));
+  return repair ? message.slice(0, -repair.length) : message.replace(/^(\S+: .*?): .* is used$/s, "$1");
+}
+
+/** Returns what exceeds which limit: "… exceeds the widget's limit: 20000 is used" becomes "… the element's limit of 20000". */
+function limitOf({ message }: Notice): string {
+  return message.replace(/the widget's limit: (\S+) is used$/, "the element's limit of $1");
 }
 
 /** A finished map. */
@@ -112,6 +154,13 @@ class GrownMap {
 
 export type { GrownMap };
 
+/** The other repairs, as the core words them. */
+const REPAIRS = [
+  ": it is left out",
+  ": the rest is left out",
+  ": the first is used",
+  ": the picture may differ from the one shared",
+];
 /** The number of steps between two checks whether it is finished. */
 const STEPS = 1000;
 /** A limit above any number of names. */

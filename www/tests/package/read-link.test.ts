@@ -1,0 +1,77 @@
+/** Links in Node, read without growing their maps. */
+
+import { spawnSync } from "node:child_process";
+import { expect, test } from "vitest";
+import { CONSUMERS } from "./installed.ts";
+
+interface Heard {
+  link?: string;
+  seed?: string;
+  beyondElement?: string[];
+  error?: string;
+}
+
+/** Reads links in a process of its own, where the installed package is found. */
+function read(...links: string[]): Heard[] {
+  const program = `
+    import { PageError, readLink } from "riverseed/node";
+    const read = (link) => {
+      try {
+        return readLink(link);
+      } catch (error) {
+        return { error: error instanceof PageError && error.code === "bad-params" ? error.message : String(error) };
+      }
+    };
+    console.log(JSON.stringify(${JSON.stringify(links)}.map(read)));`;
+  const words = ["--input-type=module", "--eval", program];
+  return JSON.parse(spawnSync(process.execPath, words, { cwd: CONSUMERS, encoding: "utf8" }).stdout);
+}
+
+test("a link is read in its canonical form, with the edition and with a style that it names", () => {
+  expect(read("?curl=0.60&seed=caf%C3%A9+noir", "seed=a&style=atlas", "")).toEqual([
+    { link: "seed=caf%C3%A9+noir&edition=1&curl=0.6", seed: "café noir", beyondElement: [] },
+    { link: "seed=a&edition=1&style=atlas", seed: "a", beyondElement: [] },
+    { link: "seed=kauri&edition=1", seed: "kauri", beyondElement: [] },
+  ]);
+});
+
+test("what the element would draw smaller is told with its limit, and the link stays as it is", () => {
+  const [large, brownian, fits] = read(
+    "attractors=30000",
+    "growth=brownian&sensitivity=8",
+    "growth=brownian&sensitivity=16&attractors=30000",
+  );
+  expect(large).toEqual({
+    link: "seed=kauri&edition=1&attractors=30000",
+    seed: "kauri",
+    beyondElement: ["attractors: 30000 exceeds the element's limit of 20000"],
+  });
+  expect(brownian?.beyondElement).toEqual(["sensitivity: 8 is below the element's limit of 16"]);
+  expect(fits?.beyondElement).toEqual([]);
+});
+
+test("a fault is told without a repair, which does not happen", () => {
+  const long = "a: b ".repeat(20);
+  const errors = read(
+    "frog=1",
+    "curl=3&sea=-1",
+    "curl=1&curl=1",
+    "edition=7",
+    "land=x: y",
+    `seed=${long}`,
+    `seed=\u202e${long}`,
+    `preset=x`,
+    "seed=%00",
+  ).map(({ error }) => error);
+  expect(errors).toEqual([
+    "there is no parameter 'frog'",
+    "curl: 3 is not between 0 and 2; sea: -1 is not between 0 and 0.8",
+    "'curl' is given more than once",
+    "edition: 7 is unknown here, this program draws edition 1",
+    expect.stringMatching(/^land: 'x: y' is not one of island, [a-z, ]*, drawn$/),
+    "seed: the text has 99 characters, at most 64 are allowed",
+    "seed: the text has 100 characters, at most 64 are allowed",
+    expect.stringMatching(/^there is no preset 'x': choose from /),
+    "seed: the text holds a character that cannot be shown",
+  ]);
+});
