@@ -1,12 +1,7 @@
 //! Maps as files for game engines and geographic information systems.
 //!
-<<<<<<< HEAD
-//! The core makes pictures, rasters and features; here they become what other programs read. [`write()`] is the one door:
-//! whoever has a map and what its [`Form`] holds gives them to it, the command line as well as the Python package.
-=======
 //! The core makes pictures, rasters and features; here they become files that other programs read. The command line and
-//! the Python package both call [`write`], with a map and what its [`Form`] is made from.
->>>>>>> notebooks
+//! the Python package both call [`write()`], with a map and what its [`Form`] is made from.
 //!
 //! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it
 //! ([`gis::crs`]); game engines have 50 m ([`engine::METRES_A_UNIT`]).
