@@ -19,6 +19,7 @@ const NAME = "Riverseed map, metres from its centre";
 
 const LINKS = {
   island: "seed=kauri&attractors=900",
+  lake: "seed=kea&land=basin&attractors=300",
   valley: "seed=matai&land=valley&attractors=400&aspect=0.5",
   // Oxbow lakes, no sea, and a seed and a title that would like to be markup, a statement and a path.
   hostile:
@@ -124,6 +125,17 @@ function layerIsWhole(geopackage, layer, features, folder) {
   return own.length;
 }
 
+/** Checks that the lakes are the holes of the land. */
+function lakesAreHoles(geopackage, features, folder) {
+  const copy = join(folder, "lakes.copy.geojson");
+  quiet("ogr2ogr", "-f", "GeoJSON", "-lco", "RFC7946=NO", "-lco", "COORDINATE_PRECISION=9", copy, geopackage, "lakes");
+  const lakes = JSON.parse(readFileSync(copy, "utf8")).features.map(({ geometry }) => back(geometry.coordinates[0]));
+  const land = features.filter(({ properties }) => properties.kind === "land");
+  const holes = land.flatMap(({ geometry }) => geometry.coordinates.slice(1)).map((ring) => ring.toReversed());
+  assert.deepEqual(lakes, holes);
+  lakeCount += lakes.length;
+}
+
 function check(name, link, folder) {
   const out = (ending) => join(folder, `${name}.${ending}`);
   const endings = ["gpkg", "tif", "geojson", "json", ...LAYERS.map((layer) => `${layer}.tif`)];
@@ -133,7 +145,8 @@ function check(name, link, folder) {
   const { domain } = JSON.parse(readFileSync(out("json"), "utf8"));
 
   const report = quiet("ogrinfo", "-al", "-so", out("gpkg"));
-  assert.equal(report.split(`ENGCRS["${NAME}"`).length - 1, 7, "each layer has its system");
+  assert.equal(report.split(`ENGCRS["${NAME}"`).length - 1, 8, "each layer has its system");
+  lakesAreHoles(out("gpkg"), collection.features, folder);
   assert.ok(report.includes(`riverseed=${collection.riverseed}`));
   if (collection.title) assert.ok(report.includes(`title=${collection.title}`));
   const counts = Object.keys(FEATURES).map((layer) => layerIsWhole(out("gpkg"), layer, collection.features, folder));
@@ -160,6 +173,7 @@ function check(name, link, folder) {
   return counts;
 }
 
+let lakeCount = 0;
 const seen = new Array(Object.keys(FEATURES).length).fill(0);
 for (const [name, link] of Object.entries(LINKS)) {
   const folder = mkdtempSync(join(tmpdir(), "riverseed-gis-"));
@@ -171,4 +185,5 @@ for (const [name, link] of Object.entries(LINKS)) {
     rmSync(folder, { recursive: true });
   }
 }
+assert.ok(lakeCount > 0, "a map has a lake");
 assert.ok(seen.every(Boolean), `every layer has a feature somewhere: ${seen}`);

@@ -5,7 +5,7 @@ use std::num::NonZero;
 
 use pyo3::prelude::*;
 use riverseed::export::rasters::{Layer, Rasters};
-use riverseed::export::{Engine, Form, geojson, json, pack, png, svg};
+use riverseed::export::{Form, geojson, json, pack, png, svg};
 use riverseed::picture::Picture;
 use riverseed::recipe::{link, shown};
 use riverseed_exchange::engine::EngineError;
@@ -96,26 +96,40 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
             let rasters = rasters(py, map, options.raster_size)?;
             Ok(py.detach(|| raster(&rasters, layer))?)
         }
-        Form::Svg | Form::GeoJson | Form::Json => {
-            if options.form.has_relief() {
-                map.raise_relief(py)?;
-            }
-            map.read(py, |map| written(|out| write_text(out, map, options)))
+        Form::Svg => text(py, map, |map, out| {
+            let svg = if options.has_svg_text { svg::svg_with_text(map) } else { svg::svg(map) };
+            Ok(out.write_all(svg?.as_bytes())?)
+        }),
+        Form::GeoJson => {
+            map.raise_relief(py)?;
+            text(py, map, |map, out| Ok(geojson::write(out, map)?))
         }
-        form => exchanged(py, map, form, options),
+        Form::Json => text(py, map, |map, out| Ok(json::write(out, map, None)?)),
+        form @ (Form::RawHeights
+        | Form::Normals
+        | Form::Splat
+        | Form::Splines
+        | Form::Gltf
+        | Form::Engine(_)
+        | Form::GeoPackage
+        | Form::GeoTiff
+        | Form::RasterTiff(_)
+        | Form::HeightStyle) => exchanged(py, map, form, options),
     }
 }
 
 /// Makes the bytes of a file for an engine or a geographic information system.
 fn exchanged(py: Python<'_>, map: &Map, form: Form, options: &Options) -> PyResult<Vec<u8>> {
+    if let Some(size) = options.raster_size {
+        // Before the relief is raised.
+        map.read(py, |map| exchange::check_size(&[form], &map.domain(), size).map_err(refused_size))?;
+    }
     if form.has_relief() {
         map.raise_relief(py)?;
     }
-    let rasters = match form {
-        Form::Engine(engine) => Some(landscape(py, map, engine, options.raster_size)?),
-        form if form.has_rasters() => Some(rasters(py, map, options.raster_size)?),
-        _ => None,
-    };
+    let rasters = map.read(py, |map| {
+        exchange::rasters(form, map, options.raster_size, NonZero::<usize>::MIN).map_err(refused_size)
+    })?;
     let picture = form.has_pixels().then(|| map.paint(py, options.size, options.ratio)).transpose()?;
     map.read(py, |map| {
         let source = Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) };
@@ -123,30 +137,29 @@ fn exchanged(py: Python<'_>, map: &Map, form: Form, options: &Options) -> PyResu
     })
 }
 
-/// Makes the square rasters of an engine.
-fn landscape(py: Python<'_>, map: &Map, engine: Engine, size: Option<u32>) -> PyResult<Rasters> {
-    let refused = |error: EngineError| match error {
+fn refused_size(error: EngineError) -> Failure {
+    match error {
         EngineError::Export(error) => Failure::from(error).of_option("raster_size"),
         error => Failure::Refused(format!("raster_size: {error}")),
-    };
-    map.read(py, |map| exchange::engine::rasters(map, engine, size, NonZero::<usize>::MIN).map_err(refused))
+    }
 }
 
 fn raster(rasters: &Rasters, layer: Layer) -> Done<Vec<u8>> {
     written(|out| Ok(png::write_raster(out, rasters, layer).map_err(io::Error::from)?))
 }
 
-/// Writes text that ends with a line break, as files do.
-fn write_text(out: &mut Vec<u8>, map: &riverseed::Map, options: &Options) -> Done<()> {
-    match options.form {
-        Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(map)?.as_bytes())?,
-        Form::Svg => out.write_all(svg::svg(map)?.as_bytes())?,
-        Form::GeoJson => geojson::write(&mut *out, map)?,
-        Form::Json => json::write(&mut *out, map, None)?,
-        // These are no texts, or not of the core.
-        _ => {}
-    }
-    Ok(writeln!(out)?)
+/// Makes text that ends with a line break, as files do.
+fn text(
+    py: Python<'_>,
+    map: &Map,
+    write: impl FnOnce(&riverseed::Map, &mut Vec<u8>) -> Done<()> + Send,
+) -> PyResult<Vec<u8>> {
+    map.read(py, |map| {
+        written(|out| {
+            write(map, out)?;
+            Ok(writeln!(out)?)
+        })
+    })
 }
 
 fn written(write: impl FnOnce(&mut Vec<u8>) -> Done<()>) -> Done<Vec<u8>> {

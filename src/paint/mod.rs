@@ -44,6 +44,8 @@ pub use painter::{Painter, Progress};
 pub use rivers::Rivers;
 #[doc(hidden)]
 pub use strokes::{Pen, Widths};
+#[doc(hidden)]
+pub use styles::atlas;
 pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "names")]

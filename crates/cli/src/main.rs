@@ -28,7 +28,6 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use riverseed::digest::DigestError;
-use riverseed::export::ExportError;
 use riverseed::paint::PaintError;
 use riverseed::recipe::RecipeError;
 use riverseed::session::SessionError;
@@ -92,9 +91,7 @@ enum Failure {
     #[error("{option} does not go with {endings}")]
     Mismatch { option: &'static str, endings: String },
     #[error("--raster-size: {0}")]
-    RasterSize(ExportError),
-    #[error("--raster-size: {0}")]
-    EngineSize(EngineError),
+    RasterSize(EngineError),
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
     #[error("--land {}: {reason}", path.display())]
@@ -144,7 +141,6 @@ impl Failure {
             | Self::Folder { .. }
             | Self::Mismatch { .. }
             | Self::RasterSize(_)
-            | Self::EngineSize(_)
             | Self::Land { .. }
             | Self::Seeds { .. }
             | Self::SeedBesides

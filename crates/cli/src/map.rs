@@ -57,12 +57,7 @@ impl Options {
         goes_with("--raster-size", raster_size.is_some(), Form::has_rasters)?;
         if let Some(size) = raster_size {
             // Checked before anything grows.
-            let domain = Domain::of(recipe);
-            Rasters::grid(&domain, size).map_err(Failure::RasterSize)?;
-            forms.iter().try_for_each(|form| match form {
-                Form::Engine(engine) => exchange::engine::check(*engine, &domain, size).map_err(Failure::EngineSize),
-                _ => Ok(()),
-            })?;
+            exchange::check_size(forms, &Domain::of(recipe), size).map_err(Failure::RasterSize)?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
         Ok(Self {
@@ -128,10 +123,9 @@ impl Files {
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
         let map = session.finish()?;
         let attractors = options.has_attractors.then(|| session.growth().scattered());
-        // An engine's are of a size of its own, and made when its pack is written.
-        let has_rasters = is_wanted(|form| form.has_rasters() && !matches!(form, Form::Engine(_)));
-        let rasters = has_rasters.then(|| rasters(&map, options));
-        let rasters = rasters.transpose()?;
+        // An engine's are of a size of its own, and made when its pack is written; all others are the same.
+        let with_rasters = forms.iter().find(|form| form.has_rasters() && !matches!(form, Form::Engine(_)));
+        let rasters = with_rasters.map_or(Ok(None), |form| rasters_for(*form, &map, options))?;
         if let Some(rasters) = rasters.as_ref().filter(|_| forms.contains(&Form::RawHeights)) {
             say(&scale_of_raw_heights(rasters));
         }
@@ -168,13 +162,12 @@ impl Files {
             (Form::Json, ..) => export::json::write(&mut *out, map, attractors.as_deref()).and_then(|()| writeln!(out)),
             // Not made for this form.
             (Form::Png | Form::Pack | Form::Raster(_), ..) => Ok(()),
-            (Form::Engine(engine), picture, _) => {
-                let rasters = exchange::engine::rasters(map, engine, options.raster_size, options.threads);
-                let rasters = rasters.map_err(io::Error::other)?;
+            (Form::Engine(_), picture, _) => {
+                let rasters = rasters_for(form, map, *options)?;
                 exchange::write(
                     form,
                     out,
-                    &Source { map, rasters: Some(&rasters), picture: picture.as_ref().map(Picture::pixmap) },
+                    &Source { map, rasters: rasters.as_ref(), picture: picture.as_ref().map(Picture::pixmap) },
                 )
             }
             (form, picture, rasters) => exchange::write(
@@ -200,8 +193,7 @@ fn scale_of_raw_heights(rasters: &Rasters) -> String {
     format!(".r16 has {columns} x {rows} pixels; {sea_level} is the sea's surface, and a step is {step:.6} m")
 }
 
-fn rasters(map: &Map, options: Options) -> io::Result<Rasters> {
-    let sized = |size| Rasters::with_size_on(map, size, options.threads);
-    let rasters = options.raster_size.map_or_else(|| Rasters::new(map), sized);
-    rasters.map_err(io::Error::other)
+/// Makes the rasters of a form, if it holds any.
+fn rasters_for(form: Form, map: &Map, options: Options) -> io::Result<Option<Rasters>> {
+    exchange::rasters(form, map, options.raster_size, options.threads).map_err(io::Error::other)
 }

@@ -140,6 +140,10 @@ fn rasters_have_the_size_asked_for_alone_and_in_a_pack() {
         assert_eq!(refused(size, "x.heights.png"), (2, text.clone()));
         assert_eq!(refused(size, "x.zip"), (2, text));
     }
+    for size in ["513", "700"] {
+        let text = format!("a landscape of this map in Unity is 1025, 2049 or 4097 pixels wide, not {size}");
+        assert_eq!(refused(size, "x.unity.zip"), (2, format!("riverseed: --raster-size: {text}\n")));
+    }
     assert_eq!(refused("-3", "x.zip").0, 2);
     assert_eq!(refused("1024", "x.png"), (2, "riverseed: --raster-size does not go with .png\n".into()));
     assert_eq!(refused("1024", "x.json"), (2, "riverseed: --raster-size does not go with .json\n".into()));

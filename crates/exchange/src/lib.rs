@@ -11,9 +11,11 @@ pub mod engine;
 mod found;
 pub mod gis;
 mod memory;
+mod rasters;
 mod xml;
 
 pub use found::{Asked, is_whole};
+pub use rasters::{check_size, rasters};
 
 use std::io::{Error, ErrorKind, Result, Write};
 

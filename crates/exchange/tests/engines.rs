@@ -255,6 +255,82 @@ fn numbers_of_the_recipes_give_back_the_heights_and_the_ground() {
     }
 }
 
+/// The axes whose numbers the step about rivers says to add.
+fn added(readme: &str) -> Vec<&str> {
+    let (_, step) = readme.split_once("7. Rivers:").unwrap();
+    let (axes, _) = step.split_once("Add ").unwrap().1.split_once(" of ").unwrap();
+    axes.split([',', ' ']).filter(|word| !matches!(*word, "" | "and")).collect()
+}
+
+/// Puts a landscape and the points of its rivers into an engine as a README says. Returns how far each point is over the
+/// ground, in metres.
+fn heights_over_ground(engine: Engine, files: &BTreeMap<String, Vec<u8>>) -> Vec<f64> {
+    let readme = std::str::from_utf8(&files["README.txt"]).unwrap();
+    let heights: Vec<f64> =
+        files["heights.r16"].chunks(2).map(|bytes| f64::from(u16::from_le_bytes([bytes[0], bytes[1]]))).collect();
+    let side = heights.len().isqrt();
+    // Where the landscape's corner lies in this world, in the engine's own axes. Its height is that of the README.
+    let (corner, pixel, unit) = match engine {
+        Engine::Unreal => ([-120_000.0, 34_000.0, after(readme, "Location: Z")], after(readme, "Scale: X"), 0.01),
+        Engine::Unity => {
+            let pixel = after(readme, "Terrain Size: X") / (side - 1) as f64;
+            ([-1200.0, after(readme, "Position: Y"), 340.0], pixel, 1.0)
+        }
+        Engine::Godot => ([-1200.0, 0.0, 340.0], after(readme, "Vertex Spacing to"), 1.0),
+    };
+    let steps = |value: f64| match engine {
+        Engine::Unreal => (value - 32_768.0) / 128.0 * after(readme, ", Z") + corner[2],
+        Engine::Unity => value / 65_536.0 * after(readme, ", Y") + corner[1],
+        Engine::Godot => {
+            let (least, range) = (after(readme, "R16 Range:"), readme.split_once("R16 Range:").unwrap().1);
+            value / 65_535.0 * (after(range, " to") - least) + least
+        }
+    };
+    let axes = added(readme);
+    let place = |point: &[f64; 5]| -> [f64; 3] {
+        std::array::from_fn(|i| point[i] + if axes.contains(&["X", "Y", "Z"][i]) { corner[i] } else { 0.0 })
+    };
+    let over_ground = |point: [f64; 5]| {
+        let at = place(&point);
+        let (column, row, up) = match engine {
+            Engine::Unreal => (at[0] - corner[0], at[1] - corner[1], at[2]),
+            Engine::Unity => (at[0] - corner[0], (side - 1) as f64 * pixel - (at[2] - corner[2]), at[1]),
+            Engine::Godot => (at[0] - corner[0], at[2] - corner[2], at[1]),
+        };
+        let (column, row) = (column / pixel, row / pixel);
+        let ground = |down: usize, right: usize| {
+            let nearest = |place: f64, more: usize| (place as usize + more).min(side - 1);
+            let share = |place: f64, more: usize| if more == 1 { place.fract() } else { 1.0 - place.fract() };
+            let value = heights[nearest(row, down) * side + nearest(column, right)];
+            steps(value) * share(row, down) * share(column, right)
+        };
+        (up - ground(0, 0) - ground(0, 1) - ground(1, 0) - ground(1, 1)) * unit
+    };
+    let lines = lines(&serde_json::from_slice(&files["splines.json"]).unwrap());
+    // Mouths lie on the sea, wherever the ground is.
+    lines.iter().flat_map(|line| &line[..line.len() - 1]).copied().map(over_ground).collect()
+}
+
+#[test]
+fn rivers_that_are_placed_as_the_recipes_say_lie_on_the_landscape() {
+    for link in [LINKS[1], LINKS[4]] {
+        let map = map(link);
+        let (rasters, picture) = (squares(&map), picture(&map));
+        for engine in ENGINES {
+            let files = unpacked(&file(Form::Engine(engine), &map, Some(&rasters), Some(&picture)));
+            let over_ground = heights_over_ground(engine, &files);
+            let least = over_ground.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(least > -1.0, "{engine:?}: a river is {} m below ground", -least);
+            let on_ground = over_ground.iter().filter(|metres| metres.abs() < 1.0).count();
+            assert!(
+                on_ground * 10 > over_ground.len() * 6,
+                "{engine:?}: {on_ground} of {} lie on it",
+                over_ground.len()
+            );
+        }
+    }
+}
+
 #[test]
 fn landscapes_have_the_sizes_of_their_engines() {
     let map = map("seed=kauri&land=island&attractors=300&aspect=1");

@@ -165,6 +165,43 @@ fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
 }
 
 #[test]
+fn lakes_are_the_holes_of_the_land_and_have_the_names_of_their_points() {
+    let lake = map("seed=kea&land=basin&attractors=300");
+    for map in [&lake, &map(LINKS[1])] {
+        let database = database(&file(Form::GeoPackage, map, None, None));
+        let rows = |query: &str| -> Vec<(Vec<f64>, Vec<u32>, Option<String>)> {
+            let mut query = database.prepare(query).unwrap();
+            let row = |row: &rusqlite::Row<'_>| Ok((row.get::<_, Vec<u8>>(0)?, row.get(1)?));
+            let found = query.query_map([], row).unwrap().map(Result::unwrap);
+            found.map(|(blob, name)| (shape(&blob), name)).map(|((at, counts), name)| (at, counts, name)).collect()
+        };
+        let mut holes = Vec::new();
+        for (numbers, counts, _) in rows("SELECT geom, NULL FROM land ORDER BY fid") {
+            let mut rest: Vec<[u64; 2]> = numbers.chunks(2).map(|at| [at[0].to_bits(), at[1].to_bits()]).collect();
+            rest.drain(..counts[1] as usize);
+            for count in &counts[2..] {
+                let mut hole: Vec<[u64; 2]> = rest.drain(..*count as usize).collect();
+                hole.reverse();
+                holes.push(hole);
+            }
+        }
+        let lakes = rows("SELECT geom, name FROM lakes ORDER BY fid");
+        let shores: Vec<Vec<[u64; 2]>> = lakes
+            .iter()
+            .map(|(numbers, counts, _)| {
+                numbers.chunks(2).take(counts[1] as usize).map(|at| [at[0].to_bits(), at[1].to_bits()]).collect()
+            })
+            .collect();
+        assert_eq!(shores, holes);
+        let names: Vec<&String> = lakes.iter().filter_map(|(.., name)| name.as_ref()).collect();
+        for (.., name) in rows("SELECT geom, name FROM places WHERE kind = 'lake'") {
+            assert_eq!(names.iter().filter(|own| Some(**own) == name.as_ref()).count(), 1, "{name:?} in {names:?}");
+        }
+        assert!(std::ptr::eq(map, &lake) == !names.is_empty(), "{names:?}");
+    }
+}
+
+#[test]
 fn rectangles_are_those_around_the_shapes() {
     let database = database(&file(Form::GeoPackage, &map(LINKS[0]), None, None));
     let [west, south, east, north]: [f64; 4] = ["min_x", "min_y", "max_x", "max_y"].map(|side| {
@@ -220,7 +257,7 @@ fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
     let database = database(&file(Form::GeoPackage, &map(LINKS[6]), None, None));
     let mut query = database.prepare("SELECT styleQML FROM layer_styles").unwrap();
     let styles: Vec<String> = query.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
-    assert_eq!(styles.len(), 7);
+    assert_eq!(styles.len(), 8);
     assert!(styles.iter().all(|style| !style.contains("script") && !style.contains("../")));
     let titled = "SELECT count(*) FROM places WHERE name = '<script>&' AND kind = 'island'";
     let count: i64 = database.query_row(titled, [], |row| row.get(0)).unwrap();

@@ -1,6 +1,6 @@
 //! The styles, each a file of its own and a line in both lists.
 
-mod atlas;
+pub mod atlas;
 mod basins;
 mod blueprint;
 #[cfg(test)]

@@ -73,9 +73,10 @@ fn unreal(terrain: &Terrain) -> String {
          5. Layers: assign a material with the layers low, steep, shore and high, and import layers/low.png and so on as their\n\
          \x20  masks. They add up to 255 in every pixel.\n\
          6. Sea: a Water Body Ocean, or a plane, at Z = 0.\n\
-         7. Rivers: splines.json has the points of one spline for each river, in centimetres from the landscape's corner with\n\
-         \x20  the least X and Y: attach the splines to an actor at that corner, or add its location to each point. Width and depth\n\
-         \x20  are those of a Water Body River's points.\n\
+         7. Rivers: splines.json has the points of one spline for each river, in centimetres: X and Y from the landscape's corner\n\
+         \x20  with the least X and Y, Z from the sea's surface. Add X and Y of the landscape's own Location to each point (once it is\n\
+         \x20  made, its Details show that of the corner), and leave Z as it is. Do not attach the splines to the landscape: they would\n\
+         \x20  take its scale and its height. Width and depth are those of a Water Body River's points.\n\
          8. normals.png: turn off sRGB, and set the compression to Normalmap. Green points down, as Unreal expects.\n\n",
         side = terrain.columns,
         pixel = number(terrain.metres_a_pixel * 100.0, 4),
@@ -98,7 +99,9 @@ fn unity(terrain: &Terrain) -> String {
          \x20  by a script with TerrainData.SetAlphamaps, or import them as a splatmap with the Terrain Toolbox. Turn off sRGB, and\n\
          \x20  flip this file vertically too.\n\
          6. Sea: a plane at Y = 0.\n\
-         7. Rivers: splines.json has the points of one spline for each river, in metres from the terrain's own corner; Z is north.\n\
+         7. Rivers: splines.json has the points of one spline for each river, in metres: X east and Z north\n\
+         \x20  from the Terrain's corner, Y from the sea's surface. Add X and Z of the Terrain's own Position to each point, and leave Y\n\
+         \x20  as it is. Do not make the splines children of the Terrain: they would take its height of {lift}.\n\
          8. normals.png: set the texture type to Normal map. Green points up, as Unity expects.\n\n",
         side = terrain.columns,
         size = number(size, 2),
@@ -119,8 +122,9 @@ fn godot(terrain: &Terrain) -> String {
          4. Run the import, save the data, and set Vertex Spacing to {pixel}. (At 1 the ground would be that many times narrower, and just as high.)\n\
          5. splat.png has four kinds of ground for a shader, in red, green, blue and alpha, which add up to 1: low, steep, shore, high.\n\
          6. Sea: a plane at Y = 0.\n\
-         7. Rivers: splines.json has the points of one Curve3D for each river, in metres from the landscape's north-western corner;\n\
-         \x20  Z is south. Move them to where that corner lies. A Curve3D has no width or depth: read them from the file.\n\
+         7. Rivers: splines.json has the points of one Curve3D for each river, in metres: X east and Z south\n\
+         \x20  from the landscape's north-western corner, Y from the sea's surface. Add X and Z of the place of that corner to each\n\
+         \x20  point, measured after Vertex Spacing is set, and leave Y as it is. A Curve3D has no width or depth: read them from the file.\n\
          8. normals.png: import it as a normal map. Green points up, as Godot expects.\n\n",
         side = terrain.columns,
         pixel = number(terrain.metres_a_pixel, 4),

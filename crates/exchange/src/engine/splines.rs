@@ -37,10 +37,10 @@ impl Axes {
                 "the north-western corner of the landscape, at the sea's surface",
             ),
             Self::Of(Engine::Unity) => {
-                ("metre", "x east, y up, z north", "the south-western corner of the terrain, at the sea's surface")
+                ("metre", "x east, y up, z north", "the south-western corner of the Terrain, at the sea's surface")
             }
             Self::Of(Engine::Godot) => {
-                ("metre", "x east, y up, z south", "the north-western corner of the terrain, at the sea's surface")
+                ("metre", "x east, y up, z south", "the north-western corner of the landscape, at the sea's surface")
             }
         }
     }

@@ -4,6 +4,7 @@ use riverseed::Map;
 use riverseed::export::{ExportError, Json, geojson};
 
 use super::crs::metres_of_degrees;
+use super::lakes;
 
 /// A place: metres east and north of the map's centre, and metres over the sea where that is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +35,8 @@ pub struct Collection<'a> {
     pub link: String,
     pub title: Option<String>,
     pub features: Vec<Feature<'a>>,
+    /// The lakes at the sea's level, which GeoJSON has as holes.
+    pub lakes: Vec<Feature<'a>>,
 }
 
 impl<'a> Feature<'a> {
@@ -67,6 +70,7 @@ impl<'a> Collection<'a> {
                 _ => {}
             }
         }
+        collection.lakes = lakes::of(&collection.features);
         Ok(collection)
     }
 }

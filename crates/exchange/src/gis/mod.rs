@@ -5,4 +5,5 @@ mod features;
 pub mod geopackage;
 pub mod geotiff;
 mod heights;
+mod lakes;
 pub mod style;

@@ -4,49 +4,46 @@
 
 use std::io::{Result, Write};
 
+use riverseed::paint::atlas;
+
 use crate::xml::escaped;
 
-const LAND: &str = "220,227,190,255";
-const WATER: &str = "143,182,198,255";
-const COAST: &str = "60,100,120,255";
-const RIDGE: &str = "160,134,102,255";
-const RIVER: &str = "42,111,158,255";
-const BASIN: &str = "120,140,110,150";
-const INK: &str = "23,62,104,255";
-const PAPER: &str = "244,238,214,255";
 const NONE: &str = "0,0,0,0";
 
-/// The colours of heights, in metres: depths, then the tints of the style.
-const TINTS: [(f64, [u8; 3]); 13] = [
-    (-600.0, [0x5f, 0x93, 0xae]),
-    (-150.0, [0x8f, 0xb6, 0xc6]),
-    (0.0, [0xcf, 0xe3, 0xe6]),
-    (0.01, [0xb0, 0xce, 0x98]),
-    (100.0, [0xc3, 0xd8, 0xa2]),
-    (260.0, [0xdb, 0xe2, 0xb0]),
-    (450.0, [0xef, 0xe4, 0xb8]),
-    (680.0, [0xe8, 0xd0, 0x9e]),
-    (980.0, [0xd9, 0xb7, 0x83]),
-    (1400.0, [0xc5, 0x9c, 0x74]),
-    (1900.0, [0xbf, 0xa6, 0x92]),
-    (2500.0, [0xd6, 0xd0, 0xc8]),
-    (3200.0, [0xef, 0xec, 0xe6]),
-];
+/// The outlines of basins. The style of pictures has none.
+const BASIN: &str = "120,140,110,150";
+
+/// The colours of depths in metres. The style of pictures has them by the way to the coast.
+const DEPTHS: [(f32, [u8; 3]); 3] = [(-600.0, [0x5f, 0x93, 0xae]), (-150.0, atlas::WATER), (0.0, atlas::SHALLOWS)];
+
+/// The least height of land in metres, so that the sea's surface has a colour of its own.
+const ASHORE: f32 = 0.01;
+
+/// The colours of depths and heights in metres, from below.
+fn tints() -> impl Iterator<Item = (f32, [u8; 3])> {
+    DEPTHS.into_iter().chain(atlas::TINTS.iter().map(|(metres, colour)| (metres.max(ASHORE), *colour)))
+}
+
+/// Writes a colour as QGIS has it in the options of a symbol.
+fn opaque([red, green, blue]: [u8; 3]) -> String {
+    format!("{red},{green},{blue},255")
+}
 
 /// Makes the style of a layer of a GeoPackage.
 pub fn of_layer(name: &str) -> String {
     match name {
-        "land" => vector(&fill(LAND, COAST, "0.3"), ""),
+        "land" => vector(&fill(&opaque(atlas::LAND), &opaque(atlas::COAST), "0.3"), ""),
+        "lakes" => vector(&fill(&opaque(atlas::WATER), &opaque(atlas::COAST), "0.3"), ""),
         "basins" => vector(&fill(NONE, BASIN, "0.2"), ""),
-        "oxbow_lakes" => vector(&fill(WATER, COAST, "0.1"), ""),
+        "oxbow_lakes" => vector(&fill(&opaque(atlas::WATER), &opaque(atlas::COAST), "0.1"), ""),
         // Width goes with the root of discharge, as in nature.
         "rivers" => vector(
-            &line(RIVER, Some(r#"0.12 + 1.1 * sqrt("discharge" / maximum("discharge"))"#)),
-            &along("name", r#""order" >= maximum("order") - 1"#, "9"),
+            &line(&opaque(atlas::RIVER), Some(r#"0.12 + 1.1 * sqrt("discharge" / maximum("discharge"))"#)),
+            &labels_along_lines("name", r#""order" >= maximum("order") - 1"#, "9"),
         ),
-        "reaches" => vector(&line(NONE, None), &along("reach_name", "true", "8")),
-        "ridges" => vector(&line(RIDGE, None), ""),
-        _ => vector(&point(), &at("name")),
+        "reaches" => vector(&line(NONE, None), &labels_along_lines("reach_name", "true", "8")),
+        "ridges" => vector(&line(&opaque(atlas::RIDGE), None), ""),
+        _ => vector(&point(), &labels_over_points("name")),
     }
 }
 
@@ -55,15 +52,15 @@ pub fn of_layer(name: &str) -> String {
 /// # Errors
 /// Fails with the writer's errors.
 pub fn write_heights(mut out: impl Write, link: &str) -> Result<()> {
-    let items: Vec<String> = TINTS
-        .iter()
+    let items: Vec<String> = tints()
         .map(|(metres, [red, green, blue])| {
             format!(
                 "<item value=\"{metres}\" color=\"#{red:02x}{green:02x}{blue:02x}\" label=\"{metres:.0} m\" alpha=\"255\"/>\n"
             )
         })
         .collect();
-    let (least, most) = (TINTS[0].0, TINTS[TINTS.len() - 1].0);
+    let (least, most) =
+        tints().fold((f32::MAX, f32::MIN), |(least, most), (metres, _)| (least.min(metres), most.max(metres)));
     writeln!(
         out,
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n\
@@ -144,12 +141,13 @@ fn line(colour: &str, width: Option<&str>) -> String {
 
 /// A dot, for capes: all else is larger than a place, and its name alone marks it.
 fn point() -> String {
-    let options = [("name", "circle"), ("color", INK), ("outline_style", "no"), ("size", "0.8"), ("size_unit", "MM")];
+    let ink = opaque(atlas::LETTERS);
+    let options = [("name", "circle"), ("color", &ink), ("outline_style", "no"), ("size", "0.8"), ("size_unit", "MM")];
     symbol("marker", "SimpleMarker", &options, Some(("size", r#"if("kind" = 'cape', 0.8, 0)"#)))
 }
 
 /// Labels along lines, for features that a condition holds for.
-fn along(field: &str, condition: &str, size: &str) -> String {
+fn labels_along_lines(field: &str, condition: &str, size: &str) -> String {
     let expression = format!("if({condition}, \"{field}\", '')");
     labels(
         &expression,
@@ -160,16 +158,17 @@ fn along(field: &str, condition: &str, size: &str) -> String {
 }
 
 /// Labels over points.
-fn at(field: &str) -> String {
+fn labels_over_points(field: &str) -> String {
     labels(&format!("\"{field}\""), "10", "placement=\"1\" quadOffset=\"4\"", "")
 }
 
 fn labels(expression: &str, size: &str, placement: &str, more: &str) -> String {
+    let (ink, halo) = (opaque(atlas::LETTERS), opaque(atlas::HALO));
     format!(
         "<labeling type=\"simple\"><settings calloutType=\"simple\">\
          <text-style fieldName=\"{}\" isExpression=\"1\" fontFamily=\"serif\" fontItalic=\"1\" fontSize=\"{size}\" \
-         fontSizeUnit=\"Point\" textColor=\"{INK}\" textOpacity=\"1\">\
-         <text-buffer bufferDraw=\"1\" bufferSize=\"0.6\" bufferSizeUnits=\"MM\" bufferColor=\"{PAPER}\" bufferOpacity=\"0.8\"/>\
+         fontSizeUnit=\"Point\" textColor=\"{ink}\" textOpacity=\"1\">\
+         <text-buffer bufferDraw=\"1\" bufferSize=\"0.6\" bufferSizeUnits=\"MM\" bufferColor=\"{halo}\" bufferOpacity=\"0.8\"/>\
          </text-style><placement {placement} distUnits=\"MM\" priority=\"5\" {more}/>\
          <rendering drawLabels=\"1\" scaleVisibility=\"0\" obstacle=\"1\"/></settings></labeling>\n",
         escaped(expression)
@@ -185,7 +184,7 @@ mod tests {
         let mut heights = Vec::new();
         write_heights(&mut heights, "seed=a%3Cb&edition=1").unwrap();
         let heights = String::from_utf8(heights).unwrap();
-        let names = ["land", "basins", "oxbow_lakes", "rivers", "reaches", "ridges", "places"];
+        let names = ["land", "lakes", "basins", "oxbow_lakes", "rivers", "reaches", "ridges", "places"];
         for style in names.map(of_layer).iter().chain([&heights]) {
             let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
             let document = roxmltree::Document::parse_with_options(style, options).unwrap();
@@ -196,6 +195,7 @@ mod tests {
 
     #[test]
     fn tints_rise() {
-        assert!(TINTS.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        let heights: Vec<f32> = tints().map(|(metres, _)| metres).collect();
+        assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
     }
 }

@@ -1,5 +1,7 @@
 //! The layers of a GeoPackage and their columns.
 
+use crate::gis::lakes;
+
 /// A layer.
 pub struct Layer {
     pub name: &'static str,
@@ -68,7 +70,7 @@ const fn whole(name: &'static str) -> Column {
 }
 
 /// The layers, from the ground up.
-pub static LAYERS: [Layer; 7] = [
+pub static LAYERS: [Layer; 8] = [
     Layer {
         name: "land",
         description: "The pieces of land, the largest first; lakes at the sea's level are holes.",
@@ -76,6 +78,14 @@ pub static LAYERS: [Layer; 7] = [
         has_heights: false,
         kinds: Kinds::One("land"),
         columns: &[whole("number")],
+    },
+    Layer {
+        name: "lakes",
+        description: "The lakes at the sea's level, with the islands in them as holes.",
+        geometry: "POLYGON",
+        has_heights: false,
+        kinds: Kinds::One(lakes::KIND),
+        columns: &[whole("number"), whole("land"), column("name", Of::Text)],
     },
     Layer {
         name: "basins",

@@ -64,7 +64,8 @@ fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>) -> r
     work.execute_batch(&schema::table(layer))?;
     let mut insert = work.prepare(&schema::insertion(layer))?;
     let mut around = Bounds::NONE;
-    for feature in collection.features.iter().filter(|feature| layer.kinds.holds(feature.kind())) {
+    let features = collection.features.iter().chain(&collection.lakes);
+    for feature in features.filter(|feature| layer.kinds.holds(feature.kind())) {
         let shape = Value::Blob(binary::geometry(&feature.shape, crs::NUMBER));
         around = around.with(binary::bounds(&feature.shape));
         let values = layer.columns.iter().map(|column| value(column, feature));
