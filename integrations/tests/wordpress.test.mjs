@@ -170,6 +170,8 @@ test("WordPress: two packings are equal, and a zip holds what a site needs and n
     "LICENSE-MIT",
   ])
     assert.ok(`river-seed/${name}` in files, name);
+  for (const name of ["river-seed.classic.js", "node.js"])
+    assert.ok(!(`river-seed/element/${name}` in files), `${name}, which no page loads`);
   for (const name of ["river-seed.php", "poster.js", "block/editor.js"])
     assert.doesNotMatch(strFromU8(files[`river-seed/${name}`]), /https?:/);
 });
