@@ -197,7 +197,7 @@ fn lakes_are_the_holes_of_the_land_and_have_the_names_of_their_points() {
         for (.., name) in rows("SELECT geom, name FROM places WHERE kind = 'lake'") {
             assert_eq!(names.iter().filter(|own| Some(**own) == name.as_ref()).count(), 1, "{name:?} in {names:?}");
         }
-        assert!(std::ptr::eq(map, &lake) == !names.is_empty(), "{names:?}");
+        assert_eq!(std::ptr::eq(map, &lake), !names.is_empty(), "{names:?}");
     }
 }
 

@@ -74,8 +74,8 @@ fn unreal(terrain: &Terrain) -> String {
          \x20  masks. They add up to 255 in every pixel.\n\
          6. Sea: a Water Body Ocean, or a plane, at Z = 0.\n\
          7. Rivers: splines.json has the points of one spline for each river, in centimetres: X and Y from the landscape's corner\n\
-         \x20  with the least X and Y, Z from the sea's surface. Add X and Y of the landscape's own Location to each point (once it is\n\
-         \x20  made, its Details show that of the corner), and leave Z as it is. Do not attach the splines to the landscape: they would\n\
+         \x20  with the least X and Y, Z from the sea's surface. Add X and Y of the landscape's Location to each point (the one in its\n\
+         \x20  Details once it is made, which is that corner), and leave Z as it is. Do not attach the splines to the landscape: they would\n\
          \x20  take its scale and its height. Width and depth are those of a Water Body River's points.\n\
          8. normals.png: turn off sRGB, and set the compression to Normalmap. Green points down, as Unreal expects.\n\n",
         side = terrain.columns,
@@ -100,7 +100,7 @@ fn unity(terrain: &Terrain) -> String {
          \x20  flip this file vertically too.\n\
          6. Sea: a plane at Y = 0.\n\
          7. Rivers: splines.json has the points of one spline for each river, in metres: X east and Z north\n\
-         \x20  from the Terrain's corner, Y from the sea's surface. Add X and Z of the Terrain's own Position to each point, and leave Y\n\
+         \x20  from the Terrain's corner, Y from the sea's surface. Add X and Z of the Terrain's Position to each point, and leave Y\n\
          \x20  as it is. Do not make the splines children of the Terrain: they would take its height of {lift}.\n\
          8. normals.png: set the texture type to Normal map. Green points up, as Unity expects.\n\n",
         side = terrain.columns,
