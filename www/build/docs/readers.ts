@@ -40,7 +40,7 @@ export const READERS: readonly Reader[] = [
   {
     name: "game-makers",
     who: "Game makers",
-    line: 'riverseed render "seed=juan&land=archipelago" -o juan.zip',
+    line: 'riverseed render "seed=juan&land=archipelago" -o juan.unity.zip',
     lang: "sh",
     map: "juan",
   },
