@@ -1,10 +1,12 @@
 //! Maps as files for game engines and geographic information systems.
 //!
 //! The core makes pictures, rasters and features; here they become files that other programs read. The command line and
-//! the Python package both call [`write()`], with a map and what its [`Form`] is made from.
+//! the Python package both call `write`, with a map and what its form is made from.
 //!
 //! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it
-//! ([`gis::crs`]); game engines have 50 m ([`engine::METRES_A_UNIT`]).
+//! (`gis::crs`); game engines have 50 m (`engine::METRES_A_UNIT`).
+//!
+//! As wasm it is empty: no page writes these files.
 #![cfg(not(target_arch = "wasm32"))]
 
 pub mod engine;
