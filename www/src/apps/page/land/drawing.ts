@@ -245,9 +245,9 @@ export class Drawing {
   }
 
   /** Moves the focus from a button that has become disabled to the tool in use, so that it is not lost. */
-  #keepFocus(): void {
+  #keepFocus(focused: Element | null): void {
     const { undo, clear } = this.elements;
-    const isLost = [undo, clear].some((button) => button.disabled && button === document.activeElement);
+    const isLost = [undo, clear].some((button) => button.disabled && button === focused);
     if (isLost) this.elements[this.#kind].focus({ preventScroll: true });
   }
 
@@ -259,10 +259,12 @@ export class Drawing {
   #tell(): void {
     const { sketch, undo, clear } = this.elements;
     const { lines, isLive, canUndo } = this.#sketch;
+    // Some browsers take the focus away at once from what becomes disabled.
+    const focused = document.activeElement;
     undo.disabled = !canUndo;
     clear.disabled = lines.length === 0;
     if (!this.#isOpen) return;
-    this.#keepFocus();
+    this.#keepFocus(focused);
     const raw = this.#kept === NOTHING || this.#isBehind ? lines : lines.slice(isLive ? -1 : lines.length);
     showLines(sketch, this.#kept, raw);
   }
