@@ -105,7 +105,10 @@ export const PROBE = `{
   };
   const channel = new BroadcastChannel("probe");
   channel.onmessage = ({ data }) => {
-    if (data.failure) failure = data.failure;
+    if (data.failure) {
+      failure = data.failure;
+      channel.postMessage("heard");
+    }
     if (data === "count") channel.postMessage({ ...count, bytes: memory?.buffer.byteLength ?? 0 });
   };
 }
@@ -140,7 +143,20 @@ export function probe(page: Page): Promise<Count> {
 
 /** From now on the probed engine fails when a river is replayed: by a trap, as a panic does, or with an error of another code. */
 export async function failOnReplay(page: Page, failure: "panic" | "no-memory"): Promise<void> {
-  await page.evaluate((failure) => new BroadcastChannel("probe").postMessage({ failure }), failure);
+  // What the page says next may reach a worker before this does, unless this is waited for.
+  await page.evaluate(
+    (failure) =>
+      new Promise<void>((done) => {
+        const channel = new BroadcastChannel("probe");
+        channel.onmessage = ({ data }) => {
+          if (data !== "heard") return;
+          channel.close();
+          done();
+        };
+        channel.postMessage({ failure });
+      }),
+    failure,
+  );
 }
 
 /** Lets some frames pass. */
