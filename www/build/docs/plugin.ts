@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Plugin, Rolldown } from "vite";
 import { indexOf } from "../../src/apps/docs/index.ts";
+import { madeOnRequest, type Source } from "../made-on-request.ts";
 import { addressOf, contents, REPOSITORY } from "./contents.ts";
 import { firstPage } from "./first.ts";
 import { FOLDER, INDEX, type Place } from "./frame.ts";
@@ -20,18 +21,9 @@ export const DOCS_INPUTS = [SHEET, SCRIPT, SITE_SCRIPT];
 export function docs(site: string | undefined): Plugin {
   return {
     name: "docs",
-    configureServer: ({ middlewares }) => {
-      const place: Place = { site, sheet: SHEET, script: SCRIPT, siteScript: SITE_SCRIPT, hasPolicy: false };
-      middlewares.use((request, response, next) => {
-        const file = /^\/docs\/([^?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
-        if (file === undefined) return next();
-        made(file || "index.html", place).then((source) => {
-          if (source === undefined) return next();
-          response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
-          response.end(source);
-        }, next);
-      });
-    },
+    configureServer: madeOnRequest(FOLDER, TYPES, (file) =>
+      made(file, { site, sheet: SHEET, script: SCRIPT, siteScript: SITE_SCRIPT, hasPolicy: false }),
+    ),
     async generateBundle(_options, bundle) {
       const place: Place = { site, ...builtFilesOf(bundle), hasPolicy: true };
       for (const [file, source] of writtenFor(place))
@@ -49,7 +41,7 @@ const TYPES: Readonly<Record<string, string>> = {
 };
 
 /** Makes a file of the documentation, if there is one of this name. */
-async function made(file: string, place: Place): Promise<string | Uint8Array | undefined> {
+async function made(file: string, place: Place): Promise<Source | undefined> {
   return writtenFor(place).get(file) ?? (file.endsWith(".webp") ? (await drawn()).get(`${FOLDER}/${file}`) : undefined);
 }
 
@@ -65,11 +57,11 @@ function builtFilesOf(bundle: Rolldown.OutputBundle): Pick<Place, "sheet" | "scr
 }
 
 /** Writes all files of the documentation, by their names in its folder. */
-export function writtenFor(place: Place): Map<string, string | Uint8Array> {
+export function writtenFor(place: Place): Map<string, Source> {
   const groups = contents();
   const shown = pictures();
   const articles = groups.flatMap((group) => group.articles);
-  const files = new Map<string, string | Uint8Array>([["index.html", firstPage(groups, shown, place)]]);
+  const files = new Map<string, Source>([["index.html", firstPage(groups, shown, place)]]);
   for (const article of articles) {
     const { html, figures } = pageOf(article, groups, shown, place);
     files.set(addressOf(article.source), html);

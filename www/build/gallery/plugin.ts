@@ -1,6 +1,7 @@
 /** Adds the gallery to the site: during the build, or in the dev server when a file is requested. */
 
 import type { Plugin } from "vite";
+import { madeOnRequest, type Source } from "../made-on-request.ts";
 import { drawAll } from "./drawing.ts";
 import { filesOf, oembedOf, overviewPage, type Place, pageOf, shapesSheet } from "./pages.ts";
 import { type Entry, entries } from "./recipes.ts";
@@ -10,23 +11,12 @@ const FOLDER = "gallery";
 /** The pages' style sheet, which is an input of the build. */
 export const SHEET = "src/style/gallery.css";
 
-type Source = string | Uint8Array;
-
 export function gallery(site: string | undefined): Plugin {
   return {
     name: "gallery",
-    configureServer: ({ middlewares }) => {
-      const place: Place = { site, sheet: `../${SHEET}`, hasPolicy: false };
-      middlewares.use((request, response, next) => {
-        const file = /\/gallery\/([^/?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
-        if (file === undefined) return next();
-        made(file || "index.html", place).then((source) => {
-          if (source === undefined) return next();
-          response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
-          response.end(source);
-        }, next);
-      });
-    },
+    configureServer: madeOnRequest(FOLDER, TYPES, (file) =>
+      made(file, { site, sheet: `../${SHEET}`, hasPolicy: false }),
+    ),
     async generateBundle(_options, bundle) {
       const sheet = Object.values(bundle).find(
         ({ type, fileName }) => type === "asset" && /gallery-[\w-]+\.css$/.test(fileName),

@@ -15,8 +15,8 @@ mod words;
 use std::path::PathBuf;
 
 use clap::ArgMatches;
+use riverseed::Map;
 use riverseed::annotate::names::Names;
-use riverseed::domain::Domain;
 use riverseed::recipe::{Key, link};
 
 use self::address::Address;
@@ -34,45 +34,68 @@ use super::{Failure, say};
 /// Writes the folder.
 pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
-    let address = matches.get_one::<String>("address").map(|text| address_of(text, order.recipe.seed())).transpose()?;
-    let maker = matches.get_one::<String>("maker").map(|text| Address::read("--maker", text)).transpose()?;
-    let element = Element::asked(matches, &order)?;
-    let [title, description] = [words::given(matches, "title")?, words::given(matches, "description")?];
+    let asked = Asked::of(matches, &order)?;
     let folder = Folder::open(&folder_of(matches, order.recipe.seed())?, matches.get_flag("replace"))?;
     order.say_what_is_idle(&[true]);
     say_what_has_no_letters(&order.recipe, &say);
-    if address.is_none() {
+    if asked.address.is_none() {
         say("without --address, chats show no card for the page, and blogs do not embed its map");
     }
     let size = matches.get_one("size").copied().unwrap_or(shots::SIZE);
-    let recipe = order.recipe.clone();
-    let progress = progress(&recipe, size);
+    let progress = progress(&order.recipe, size);
     let mut session = grow(order, &progress, &say)?;
-    let shots = Shots::take(&mut session, size, title.as_deref(), &progress)?;
+    let shots = Shots::take(&mut session, size, asked.title.as_deref(), &progress)?;
     let map = session.finish()?;
     say_what_is_unused(&map, &say);
-    let names = Names::of(&map);
-    let name = title.unwrap_or_else(|| words::name(&names, &recipe));
-    let link = link::write_for_file(&recipe);
-    let (width, height) = shots.size();
-    let content = Content {
-        title: name.clone(),
-        description: description.unwrap_or_else(|| words::description(&map, &names)),
-        alternative: words::alternative(&names, &name),
-        settings: words::settings(&link)?,
-        aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
-        ratio: Domain::of(&recipe).size,
-        picture: Shot { width, height },
-        attributes: attributes::of(&link)?,
-        name,
-        link,
-        address,
-        maker,
-        element,
-    };
-    folder.write(&content, &shots)?;
+    folder.write(&asked.content(&map, &shots)?, &shots)?;
     progress.finish_and_clear();
     Ok(())
+}
+
+/// The options of a call, besides its recipe.
+struct Asked {
+    title: Option<String>,
+    description: Option<String>,
+    address: Option<Address>,
+    maker: Option<Address>,
+    element: Element,
+}
+
+impl Asked {
+    fn of(matches: &ArgMatches, order: &Order) -> Result<Self, Failure> {
+        let seed = order.recipe.seed();
+        let text = |option: &str| matches.get_one::<String>(option);
+        Ok(Self {
+            title: words::given(matches, "title")?,
+            description: words::given(matches, "description")?,
+            address: text("address").map(|text| address_of(text, seed)).transpose()?,
+            maker: text("maker").map(|text| Address::read("--maker", text)).transpose()?,
+            element: Element::asked(matches, order)?,
+        })
+    }
+
+    /// All that the page of a finished map says.
+    fn content(self, map: &Map, shots: &Shots) -> Result<Content, Failure> {
+        let (recipe, names) = (map.recipe(), Names::of(map));
+        let name = self.title.unwrap_or_else(|| words::name(&names, recipe));
+        let link = link::write_for_file(recipe);
+        let (width, height) = shots.size();
+        Ok(Content {
+            title: name.clone(),
+            description: self.description.unwrap_or_else(|| words::description(map, &names)),
+            alternative: words::alternative(&names, &name),
+            settings: words::settings(&link)?,
+            aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
+            ratio: map.domain().size,
+            picture: Shot { width, height },
+            attributes: attributes::of(&link)?,
+            name,
+            link,
+            address: self.address,
+            maker: self.maker,
+            element: self.element,
+        })
+    }
 }
 
 /// The folder to write, with the seed in its place.
@@ -86,8 +109,6 @@ fn folder_of(matches: &ArgMatches, seed: &str) -> Result<PathBuf, Failure> {
 
 /// The address of that folder. A percent sign in the folder's name is `%25` there.
 fn address_of(text: &str, seed: &str) -> Result<Address, Failure> {
-    let encoded = |escaped: String| escaped.replace('%', "%25");
-    let parts = text.split(PLACE).map(str::to_owned).collect::<Vec<_>>();
-    let seed = if parts.len() > 1 { encoded(with_seed(PLACE, seed)?) } else { String::new() };
-    Address::read("--address", &parts.join(&seed))
+    let escaped = if text.contains(PLACE) { with_seed(PLACE, seed)? } else { String::new() };
+    Address::read("--address", &text.replace(PLACE, &escaped.replace('%', "%25")))
 }
