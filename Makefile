@@ -237,6 +237,7 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
+	@$(run) node scripts/prose.mjs
 	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.ba* tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
