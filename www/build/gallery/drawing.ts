@@ -1,23 +1,21 @@
 /**
- * Draws maps during the build, on all cores, with the page's engine. Pictures are cached, since the same link and
- * engine make the same picture.
+ * Draws maps during the build, on all cores, with the page's engine. Pictures are kept, since the same link, engine and
+ * code make the same picture.
  */
 
-import { createHash } from "node:crypto";
-import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
-import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
+import { Kept } from "./kept.ts";
 import type { Shot } from "./shots.ts";
 
 const DRAWER = new URL("../../scripts/draw-maps.mjs", import.meta.url);
-const KEPT = fileURLToPath(new URL("../../node_modules/.cache/riverseed-maps", import.meta.url));
-/** The files on which pictures depend besides their links. */
+/** The files on which pictures depend besides their links. The lock names the encoder, and what sets titles. */
 const MAKERS = [
   "../../pkg-steer/riverseed_steer_bg.wasm",
   "../../pkg-tell/riverseed_tell_bg.wasm",
   "../../scripts/draw-maps.mjs",
+  "../../package-lock.json",
 ];
 
 /** Pictures of one map. */
@@ -30,11 +28,14 @@ type Answer = { files: Uint8Array[] } | { error: string };
 
 /** Returns the files of all orders, in the same order. */
 export async function drawAll(orders: readonly Order[]): Promise<Uint8Array[][]> {
-  const makers = hashOfMakers();
-  const files = orders.map((order) => keptFor(order, makers));
+  const kept = new Kept(
+    process.env["RIVERSEED_CACHE"],
+    MAKERS.map((file) => readFileSync(new URL(file, import.meta.url))),
+  );
+  const files = orders.map((order) => keptFor(order, kept));
   const missing = orders.map((_, i) => i).filter((i) => files[i] === undefined);
   const threads = Math.min(availableParallelism(), missing.length);
-  await Promise.all(Array.from({ length: threads }, () => drawMissing(missing, orders, makers, files)));
+  await Promise.all(Array.from({ length: threads }, () => drawMissing(missing, orders, kept, files)));
   return files.map((made) => made ?? []);
 }
 
@@ -42,7 +43,7 @@ export async function drawAll(orders: readonly Order[]): Promise<Uint8Array[][]>
 async function drawMissing(
   missing: number[],
   orders: readonly Order[],
-  makers: string,
+  kept: Kept,
   files: (Uint8Array[] | undefined)[],
 ): Promise<void> {
   const worker = new Worker(DRAWER);
@@ -51,7 +52,7 @@ async function drawMissing(
       const order = orders[i];
       if (!order) continue;
       const made = await drawn(worker, order);
-      keep(order, makers, made);
+      for (const [k, file] of made.entries()) kept.keep(partsOf(order.link, order.shots[k]), file);
       files[i] = made;
     }
   } finally {
@@ -71,35 +72,11 @@ function drawn(worker: Worker, order: Order): Promise<Uint8Array[]> {
   });
 }
 
-function keptFor(order: Order, makers: string): Uint8Array[] | undefined {
-  try {
-    return order.shots.map((shot) => readFileSync(placeOf(order.link, shot, makers)));
-  } catch {
-    return undefined;
-  }
+function keptFor({ link, shots }: Order, kept: Kept): Uint8Array[] | undefined {
+  const files = shots.map((shot) => kept.file(partsOf(link, shot)));
+  return files.every((file) => file !== undefined) ? files : undefined;
 }
 
-/** Caches files. Each is renamed into place, so that another build at the same time finds it complete or not at all. */
-function keep(order: Order, makers: string, files: readonly Uint8Array[]): void {
-  mkdirSync(KEPT, { recursive: true });
-  for (const [i, shot] of order.shots.entries()) {
-    const place = placeOf(order.link, shot, makers);
-    const unfinished = `${place}.${process.pid}`;
-    writeFileSync(unfinished, files[i] ?? new Uint8Array());
-    renameSync(unfinished, place);
-  }
-}
-
-function placeOf(link: string, shot: Shot, makers: string): string {
-  return join(KEPT, `${hashOf([makers, link, JSON.stringify(shot)])}.${shot.format}`);
-}
-
-function hashOfMakers(): string {
-  return hashOf(MAKERS.map((file) => readFileSync(new URL(file, import.meta.url))));
-}
-
-function hashOf(parts: readonly (string | Uint8Array)[]): string {
-  const hash = createHash("sha256");
-  for (const part of parts) hash.update(part).update("\0");
-  return hash.digest("hex").slice(0, 32);
+function partsOf(link: string, shot: Shot | undefined): string[] {
+  return [link, JSON.stringify(shot)];
 }
