@@ -20,7 +20,6 @@ const NOT_YET = [
   "src/analyse",
   "src/annotate",
   "src/base",
-  "src/domain",
   "src/drown",
   "src/export",
   "src/grow",
@@ -31,9 +30,7 @@ const NOT_YET = [
   "src/picture",
   "src/prune",
   "src/recipe",
-  "src/relief",
   "src/session",
-  "src/tree",
 ];
 const LIMIT = 0.05;
 const CLAUSE = /^(What|Whether|How|Of|The same|Those)\b/;

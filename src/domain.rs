@@ -10,8 +10,8 @@ use crate::recipe::{IntegerKey, LandKind, NumberKey, Recipe};
 /// The area of every domain, in square units.
 pub const AREA: f32 = 1_000_000.0;
 
-/// The mean distance, in units, between the parcels of a recipe's drainage: √(area of land / attractors), if the sea is
-/// as it suits the kind of land. It does not change with the actual sea.
+/// Returns the mean distance, in units, between the parcels of a recipe's drainage: √(area of land / attractors), for
+/// the sea that is usual for the kind of land. It does not change with the actual sea.
 pub fn parcel_spacing(recipe: &Recipe) -> f32 {
     let land = 1.0 - recipe.get::<LandKind>().usual_sea();
     (land * AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt()
@@ -25,19 +25,19 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// The domain of a recipe.
+    /// Returns the domain of a recipe.
     pub fn of(recipe: &Recipe) -> Self {
         Self::with_aspect(recipe.number(NumberKey::Aspect))
     }
 
-    /// The domain with a given ratio of width to height.
+    /// Returns the domain with a given ratio of width to height.
     pub fn with_aspect(aspect: f32) -> Self {
         let height = (AREA / aspect).sqrt();
         Self { size: Vec2::new(AREA / height, height) }
     }
 
-    /// The distance of a point from each side, with the side's initial, clockwise from the north. Negative beyond the
-    /// side.
+    /// Returns the distance of a point from each side, in units, with the side's initial, clockwise from the north. A
+    /// distance is negative beyond its side.
     pub fn sides(&self, point: Vec2) -> [(char, f32); 4] {
         let far = self.size - point;
         [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]

@@ -36,12 +36,12 @@ pub struct Tree {
 }
 
 impl Tree {
-    /// The identity of a node; [`UNGROWN`] if it did not grow.
+    /// Returns the identity of a node; [`UNGROWN`] if it did not grow.
     pub fn identity_of(&self, node: usize) -> u32 {
         self.identity.get(node).copied().unwrap_or(node as u32)
     }
 
-    /// The number of nodes.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.at.len()
     }
@@ -51,7 +51,7 @@ impl Tree {
         self.at.is_empty()
     }
 
-    /// The node downstream; `None` at a mouth.
+    /// Returns the node downstream of a node; `None` at a mouth.
     #[inline]
     pub fn parent_of(&self, node: usize) -> Option<usize> {
         match self.parent[node] {
@@ -60,7 +60,7 @@ impl Tree {
         }
     }
 
-    /// The tick in which each node grew; 0 at a mouth.
+    /// Iterates over the tick in which each node grew; 0 at a mouth.
     pub fn ticks(&self) -> impl Iterator<Item = u32> {
         let ends = self.tick_starts.iter().skip(1).copied().chain([self.len() as u32]);
         (0u32..)
@@ -68,7 +68,7 @@ impl Tree {
             .flat_map(|(tick, (start, end))| std::iter::repeat_n(tick, end.saturating_sub(start) as usize))
     }
 
-    /// The number of mouths.
+    /// Returns the number of mouths.
     pub fn mouths(&self) -> usize {
         self.parent.iter().filter(|&&parent| parent == NO_PARENT).count()
     }
@@ -111,8 +111,8 @@ impl Hydrology {
         this
     }
 
-    /// For each node, the child that continues its river upstream: the one with the greatest discharge; among equals
-    /// the longest, then the first. [`NO_PARENT`] at a source.
+    /// Returns, for each node, the child that continues its river upstream: the one with the greatest discharge; among
+    /// equals the longest, then the first. [`NO_PARENT`] at a source.
     pub fn own_arms(&self, tree: &Tree) -> Vec<u32> {
         let mut own_arm = vec![NO_PARENT; tree.len()];
         let size = |node: u32| (self.discharge[node as usize], self.depth[node as usize]);
@@ -132,7 +132,7 @@ impl Hydrology {
         self.magnitude[node] = self.magnitude[node].max(1);
     }
 
-    /// Adds a node to its parent.
+    /// Adds the depth, order, magnitude and discharge of a finished node to its parent.
     fn flow(&mut self, node: usize, parent: usize, highest_is_shared: &mut bool) {
         self.depth[parent] = self.depth[parent].max(self.depth[node] + 1);
         self.magnitude[parent] += self.magnitude[node];

@@ -1,4 +1,4 @@
-//! The cells of a map, and a rim of one cell around them: so every cell of the map has eight neighbours.
+//! The cells of a map, with a rim of one cell around them, so that every cell of the map has eight neighbours.
 
 use std::num::NonZero;
 
@@ -12,29 +12,30 @@ use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::land::{CoastDistance, Parabola, SmoothedDistance};
 
-/// Which cells are land, and how far each is from the sea.
+/// The cells of a map with the distance of each from the sea, which tells land from water.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cells {
-    /// Of a row, the rim included.
+    /// The number of columns, the rim included.
     pub columns: usize,
-    /// With the rim.
+    /// The number of rows, the rim included.
     pub rows: usize,
-    /// The side of each, in units.
+    /// The side of a cell, in units.
     pub size: f32,
-    /// The middle of the first cell of the map, in cells from its corner: a half; 0 if middles are the corners of a lattice.
+    /// Where the map's first cell has its middle, in cells from the map's corner: 0.5; 0 if middles are the corners of a lattice.
     pub middle: f32,
-    /// How far inland the middle of each lies, in units; 0 or less at sea.
+    /// The distance of the middle of each cell from the coast, in units: positive on land, 0 or less at sea.
     pub inland: Vec<f32>,
-    /// The distance of each middle from the coast of the low stand, in units, if the sea has risen since; else empty.
+    /// The distance of the middle of each cell from the coast of the low stand, in units; empty if the sea has not risen.
     pub from_low_stand: Vec<f32>,
 }
 
-/// What lies beyond the map where land runs on, or nothing is known: it is no land, and water does not run there.
+/// The distance of cells beyond the map where land runs on or nothing is known: they are neither land nor sea, and
+/// water does not run there.
 const BEYOND: f32 = f32::NEG_INFINITY;
 
 impl Cells {
     pub fn new(settings: &ReliefSettings) -> Result<Self, Refused> {
-        /// What the smoothed distance takes on the way, of the finest land, whose corners are as many as cells.
+        /// The temporary memory of the smoothed distance on the finest land, whose lattice has as many corners as the map has cells.
         const BYTES_A_CELL: usize = 8;
         let Grid { cell_size, columns, rows } = settings.grid;
         let (columns, rows) = (columns + 2, rows + 2);
@@ -56,13 +57,13 @@ impl Cells {
             this.from_low_stand = this.measured(&SmoothedDistance::of(low_stand), list, settings.threads);
         }
         if !(0..this.inland.len()).any(|cell| this.is_sea(cell)) {
-            // Water has to leave somewhere.
+            // Water has to leave the map somewhere.
             this.inland.iter_mut().filter(|inland| **inland == BEYOND).for_each(|inland| *inland = 0.0);
         }
         Ok(this)
     }
 
-    /// The corners of a lattice of distances as the middles of cells.
+    /// Makes cells whose middles are the corners of a lattice of coast distances.
     pub fn of_corners(distance: &CoastDistance) -> Result<Self, Refused> {
         let (columns, rows) = distance.size();
         let (columns, rows) = (columns + 2, rows + 2);
@@ -75,7 +76,7 @@ impl Cells {
         Ok(this)
     }
 
-    /// The distances of all middles, as pictures show them, in a list for all cells.
+    /// Fills a list with the distance of the middle of each cell of the map from the coast, as pictures show that; leaves the rim.
     fn measured(&self, distance: &SmoothedDistance, mut list: Vec<f32>, threads: NonZero<usize>) -> Vec<f32> {
         for_each_row(&mut list, self.columns, threads, |row, list| {
             if !(1..self.rows - 1).contains(&row) {
@@ -90,7 +91,7 @@ impl Cells {
         list
     }
 
-    /// All is land; the sea lies beyond some sides.
+    /// Makes all cells land, and the rim sea where a side of the map is open.
     fn open(&mut self, settings: &ReliefSettings) {
         let mut list = std::mem::take(&mut self.inland);
         let is_open = settings.domain.sides(Vec2::ZERO).map(|(side, _)| settings.sides.contains(side));
@@ -104,7 +105,7 @@ impl Cells {
                 *inland = match is_rim_row || is_rim_column {
                     true if (is_rim_row && is_rim_column) || nearest > self.size => BEYOND,
                     true => nearest.min(0.0),
-                    // Where the last cells reach over the border.
+                    // The last cells may reach over the border, and are land even so.
                     false => nearest.max(self.size * 0.1),
                 };
             }
@@ -117,8 +118,8 @@ impl Cells {
         self.inland[cell] > 0.0
     }
 
-    /// The distance of a cell of land from the coast by which hillsides steepen, in units: that of the low stand, if the sea has
-    /// risen. Drowned valleys are as steep at the water as they were at that height.
+    /// Returns the distance of a cell of land from the coast by which hillsides steepen, in units: from the coast of the
+    /// low stand if the sea has risen, so that drowned valleys stay as steep at the water as they were at that height.
     #[inline]
     pub fn way_inland(&self, cell: usize) -> f32 {
         self.from_low_stand.get(cell).map_or(self.inland[cell], |far| far.max(self.inland[cell]))
@@ -129,32 +130,32 @@ impl Cells {
         self.inland[cell] <= 0.0 && self.inland[cell] > BEYOND
     }
 
-    /// Whether a cell lies beyond the map.
+    /// Returns `true` if a cell lies in the rim, beyond the map.
     pub fn is_rim(&self, cell: usize) -> bool {
         let (row, column) = (cell / self.columns, cell % self.columns);
         row == 0 || column == 0 || row + 1 == self.rows || column + 1 == self.columns
     }
 
-    /// The cell of a point; of one beyond the map, the nearest.
+    /// Returns the cell at a point; the nearest for a point beyond the map.
     #[inline]
     pub fn of(&self, point: Vec2) -> usize {
         let index = |x: f32, count: usize| ((x / self.size + (0.5 - self.middle)) as usize + 1).min(count - 2);
         index(point.y, self.rows) * self.columns + index(point.x, self.columns)
     }
 
-    /// The number of a cell of the map among all cells of that, row by row.
+    /// Returns the index of a cell of the map in lists without the rim.
     #[inline]
     pub fn without_rim(&self, cell: usize) -> usize {
         (cell / self.columns - 1) * (self.columns - 2) + cell % self.columns - 1
     }
 
-    /// The cells to the west, east, north and south.
+    /// Returns the cells to the west, east, north and south of a cell.
     #[inline]
     pub fn beside(&self, cell: usize) -> [usize; 4] {
         [cell - 1, cell + 1, cell - self.columns, cell + self.columns]
     }
 
-    /// The eight cells around one.
+    /// Returns the eight cells around a cell.
     pub fn around(&self, cell: usize) -> [usize; 8] {
         let (north, south) = (cell - self.columns, cell + self.columns);
         [cell - 1, cell + 1, north - 1, north, north + 1, south - 1, south, south + 1]
@@ -166,13 +167,13 @@ impl Cells {
         row.abs_diff(other / self.columns) <= 1 && column.abs_diff(other % self.columns) <= 1
     }
 
-    /// A cell that shares a side with each of two cells that touch at a corner alone; `None` for other cells.
+    /// Returns a cell that shares a side with each of two cells that touch only at a corner; `None` for other cells.
     pub fn between(&self, one: usize, other: usize) -> Option<usize> {
         let (row, column) = (one / self.columns, other % self.columns);
         (row != other / self.columns && column != one % self.columns).then_some(row * self.columns + column)
     }
 
-    /// The nearest cell of the sea within a few cells; of several the first, row by row. `None` if there is none.
+    /// Finds the cell of the sea nearest to a cell, at most four cells away along each axis; among equals the first, row by row.
     pub fn sea_near(&self, cell: usize) -> Option<usize> {
         const FAR: isize = 4;
         const SIDE: isize = 2 * FAR + 1;
@@ -194,29 +195,29 @@ impl Cells {
         nearest.map(|(_, sea)| sea)
     }
 
-    /// All cells of the map that are land, row by row.
+    /// Iterates over the cells of land, row by row.
     pub fn land(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))
     }
 
-    /// The number of cells of the map that are land.
+    /// Counts the cells of land.
     #[inline(never)] // one copy
     pub fn land_count(&self) -> usize {
-        // Over the list, since a range of numbers would not be counted many at a time.
+        // The list can be counted many entries at a time, a range of indices cannot.
         self.inland.iter().filter(|&&inland| inland > 0.0).count()
     }
 
-    /// The area of all land, in square units.
+    /// Returns the area of all land, in square units.
     pub fn land_area(&self) -> f32 {
         self.land_count() as f32 * self.size * self.size
     }
 
-    /// Where the middle of a cell lies.
+    /// Returns the middle of a cell, in units.
     pub fn point(&self, cell: usize) -> Vec2 {
         Vec2::new(self.coordinate(cell % self.columns), self.coordinate(cell / self.columns))
     }
 
-    /// The middle of a column or row, in units.
+    /// Returns the middle of a column or row, in units.
     #[inline]
     pub fn coordinate(&self, index: usize) -> f32 {
         (index as f32 - 1.0 + self.middle) * self.size

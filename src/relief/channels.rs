@@ -10,13 +10,13 @@ use crate::base::memory::{Refused, lengthen, reserve};
 use crate::base::work;
 use crate::network::{Network, River};
 
-/// A cell that a river passes, and the height of the water there by the river's own profile, in units.
+/// A cell that a river passes, with the height of the water there by the river's own profile, in units.
 pub(super) type Step = (u32, f32);
 
 /// A river's path.
 #[derive(Clone, Copy, Debug)]
 struct Path {
-    /// Its first step, at the source, and the one behind its last. Each step touches the next.
+    /// The first step, at the source, and the end of the range. The cell of each step touches the next.
     start: u32,
     end: u32,
 }
@@ -30,13 +30,13 @@ impl Path {
 /// The paths of all rivers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Channels {
-    /// Of all paths, one after another.
+    /// The steps of all paths, one path after another.
     steps: Vec<Step>,
-    /// Of the rivers that have been walked.
+    /// The paths of the rivers that have been walked, in the order of rivers.
     paths: Vec<Path>,
-    /// The numbers of all rivers, each after the one that it joins.
+    /// The indices of all rivers, each after the one that it joins.
     parents_first: Vec<u32>,
-    /// Until all have been walked: of each vertex its elevation, in units, and its step.
+    /// The elevation of each vertex, in units, and its step; both empty once all rivers have been walked.
     elevations: Vec<f32>,
     step_of: Vec<u32>,
 }
@@ -45,7 +45,7 @@ pub(super) struct Channels {
 const LEAST_FALL: f32 = 1e-5;
 
 impl Channels {
-    /// Rivers that have not been walked yet, each vertex as high as given, in units.
+    /// Prepares rivers for the walk; `elevations` has the height of each vertex, in units.
     pub fn new(network: &Network, elevations: Vec<f32>) -> Result<Self, Refused> {
         let vertices = network.vertices.len();
         let mut this = Self { parents_first: parents_first(network)?, elevations, ..Self::default() };
@@ -55,7 +55,7 @@ impl Channels {
         Ok(this)
     }
 
-    /// Rivers that have been walked, each with the steps of its path; none joins another.
+    /// Makes rivers that have been walked from the steps of their paths; none joins another.
     #[cfg(test)]
     pub fn of_paths(paths: &[Vec<(usize, f32)>]) -> Self {
         let mut this = Self { parents_first: (0..paths.len() as u32).collect(), ..Self::default() };
@@ -67,9 +67,9 @@ impl Channels {
         this
     }
 
-    /// Walks some more rivers from cell to cell. Returns whether there are more.
+    /// Walks some more rivers from cell to cell. Returns `true` if there are more.
     pub fn walk(&mut self, cells: &Cells, network: &Network) -> Result<bool, Refused> {
-        /// Having walked over so many cells, it goes on another time.
+        /// The number of cells after which a call ends.
         const CELLS_A_STEP: usize = 50_000;
         let begun = self.steps.len();
         while let Some(river) = network.rivers.get(self.paths.len()) {
@@ -84,7 +84,7 @@ impl Channels {
 
     fn walk_river(&mut self, cells: &Cells, network: &Network, river: &River) -> Result<(), Refused> {
         let start = self.paths.last().map_or(0, |path| path.end as usize);
-        // Nothing is left of a walk that was refused.
+        // A walk that ran out of memory may have left steps.
         self.steps.truncate(start);
         let mut walk = Walk { cells, steps: &mut self.steps, start };
         let place = |i: usize| (network.vertices[i].at, self.elevations[i]);
@@ -102,8 +102,8 @@ impl Channels {
         Ok(())
     }
 
-    /// Makes every river fall from each cell to the next, by next to nothing where it is level. Heights are only ever
-    /// lowered, and stay above the sea. Cells that several rivers pass are those of the one they reach last.
+    /// Makes every river fall from each cell to the next, minimally where it is level. Heights are only ever lowered,
+    /// and stay above the sea. Where rivers share cells, only the one that the others join is sure to fall.
     pub fn let_fall(&self, cells: &Cells, heights: &mut [f32]) {
         work::count(self.steps.len());
         for &river in self.parents_first.iter().rev() {
@@ -116,9 +116,9 @@ impl Channels {
         }
     }
 
-    /// Calls a function with each cell of a river that stands above a bank, and the height of the lowest, by the heights
-    /// of all cells so far. A bank that touches the river's next cell does not count: water that runs over it comes back.
-    /// Returns the sum of the differences, in units.
+    /// Calls `lower` with each cell of a river that stands above a bank, and with the height of its lowest bank, by the
+    /// given heights of all cells. A bank that touches the river's next cell does not count: water that runs over it
+    /// comes back. Returns the sum of the differences, in units.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
@@ -142,7 +142,7 @@ impl Channels {
         Ok(lowered)
     }
 
-    /// The number of steps of all paths.
+    /// Returns the number of steps of all paths.
     pub fn len(&self) -> usize {
         self.steps.len()
     }
@@ -151,13 +151,14 @@ impl Channels {
         &self.steps[self.paths[river].range()]
     }
 
-    /// The steps of each river's path, from its source down.
+    /// Iterates over the paths of all rivers, each as its steps from the source down.
     pub fn paths(&self) -> impl Iterator<Item = &[Step]> + '_ {
         self.paths.iter().map(|path| &self.steps[path.range()])
     }
 }
 
-/// The numbers of all rivers, each after the one that it joins: rivers that take over another's upper course may stand before it.
+/// Lists the indices of all rivers, each after the one that it joins, which comes later in the network if an upper
+/// course was taken over.
 pub(super) fn parents_first(network: &Network) -> Result<Vec<u32>, Refused> {
     let (mut order, mut upward, mut is_listed) = (Vec::new(), Vec::new(), Vec::new());
     reserve(&mut order, network.rivers.len())?;
@@ -175,16 +176,16 @@ pub(super) fn parents_first(network: &Network) -> Result<Vec<u32>, Refused> {
     Ok(order)
 }
 
-/// The making of one path.
+/// A path in the making.
 struct Walk<'a> {
     cells: &'a Cells,
     steps: &'a mut Vec<Step>,
-    /// Its first step.
+    /// The index of the first step of the path.
     start: usize,
 }
 
 impl Walk<'_> {
-    /// Goes from one place to the next, each with its height.
+    /// Walks straight from one point to another, each with its height, in units.
     fn straight(&mut self, from: (Vec2, f32), to: (Vec2, f32)) -> Result<(), Refused> {
         // At most a cell to the side each time.
         let count = (distance(from.0, to.0) / (0.5 * self.cells.size)).ceil().max(1.0);
@@ -207,7 +208,8 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// From a mouth on by the way down, until there is sea beside it: a coast runs through its cells anyhow.
+    /// Walks from a mouth on until a neighbouring cell is sea: the mouth lies on the coast line, which passes through
+    /// cells.
     fn down_to_the_sea(&mut self) -> Result<(), Refused> {
         let cells = self.cells;
         while let Some(&(cell, height)) = self.steps[self.start..].last() {

@@ -1,5 +1,5 @@
-//! Soil creep: hillsides are rounded a little, so that ridges are no roofs and gentle ground is calm. Rivers stay as high
-//! as they are, and each cell that had a lower neighbour still has one.
+//! Soil creep: hillsides are rounded a little, so that ridges are not sharp and gentle ground is smooth. Rivers stay as
+//! high as they are, and each cell that had a lower neighbour still has one.
 
 use std::num::NonZero;
 
@@ -9,13 +9,13 @@ use crate::base::memory::{Refused, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
 
-/// The number of times that hillsides are averaged with their neighbours.
+/// The number of times that each cell is averaged with its neighbours.
 const ROUNDS: u32 = 2;
 
-/// The share by which a cell comes nearer to the average of its neighbours in a round.
+/// The share of the way to the average of its neighbours that a cell moves in a round.
 const SHARE: f32 = 0.75;
 
-/// Heights that creep, in the making.
+/// Heights while soil creeps.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Creep {
     /// The heights of all cells, the rim included; infinite where there is no land.
@@ -35,7 +35,7 @@ impl Creep {
         Ok(Self { heights, next, rounds: 0 })
     }
 
-    /// Makes a round; `is_fixed` says which cells stay. Returns `true` if there are more.
+    /// Averages each cell with its neighbours once, but for cells that `is_fixed`. Returns `true` if another round follows.
     pub fn advance(&mut self, cells: &Cells, is_fixed: &[bool], threads: NonZero<usize>) -> bool {
         work::count(6 * self.heights.len());
         let Self { heights, next, .. } = self;
@@ -53,9 +53,9 @@ impl Creep {
     }
 }
 
-/// The next height of a cell. It falls at most half the way to its lowest neighbour, and rises at most half the way to the
-/// lowest of those above it: therefore a cell's lowest neighbour stays lower. Neither does it fall below a river beside it,
-/// which would stand on a dam.
+/// Returns the next height of a cell. The cell falls at most halfway to its lowest neighbour and rises at most halfway
+/// to the lowest of its higher neighbours, so its lowest neighbour stays lower. It does not fall below a river beside
+/// it either, which would then stand on a dam.
 #[inline]
 fn crept(heights: &[f32], is_fixed: &[bool], columns: usize, cell: usize) -> f32 {
     let own = heights[cell];
@@ -79,13 +79,13 @@ fn crept(heights: &[f32], is_fixed: &[bool], columns: usize, cell: usize) -> f32
     fast_min(fast_max(wanted, least), most)
 }
 
-/// The highest that a cell, and the lowest that a higher neighbour, may become.
+/// Returns the greatest height that the lower of two neighbours may reach, and the least that the higher one may fall to.
 fn halfway(low: f32, high: f32) -> (f32, f32) {
     let middle = low + (high - low) * 0.5;
     if middle > low { (middle.next_down(), middle) } else { (low, high) }
 }
 
-/// The binomial average of a cell and its eight neighbours; those without a height count as the cell itself.
+/// Returns the binomial average of a cell and its eight neighbours; neighbours without a height count as the cell itself.
 #[inline]
 fn average(heights: &[f32], columns: usize, cell: usize) -> f32 {
     let own = heights[cell];
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use crate::property::cases;
 
-    /// A few cells with a rim, of few different heights, some of them nearly equal, some without any.
+    /// Generates a few cells with a rim, with few different heights, some of them nearly equal, some infinite; and which are fixed.
     fn cells() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<bool>)> {
         (4usize..12, 4usize..12).prop_flat_map(|(columns, rows)| {
             let height =

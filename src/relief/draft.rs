@@ -1,8 +1,8 @@
-//! The relief for a moment, while a slider moves: that of other mountains, by a single look at each cell.
+//! Drafts of a relief, for the moment while a slider moves: that of other mountains, by a single look at each cell.
 //!
-//! Other mountains make each hillside so many times as steep, by a factor that changes slowly from place to place. So what was lower stays lower:
-//! taken in the order of their former heights, cells find those that they rise over behind them, as a front that marches does, and there is no
-//! queue. How steep a cell was its former height says. Rivers stay as high as they were, but where the land is now lower.
+//! Other mountains multiply the steepness of each hillside by a factor that changes slowly from place to place. So lower cells stay
+//! lower: in the order of their former heights, each cell comes after those that it rises over, as in a marching front, without its
+//! queue. The former heights tell how steep a cell was. Rivers stay as high as they were, except where the land is now lower.
 
 use std::sync::Arc;
 
@@ -15,27 +15,27 @@ use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::sort::{argsort, key};
 use crate::base::work;
 
-/// What drafts of a relief are made of.
+/// A finished relief, prepared for drafts with other mountains.
 #[derive(Debug)]
 pub(crate) struct ReliefDrafts {
     relief: Arc<Relief>,
-    /// Those of the relief.
+    /// The settings of the relief.
     settings: ReliefSettings,
     cells: Cells,
-    /// Its heights before any wear, with the rim; infinite where there is no land.
+    /// The heights of all cells before wear, the rim included; infinite where there is no land.
     heights: Vec<f32>,
     /// All cells of land, the lowest first.
     order: Vec<usize>,
 }
 
 impl ReliefDrafts {
-    /// Of the relief of these rivers and settings.
+    /// Prepares drafts of a relief that was made with these settings.
     ///
     /// # Errors
     /// If there is not enough memory.
     pub fn new(relief: &Arc<Relief>, settings: ReliefSettings) -> Result<Self, ReliefError> {
         const BYTES_A_CELL: usize = 24;
-        // The solver asks for more memory than is taken once it has gone.
+        // The solver asked for more than this, and has freed it.
         let bytes = settings.grid.columns * settings.grid.rows * BYTES_A_CELL;
         let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
         ask(bytes).map_err(refused)?;
@@ -51,7 +51,7 @@ impl ReliefDrafts {
         Ok(Self { relief: relief.clone(), settings, cells, heights, order })
     }
 
-    /// The relief with other mountains and plains than its own, nearly.
+    /// Returns an approximation of the relief with other mountains and plains.
     ///
     /// # Errors
     /// If there is not enough memory.
@@ -69,7 +69,7 @@ impl ReliefDrafts {
         Ok(relief)
     }
 
-    /// The height of a cell by those of the lower ones.
+    /// Computes the height of a cell from the new heights of the lower cells around it.
     fn height(&self, cell: usize, settings: &ReliefSettings, heights: &[f32]) -> f32 {
         let columns = self.cells.columns;
         let way = self.cells.way_inland(cell);
@@ -78,7 +78,7 @@ impl ReliefDrafts {
         let (across, down) = (over(cell - 1, cell + 1), over(cell - columns, cell + columns));
         let rise = (across * across + down * down).sqrt();
         let factor = now / slope(&self.settings, way);
-        // What rises over no other cell rises over the sea.
+        // A cell without lower neighbours rises from the sea.
         if rise > 0.0 { solved(heights, columns, cell, rise * factor) } else { was * factor }
     }
 }
@@ -91,7 +91,7 @@ mod tests {
     use crate::recipe::link;
     use crate::session::Session;
 
-    /// The rivers of a link, and the drafts of their relief.
+    /// Grows the rivers of a link, and prepares drafts of their relief.
     fn drafts_of(text: &str) -> (Session, ReliefDrafts) {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();
         session.finish().unwrap();
@@ -100,7 +100,7 @@ mod tests {
         (session, drafts)
     }
 
-    /// How far the heights of land are from others, on average, as a share of the height that the highest hundredth has.
+    /// Returns the mean difference between the heights of land in two reliefs, as a share of the 99th percentile of the exact one.
     fn error(draft: &Relief, exact: &Relief) -> f32 {
         let land = || draft.heights().iter().zip(exact.heights()).filter(|(_, height)| **height > 0.0);
         let sum: f32 = land().map(|(one, other)| (one - other).abs()).sum();

@@ -1,5 +1,5 @@
-//! The relief on a finer grid, for files: rivers stay as high as they are on the map's own, but where they would stand on dams, and hillsides
-//! are solved anew.
+//! The relief on a finer grid, for files: hillsides are solved anew, and rivers stay as high as on the map's own grid,
+//! except where they would stand on dams.
 
 use glam::Vec2;
 
@@ -10,7 +10,7 @@ use crate::base::memory::{Refused, lengthen};
 use crate::network::{Network, River};
 
 impl Relief {
-    /// The relief of the same rivers on the grid of `settings`, which are else those of this one.
+    /// Solves the relief of the same rivers on the grid of `settings`, which otherwise have to be those of this relief.
     ///
     /// # Errors
     /// If there is not enough memory.
@@ -27,7 +27,7 @@ impl Relief {
     }
 }
 
-/// The height of the water at each vertex, in units, as a relief has it.
+/// The height of the water at each vertex, in units, read from a relief.
 struct Water<'a> {
     relief: &'a Relief,
     heights: Vec<f32>,
@@ -44,7 +44,8 @@ impl<'a> Water<'a> {
         Ok(this)
     }
 
-    /// A river leaves each cell of the relief at the height of that cell. Between these places it falls evenly: it has no stairs of cells.
+    /// Sets the heights along a river, which leaves each cell of the relief at the height of that cell. In between it
+    /// falls evenly, not in steps from cell to cell.
     fn follow(&mut self, river: &River, course: &[Vec2]) {
         let along = lengths(course);
         let mut upper: Option<(usize, f32)> = None;
@@ -53,7 +54,7 @@ impl<'a> Water<'a> {
             let way = along[place] - along[first];
             for i in first..=place {
                 let share = if way > 0.0 { (along[i] - along[first]) / way } else { 1.0 };
-                // A junction is its own river's.
+                // A junction is a vertex of the river that is joined, and keeps its height.
                 if let Some(own) = self.heights[river.vertex_range()].get_mut(i) {
                     *own = from + (height - from) * share;
                 }
@@ -62,7 +63,8 @@ impl<'a> Water<'a> {
         }
     }
 
-    /// Where on its course a river leaves a cell of land, and how high; last its end.
+    /// Lists the indices in a course at which a river leaves a cell of land, and its end, each with the height there,
+    /// in units.
     fn known(&self, river: &River, course: &[Vec2]) -> Vec<(usize, f32)> {
         let cells: Vec<usize> = course.iter().map(|&at| self.relief.cell(at)).collect();
         let height = |cell: usize| self.relief.heights[cell];

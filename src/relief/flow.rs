@@ -1,4 +1,4 @@
-//! Where water runs on a relief: from cell to cell, along rivers where there are any, elsewhere by the steepest way down.
+//! Flow over a relief: water runs from cell to cell, along rivers where there are any, elsewhere by the steepest way down.
 
 use glam::Vec2;
 
@@ -14,35 +14,35 @@ use crate::network::{NONE, Network};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Flow {
-    /// Of each cell, the code of the neighbour that its water runs to (D8): 1 is east, 2 south-east, 4 south, 8 south-west, 16 west, 32
-    /// north-west, 64 north, 128 north-east; 0 at sea. It leads off the map where the sea lies beyond the border, and from a cell at the
-    /// border that has no lower neighbour.
+    /// For each cell, the code of the neighbour that its water runs to (D8): 1 is east, 2 south-east, 4 south, 8
+    /// south-west, 16 west, 32 north-west, 64 north, 128 north-east; 0 at sea. It leads off the map where the sea lies
+    /// beyond the border, and from a cell at the border that has no lower neighbour.
     pub directions: Vec<u8>,
-    /// Of each cell, the number of its basin: that of the mouth by which its water reaches the sea, counted from 1 in the order of
-    /// rivers; 0 at sea, and where water runs to the sea in no river.
+    /// For each cell, the number of its basin, which is that of the mouth where its water reaches the sea, counted from
+    /// 1 in the order of rivers; 0 at sea, and where water reaches the sea in no river.
     pub basins: Vec<u32>,
-    /// Of each cell, the river that its water follows; [`NONE`] elsewhere. Of several in one cell, the greatest.
+    /// For each cell, the river that passes it, the greatest of several; [`NONE`] where no river passes.
     pub rivers: Vec<u32>,
-    /// Of each basin, the river in whose mouth it ends: that of basin 1 comes first.
+    /// For each basin, from basin 1 on, the river at whose mouth it ends.
     pub mouths: Vec<u32>,
 }
 
 /// The codes in the order of [`Field::around`].
 const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
 
-/// How far to the east and to the south a code leads.
+/// Returns how many columns to the east and rows to the south the code of a direction leads; `None` if there is no such code.
 fn offset(code: u8) -> Option<(isize, isize)> {
     const OFFSETS: [(isize, isize); 8] = [(-1, 0), (1, 0), (-1, -1), (0, -1), (1, -1), (-1, 1), (0, 1), (1, 1)];
     CODES.iter().position(|known| *known == code).map(|i| OFFSETS[i])
 }
 
 impl Flow {
-    /// The flow of a relief, which is that of these rivers and settings, their grid included.
+    /// Computes the flow of a relief that was made of these rivers with these settings, on their grid.
     ///
     /// # Errors
     /// If there is not enough memory.
     pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
-        /// Of all lists of cells together, and of paths where rivers have few vertices.
+        /// All lists of cells together, and paths where rivers have few vertices.
         const BYTES_A_CELL: usize = 80;
         const BYTES_A_VERTEX: usize = 40;
         let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
@@ -53,7 +53,7 @@ impl Flow {
         Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
     }
 
-    /// The cell that the water of a cell runs to, on the grid of this flow; `None` off the map, and at sea.
+    /// Returns the cell that the water of a cell runs to, on the grid of this flow; `None` if it leaves the map, and at sea.
     pub fn next(&self, grid: &Grid, cell: usize) -> Option<usize> {
         let (east, south) = offset(self.directions[cell])?;
         let column = (cell % grid.columns).checked_add_signed(east).filter(|&column| column < grid.columns)?;
@@ -79,8 +79,8 @@ impl Flow {
         }
     }
 
-    /// The rings around all cells of each basin, in units, on the grid of this flow: that of basin 1 comes first. Land lies to the left
-    /// of a ring as a map shows it, and cells that only touch at a corner are apart.
+    /// Traces the rings around each basin, from basin 1 on, in units, on the grid of this flow. Seen on a map, the
+    /// basin lies to the left of its rings, and cells that touch only at a corner are apart.
     pub fn basin_rings(&self, grid: &Grid) -> Vec<Vec<Vec<Vec2>>> {
         let mut cells: Vec<Vec<usize>> = vec![Vec::new(); self.mouths.len()];
         for (cell, &basin) in self.basins.iter().enumerate().filter(|(_, basin)| **basin > 0) {
@@ -90,7 +90,7 @@ impl Flow {
     }
 }
 
-/// The rings around some cells of a grid, given row by row.
+/// Traces the rings around some cells of a grid, in units; `cells` are sorted.
 pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &Grid) -> Vec<Vec<Vec2>> {
     let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else { return Vec::new() };
     let across = || cells.iter().map(|cell| cell % columns);
@@ -105,17 +105,17 @@ pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &G
     rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
 }
 
-/// Rivers on their way from cell to cell.
+/// Walks all rivers from cell to cell.
 fn walked(cells: &Cells, network: &Network) -> Result<Channels, Refused> {
     let mut channels = Channels::new(network, vec![0.0; network.vertices.len()])?;
     while channels.walk(cells, network)? {}
     Ok(channels)
 }
 
-/// Heights of the map's cells and of the rim around them.
+/// The heights of the map's cells and of the rim around them.
 struct Field {
     cells: Cells,
-    /// All of the sea is level; infinite where no water runs.
+    /// Heights in units, the rim included: 0 for all of the sea; infinite where no water runs.
     heights: Vec<f32>,
 }
 
@@ -129,13 +129,13 @@ fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
 }
 
 impl Field {
-    /// The map's cells, row by row.
+    /// Iterates over the map's cells, without the rim, row by row.
     fn inside(&self) -> impl Iterator<Item = usize> + '_ {
         let Cells { columns, rows, .. } = self.cells;
         (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| row * columns + column))
     }
 
-    /// Of each cell, the greatest river that passes it on land.
+    /// Finds the greatest river that passes each cell of land; [`NONE`] elsewhere.
     fn rivers(&self, channels: &Channels, network: &Network) -> Vec<u32> {
         let mut greatest = vec![NONE; self.heights.len()];
         let discharge = |river: u32| network.rivers.get(river as usize).map_or(0, |river| network.discharge(river));
@@ -149,7 +149,7 @@ impl Field {
         greatest
     }
 
-    /// Of each cell of land, the lower one that its water runs to, or one beyond the border; itself elsewhere.
+    /// Finds the lower cell, or one beyond the border, that the water of each cell of land runs to; elsewhere the cell itself.
     fn downstream(&self, channels: &Channels, network: &Network) -> Vec<usize> {
         let mut downstream: Vec<usize> = (0..self.heights.len()).collect();
         let mut discharge = vec![None; self.heights.len()];
@@ -157,7 +157,7 @@ impl Field {
             let own = Some(network.discharge(river));
             let mut path = path.iter().map(|step| step.0 as usize).peekable();
             while let Some(cell) = path.next() {
-                // Where two rivers pass a cell, the way of one may lead up from there.
+                // Where two rivers pass a cell, the path of one may lead up from there.
                 let lower = path.peek().filter(|&&next| self.heights[next] < self.heights[cell]);
                 if let Some(&next) = lower.filter(|_| self.cells.is_land(cell) && own > discharge[cell]) {
                     (downstream[cell], discharge[cell]) = (next, own);
@@ -170,8 +170,8 @@ impl Field {
         downstream
     }
 
-    /// The neighbour by which the way down is steepest. If none is lower, one beyond the border: rivers that end at the border do so
-    /// too where the sea begins between the middles of cells. In the middle of the map, the cell itself.
+    /// Returns the neighbour by which the way down is steepest; if none is lower, a cell beyond the border (rivers also
+    /// end there where the sea begins between the middles of cells), or in the interior of the map the cell itself.
     fn steepest(&self, cell: usize) -> usize {
         let slope = |(beside, code): (usize, u8)| {
             let far = if matches!(code, 1 | 4 | 16 | 64) { 1.0 } else { std::f32::consts::SQRT_2 };
@@ -183,7 +183,7 @@ impl Field {
         if slope > 0.0 { steepest } else { beyond().unwrap_or(cell) }
     }
 
-    /// Of each cell, the last one of land on its water's way.
+    /// Finds the last cell of land that the water of each cell passes.
     fn outlets(&self, downstream: &[usize]) -> Vec<usize> {
         let mut outlets: Vec<usize> = (0..downstream.len()).collect();
         let land: Vec<usize> = self.cells.land().collect();

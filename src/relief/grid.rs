@@ -11,14 +11,14 @@ use crate::domain::Domain;
 pub struct Grid {
     /// The side of a cell, in units.
     pub cell_size: f32,
-    /// How many cells lie side by side.
+    /// The number of cells in a row.
     pub columns: usize,
-    /// How many rows of cells there are.
+    /// The number of rows.
     pub rows: usize,
 }
 
 impl Grid {
-    /// The map's own, whose cells are [`CELL_SIZE`] wide.
+    /// Returns the map's own grid, whose cells are [`CELL_SIZE`] wide.
     pub fn of(domain: &Domain) -> Self {
         let size = (domain.size / CELL_SIZE).ceil();
         Self { cell_size: CELL_SIZE, columns: size.x as usize, rows: size.y as usize }
@@ -26,16 +26,16 @@ impl Grid {
 }
 
 impl Grid {
-    /// The most cells that a grid has on its longer side: as many as game engines take, which want a power of two and one.
+    /// The greatest number of cells on the longer side of a grid: the largest that game engines take, which want a power of two plus one.
     pub const MOST: u32 = 4097;
 
-    /// How many cells the grids of a map have on its longer side: from its own to [`Grid::MOST`].
+    /// Returns how many cells a grid of a map may have on its longer side: from that of the map's own grid to [`Grid::MOST`].
     pub fn sizes(domain: &Domain) -> RangeInclusive<u32> {
         Self::of(domain).longer_side()..=Self::MOST
     }
 
-    /// The grid with so many cells on the map's longer side, which they fill; with as many as the map's own has, it is that one. `None`
-    /// if that is none of [`Grid::sizes`].
+    /// Returns the grid with a number of cells on the map's longer side, which they fill exactly; the map's own grid if
+    /// it has that number. `None` if the number is not in [`Grid::sizes`].
     pub fn with_longer_side(domain: &Domain, cells: u32) -> Option<Self> {
         let own = Self::of(domain);
         if cells == own.longer_side() {
@@ -52,7 +52,7 @@ impl Grid {
     }
 }
 
-/// How many cells a length in cells takes. For a sliver, which may be rounding, there is none more.
+/// Rounds a length in cells up to whole cells. A sliver, which may be a rounding error, gets no cell.
 fn fitting(cells: f64) -> usize {
     const SLIVER: f64 = 1e-3;
     (cells - SLIVER).ceil().max(1.0) as usize

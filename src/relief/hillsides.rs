@@ -1,4 +1,4 @@
-//! The constants of hillsides. A low stand has its own: the coast that the risen sea leaves hangs on them.
+//! The constants of hillsides. A low stand has its own, since the coast after the rise of the sea depends on them.
 
 /// The constants of hillsides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,9 +12,9 @@ pub(super) struct Hillsides {
 }
 
 impl Hillsides {
-    /// Those of a map: soon steep behind the coast, and nowhere so much steeper than elsewhere that one summit stands alone.
+    /// Hillsides of a map: soon steep behind the coast, and nowhere so much steeper than elsewhere that one summit stands alone.
     pub const OF_A_MAP: Self = Self { at_the_coast: 0.9, broad: 0.6, rock: 0.8 };
 
-    /// Those of a low stand.
+    /// Hillsides of a low stand, where the sea has yet to rise.
     pub const OF_A_LOW_STAND: Self = Self { at_the_coast: 0.6, broad: 0.9, rock: 1.0 };
 }

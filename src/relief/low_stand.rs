@@ -1,8 +1,8 @@
 //! The coarse relief of a low stand, from which the coast follows once the sea rises.
 //!
-//! It is one march from the coast over the corners of the land's own lattice. Every height comes from a lower neighbour,
-//! so there is no pit, and water that rises is always connected. The recipe's keys of relief have no part in it: they
-//! never move the coast.
+//! A front marches once from the coast over the corners of the land's own lattice. Every height comes from a lower
+//! neighbour, so there is no pit, and water that rises is always connected. The recipe's keys of relief have no part in
+//! it: they never move the coast.
 
 use std::num::NonZero;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ const ENTRIES_A_STEP: usize = 40_000;
 const ONE: NonZero<usize> = NonZero::<usize>::MIN;
 
 impl LowStandRelief {
-    /// The usual hillsides of a recipe on the land of its low stand.
+    /// Prepares the relief of a recipe's low stand, with the usual hillsides.
     pub fn new(recipe: &Recipe, land: &Arc<Land>) -> Result<Self, Refused> {
         let settings = ReliefSettings::new(recipe, Some(land.clone()), 1).of_low_stand();
         let cells = Cells::of_corners(land.coast_distance())?;
@@ -40,12 +40,12 @@ impl LowStandRelief {
         Ok(Self { land: land.clone(), cells, steepness, front: Front::default() })
     }
 
-    /// Raises the land's ridges. Goes on from a piece of them; returns the next, as long as there are more.
+    /// Raises the land's ridges from a segment on. Returns the segment to go on from; `None` once all are raised.
     pub fn raise_ridges(&mut self, from: usize) -> Option<usize> {
         self.steepness.raise_ridges(&self.cells, &self.land, from)
     }
 
-    /// Makes the land at each corner so many times as steep.
+    /// Multiplies the steepness of the land at each corner by `times`, which is given the corner's index.
     pub fn steepen(&mut self, times: impl Fn(usize) -> f32) {
         work::count(self.cells.inland.len());
         for cell in self.cells.land() {
@@ -53,7 +53,7 @@ impl LowStandRelief {
         }
     }
 
-    /// Sends the front out from the coast.
+    /// Starts the front at the coast.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
@@ -64,12 +64,12 @@ impl LowStandRelief {
         Ok(())
     }
 
-    /// Moves the front on. Returns `true` if there is more to do.
+    /// Moves the front on by some entries of its queue. Returns `true` if there is more to do.
     pub fn advance(&mut self) -> bool {
         self.front.advance(ENTRIES_A_STEP, ONE)
     }
 
-    /// The height of each corner above the low stand, in units; of the sea, its distance from the coast, negative.
+    /// Returns the height of each corner above the low stand, in units; at sea, its distance from the coast, which is negative.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
@@ -79,7 +79,7 @@ impl LowStandRelief {
         self.front.write(&mut heights, ONE);
         let Cells { columns, rows, .. } = self.cells;
         let inside = (1..rows - 1).flat_map(|row| row * columns + 1..(row + 1) * columns - 1);
-        // Land that no water can leave stays above any sea.
+        // The height of land that the front did not reach, since no water can leave it: above any sea.
         const HIGH: f32 = 1e4;
         let height = |cell: usize| match self.cells.is_land(cell) {
             true => heights[cell].min(HIGH),

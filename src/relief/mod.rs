@@ -49,7 +49,7 @@ use steepness::Steepness;
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,100 to 3,000.
+/// The metres that a unit of height stands for in files: the highest land of usual maps is then 1,100 to 3,000 metres high.
 pub const METRES: f32 = 25.0;
 
 /// The heights of the cells of a grid, row by row, from north to south.
@@ -73,50 +73,50 @@ impl Relief {
         }
     }
 
-    /// The relief of a map with these heights; `None` if that is not one for each of its own cells.
+    /// Makes the relief of a map from its heights, in units; `None` unless there is one for each cell of the map's own grid.
     pub(crate) fn of_heights(domain: &Domain, heights: Vec<f32>) -> Option<Self> {
         let grid = Grid::of(domain);
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
     }
 
-    /// How many cells lie side by side. The last may reach over the map's border.
+    /// Returns the number of cells in a row. The last may reach over the map's border.
     pub fn columns(&self) -> usize {
         self.grid.columns
     }
 
-    /// How many rows of cells there are.
+    /// Returns the number of rows.
     pub fn rows(&self) -> usize {
         self.grid.rows
     }
 
-    /// Its cells.
+    /// Returns the grid of cells.
     pub fn grid(&self) -> Grid {
         self.grid
     }
 
-    /// The side of a cell, in units.
+    /// Returns the side of a cell, in units.
     pub fn cell_size(&self) -> f32 {
         self.grid.cell_size
     }
 
-    /// Heights over the sea, in units, row by row: positive on land, 0 or less at sea.
+    /// Returns the height of each cell over the sea, in units, row by row: positive on land, 0 or less at sea.
     pub fn heights(&self) -> &[f32] {
         &self.heights
     }
 
-    /// The height that a share of all land lies below, in units; 0 without land.
+    /// Returns the height that a share of all land lies below, in units; 0 without land.
     pub fn quantile(&self, share: f32) -> f32 {
-        // Some of all cells do as well as all.
+        // A seventh of the cells will do.
         let some: Vec<f32> = self.heights.iter().copied().filter(|height| *height > 0.0).step_by(7).collect();
         quantile(&some, share)
     }
 
-    /// The height of the cell of a point of the map.
+    /// Returns the height of the cell at a point, in units.
     pub fn at(&self, point: Vec2) -> f32 {
         self.heights[self.cell(point)]
     }
 
-    /// The cell of a point; of one beyond the map, the nearest.
+    /// Returns the cell at a point; the nearest for a point beyond the map.
     pub(crate) fn cell(&self, point: Vec2) -> usize {
         let Grid { cell_size, columns, rows } = self.grid;
         let index = |x: f32, count: usize| ((x / cell_size) as usize).min(count - 1);

@@ -1,4 +1,4 @@
-//! The long profile of rivers: how high they are above the sea by the ground that they run through.
+//! The long profile of rivers: their elevation above the sea, by the ground that they run through.
 
 use super::Steepness;
 use super::cells::Cells;
@@ -9,12 +9,12 @@ use crate::network::{Network, hydrology};
 /// The slope of a small river as a share of that of the hillsides around it.
 const SHARE: f32 = 0.6;
 
-/// The power of its catchment with which a river's slope falls.
+/// The exponent of the catchment with which a river's slope falls (Flint 1974).
 const CONCAVITY: f32 = 0.4;
 
-/// The elevation of each vertex of a network above the sea, in units; 0 at mouths. After Flint (1974) a river's slope
-/// falls with a power of the area it drains; and it grows with that of the hillsides, so that rivers of mountains are
-/// steep. `total_discharge` is that of a river that drained all of the land.
+/// Computes the elevation of each vertex of a network above the sea, in units; 0 at mouths. A river's slope falls with
+/// a power of the area it drains (Flint 1974), and grows with the slope of the hillsides, so that mountain rivers are
+/// steep. `total_discharge` is that of a river that would drain all of the land.
 pub(super) fn elevations(network: &Network, total_discharge: u32, cells: &Cells, ground: &Steepness) -> Vec<f32> {
     let (downstream, straightness) = (network.downstream(), hydrology::straightness(network));
     let catchment = cells.land_area() / total_discharge as f32;
@@ -26,7 +26,7 @@ pub(super) fn elevations(network: &Network, total_discharge: u32, cells: &Cells,
     })
 }
 
-/// The slope of a river as a share of that of the hillsides around it, by its catchment in square units.
+/// Returns the slope of a river as a share of that of the hillsides around it, by its catchment in square units.
 pub(super) fn share_of_slope(catchment: f32) -> f32 {
     SHARE * libm::powf((catchment / LEAST_CATCHMENT).max(1.0), -CONCAVITY)
 }

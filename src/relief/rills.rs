@@ -21,18 +21,18 @@ pub(crate) struct Rills {
     segments: Vec<Segment>,
 }
 
-/// A piece of a rill, from one node to the next downstream.
+/// A segment of a rill, from one node to the next downstream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Segment {
     from: Vec2,
     to: Vec2,
-    /// The drained share of everything.
+    /// The share of the whole map's discharge that it drains.
     share: f32,
 }
 
 impl Rills {
-    /// The nodes of a tree that trimming removes, each with the way to the next node downstream. A river that drained
-    /// everything would have a discharge of `total_discharge`.
+    /// Collects the segments from each node that trimming removes to the next downstream. `total_discharge` is that of
+    /// a river that would drain the whole map.
     pub fn of(tree: &Tree, trim: Trim, total_discharge: u32) -> Arc<Self> {
         let Hydrology { discharge, .. } = Hydrology::of(tree);
         let stays = prune::stays(tree, &discharge, trim);
@@ -46,26 +46,26 @@ impl Rills {
     }
 }
 
-/// The cells that rills pass, in the making.
+/// The cells that rills pass, while rills are walked.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RillCells {
-    /// The greatest share of everything that a rill drains in each cell; 0 where there is none.
+    /// The greatest share of the whole map that a rill drains in each cell; 0 where there is no rill.
     pub shares: Vec<f32>,
-    /// The number of pieces walked so far.
+    /// The number of segments walked so far.
     walked: usize,
 }
 
 impl RillCells {
-    /// Room for a number of cells.
+    /// Makes a number of cells that no rill passes yet.
     pub fn new(cells: usize) -> Result<Self, Refused> {
         let mut this = Self::default();
         lengthen(&mut this.shares, cells, 0.0)?;
         Ok(this)
     }
 
-    /// Walks some more pieces from cell to cell. Returns `true` if there are more.
+    /// Walks some more segments from cell to cell. Returns `true` if there are more.
     pub fn walk(&mut self, cells: &Cells, rills: &Rills) -> bool {
-        /// The number of elementary steps after which it goes on another time.
+        /// The number of elementary steps after which a call ends.
         const STEPS: u64 = 500_000;
         let begun = work::steps();
         while let Some(segment) = rills.segments.get(self.walked) {
@@ -78,7 +78,7 @@ impl RillCells {
         false
     }
 
-    /// Marks the cells of a piece. Each shares a side with the next, as the march goes from side to side.
+    /// Marks the cells of a segment. Each shares a side with the next, since the front moves from side to side.
     fn mark(&mut self, cells: &Cells, segment: &Segment) {
         let steps = (distance(segment.from, segment.to) / (0.5 * cells.size)).ceil().max(1.0);
         work::count(2 * steps as usize);
@@ -101,20 +101,20 @@ pub(super) const LEAST_CATCHMENT: f32 = 60.0;
 /// The law by which ground is gentler where rills run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gentleness {
-    /// The strength, from 0 to 1.
+    /// The strength of rills, from 0 to 1.
     rills: f32,
-    /// The share of everything up to which rills are equally steep.
+    /// The share of the whole map up to which rills are equally steep.
     least_share: f32,
 }
 
 impl Gentleness {
-    /// The law at a strength from 0 to 1 on a number of square units of land.
+    /// Derives the law from the strength of rills, from 0 to 1, and the area of land, in square units.
     pub fn new(rills: f32, land: f32) -> Self {
         Self { rills, least_share: LEAST_CATCHMENT / land.max(LEAST_CATCHMENT) }
     }
 
-    /// The factor for the steepness of a cell in which rills drain at most a share of everything; 0 if none runs there.
-    /// After Flint (1974), slope falls with a power of the drained area.
+    /// Returns the factor for the steepness of a cell whose greatest rill drains a share of the whole map, 0 if no rill
+    /// passes. Slope falls with a power of the drained area (Flint 1974).
     pub fn factor(self, share: f32) -> f32 {
         const RIDGES: f32 = 0.25;
         const VALLEYS: f32 = 0.67;
@@ -139,7 +139,7 @@ mod tests {
         session
     }
 
-    /// The cells of a map and the rills in them.
+    /// Returns the cells of a map, its rills, and the cells that these pass.
     fn walked(session: &Session) -> (Cells, Arc<Rills>, RillCells) {
         let settings = session.map().unwrap().relief_settings();
         let cells = Cells::new(&settings).unwrap();

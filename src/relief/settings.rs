@@ -18,36 +18,37 @@ use crate::recipe::{NumberKey, Recipe, Sides};
 pub struct ReliefSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
-    /// The rectangle.
+    /// The rectangle of the map.
     pub domain: Domain,
     /// The cells whose heights are found.
     pub grid: Grid,
-    /// The land; `None` if all of the domain is.
+    /// The land; `None` if all of the domain is land.
     pub land: Option<Arc<Land>>,
     /// The distances from the coast of the low stand, if the sea has risen since the rivers began; hillsides go by them.
     pub low_stand: Option<Arc<CoastDistance>>,
     /// The sides beyond which lies the sea, where all of the domain is land.
     pub sides: Sides,
-    /// The discharge of a river that drains everything.
+    /// The discharge of a river that would drain the whole map.
     pub total_discharge: u32,
-    /// The steepness of hillsides far from any coast, in height a unit of way.
+    /// The slope of hillsides far from any coast: rise over run.
     pub mountains: f32,
-    /// How far from the coast hillsides become as steep as that, in units.
+    /// The distance from the coast at which hillsides reach the slope of mountains, in units.
     pub plains: f32,
-    /// The number of threads that may work on it. The result does not depend on it.
+    /// The number of threads that may work on the relief. The result does not depend on it.
     pub threads: NonZero<usize>,
     /// The strength with which rills carve the hillsides, from 0 to 1.
     pub rills: f32,
     /// The constants of hillsides.
     pub(super) hillsides: Hillsides,
-    /// The hard and soft ground that rivers grew on, if they did: its wavelength, in units, and its contrast.
+    /// The wavelength, in units, and the contrast of the hard and soft ground that rivers grew on; `None` if they grew on even ground.
     pub(crate) rock: Option<(f32, f32)>,
-    /// The rills, if they are known.
+    /// The rills; `None` if they are unknown, or carve nothing.
     pub(crate) rill_lines: Option<Arc<Rills>>,
 }
 
 impl ReliefSettings {
-    /// The settings of a recipe on some land, for the map's own grid; `total_discharge` is the discharge of a river that drained everything.
+    /// Resolves a recipe's settings on some land, for the map's own grid; `total_discharge` is that of a river that
+    /// would drain the whole map.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, total_discharge: u32) -> Self {
         let domain = Domain::of(recipe);
         Self {
@@ -68,31 +69,31 @@ impl ReliefSettings {
         }
     }
 
-    /// The same where the sea has risen from the coast of a low stand.
+    /// Replaces the coast of the low stand from which the sea has risen; `None` if it has not.
     #[must_use]
     pub(crate) fn with_low_stand(self, low_stand: Option<Arc<CoastDistance>>) -> Self {
         Self { low_stand, ..self }
     }
 
-    /// The same with the hillsides of a low stand, and the usual mountains and plains whatever the recipe asks for.
+    /// Replaces hillsides by those of a low stand, and mountains and plains by the usual ones, whatever the recipe asks for.
     pub(super) fn of_low_stand(self) -> Self {
         let usual = Recipe::default();
         let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| usual.number(key));
         Self { mountains, plains, hillsides: Hillsides::OF_A_LOW_STAND, ..self }
     }
 
-    /// The same settings on ground of some wavelength, in units, and contrast.
+    /// Replaces the wavelength, in units, and the contrast of hard and soft ground; `None` for even ground.
     pub(crate) fn with_rock(self, rock: Option<(f32, f32)>) -> Self {
         Self { rock, ..self }
     }
 
-    /// The same settings with rills, which are made only if they carve anything.
+    /// Adds rills. `lines` is called only if they carve anything.
     pub(crate) fn with_rills(mut self, lines: impl FnOnce() -> Arc<Rills>) -> Self {
         self.rill_lines = (self.rills > 0.0).then(lines);
         self
     }
 
-    /// Noise over the map, from −1 to 1.
+    /// Returns noise over the map, from −1 to 1, with a wavelength in units. Each index has noise of its own.
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32) -> FastNoiseLite {
         self.seed.noise(Purpose::Relief, index, 1.0 / wavelength, octaves)
     }

@@ -33,9 +33,9 @@ pub enum ReliefError {
 #[derive(Clone, Debug)]
 pub struct ReliefSolver {
     settings: ReliefSettings,
-    /// The rivers' heights, if another relief has found them: here they may only be lowered.
+    /// The heights of rivers found by another relief, which may only be lowered here; `None` to find them.
     given: Option<GivenWater>,
-    /// About how much memory it takes.
+    /// The memory that the relief needs, in bytes, approximately.
     bytes: usize,
     next: Part,
     cells: Cells,
@@ -48,12 +48,12 @@ pub struct ReliefSolver {
     is_river: Vec<bool>,
 }
 
-/// Rivers that are as high as another relief has them.
+/// Heights of rivers taken from another relief.
 #[derive(Clone, Debug)]
 struct GivenWater {
     /// The height of the water at each vertex, in units.
     heights: Vec<f32>,
-    /// [`ReliefSolver::lower_to_banks`]. Called through this, it is left out of programs that make no relief of this kind.
+    /// [`ReliefSolver::lower_to_banks`], as a pointer so that programs that make no such relief do without its code.
     lower: fn(&mut ReliefSolver) -> Result<bool, Refused>,
 }
 
@@ -63,40 +63,40 @@ enum Part {
     /// Finds the cells that are land.
     Cells,
     Hillsides,
-    /// Finds how high rivers are by the hillsides around them.
+    /// Finds the elevation of rivers by the slope of the hillsides around them.
     Profiles,
     /// Walks rills from cell to cell.
     Rills,
-    /// Flattens valleys, from this vertex on.
+    /// Flattens valleys, from a vertex on.
     Valleys(usize),
-    /// Raises ridges, from this piece on.
+    /// Raises ridges, from a segment on.
     Ridges(usize),
     /// Walks rivers from cell to cell.
     Channels,
-    /// Makes tiles, with the coast.
+    /// Divides the map into tiles, and adds the coast.
     Coast,
-    /// Adds the rivers.
+    /// Adds rivers to the tiles.
     Rivers,
-    /// Moves the front on, then wears what it found; how often rivers have been lowered to their banks before.
+    /// Moves the front on, then wears high ground; counts how often rivers have been lowered to their banks.
     Front(u32),
     /// Rounds hillsides.
     Creep,
     Finish,
 }
 
-/// The number of entries of its queue by which the front moves on in a step.
+/// The greatest number of queue entries by which the front moves on in a step.
 const ENTRIES_A_STEP: usize = 20_000;
 
 /// The greatest number of times that rivers are lowered to their banks.
 const MOST_LOWERINGS: u32 = 5;
 
 impl ReliefSolver {
-    /// Begins the relief of a finished network. It only asks for memory.
+    /// Begins the relief of a finished network. Nothing is computed yet, but the memory is known to be there.
     ///
     /// # Errors
     /// If there is not enough memory.
     pub fn new(network: &Network, settings: ReliefSettings) -> Result<Self, ReliefError> {
-        /// Distance, steepness, a front with what waits, the finished height; and paths where rivers have few vertices.
+        /// Distance, steepness, front with queue, and finished height of a cell; and paths where rivers have few vertices.
         const BYTES_A_CELL: usize = 48;
         const BYTES_A_VERTEX: usize = 40;
         let Grid { columns, rows, .. } = settings.grid;
@@ -117,7 +117,7 @@ impl ReliefSolver {
         Ok(this)
     }
 
-    /// The same with rivers as high as another relief has them, in units: only the land between them is solved.
+    /// Begins a relief whose rivers have given heights, in units, one for each vertex: only the land between them is solved.
     ///
     /// # Errors
     /// If there is not enough memory.
@@ -130,12 +130,12 @@ impl ReliefSolver {
         Ok(Self { given: Some(given), ..Self::new(network, settings)? })
     }
 
-    /// About how many bytes of memory it takes.
+    /// Estimates the bytes of memory that the relief needs.
     pub(crate) fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// Makes a step; `network` is the one that it was begun for. Returns the relief, once it is finished.
+    /// Does a step of the work for `network`, with which it was begun. Returns the relief once it is finished.
     ///
     /// # Errors
     /// If there is not enough memory. A further call tries the same step again.
@@ -143,12 +143,12 @@ impl ReliefSolver {
         if matches!(self.next, Part::Finish) {
             return self.finished().map(Some).map_err(|_| self.refused());
         }
-        // Only a step that is whole is followed by the next.
+        // A step that fails is tried again by the next call.
         self.next = self.advance(network).map_err(|_| self.refused())?;
         Ok(None)
     }
 
-    /// How far it has come, from 0 to 1.
+    /// Returns the share of the work that is done, from 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.next {
             Part::Cells => 0.0,
@@ -164,7 +164,7 @@ impl ReliefSolver {
         ReliefError::OutOfMemory { megabytes: (self.bytes / 1_000_000) as u32 + 1 }
     }
 
-    /// Does the next part, or some of it. Returns what comes after that.
+    /// Does the next part, or some of it. Returns the part to go on with.
     fn advance(&mut self, network: &Network) -> Result<Part, Refused> {
         Ok(match self.next {
             Part::Cells => {
@@ -220,9 +220,9 @@ impl ReliefSolver {
         })
     }
 
-    /// The height of the water at each vertex before any is lowered, in units.
+    /// Computes the height of the water at each vertex before wear and before any is lowered, in units.
     fn elevations(&mut self, network: &Network) -> Result<Vec<f32>, Refused> {
-        /// Of elevations, and of what they are made of.
+        /// Memory for the elevation of each vertex, and for the lists that it is computed from.
         const BYTES_A_VERTEX: usize = 20;
         ask(network.vertices.len() * BYTES_A_VERTEX)?;
         work::count(4 * network.vertices.len());
@@ -232,7 +232,7 @@ impl ReliefSolver {
         Ok(elevations(network, self.settings.total_discharge, &self.cells, &self.steepness))
     }
 
-    /// Walks some rills, and carves once all are walked.
+    /// Walks some rills, and carves hillsides once all are walked. Returns the part to go on with.
     fn carve(&mut self) -> Part {
         let Some(rills) = self.settings.rill_lines.as_deref() else { return Part::Valleys(0) };
         if self.rills.walk(&self.cells, rills) {
@@ -242,15 +242,15 @@ impl ReliefSolver {
         Part::Valleys(0)
     }
 
-    /// Lowers rivers whose heights were given. Returns `true` if the front has to move again.
+    /// Lowers rivers to their banks if their heights were given. Returns `true` if the front has to move again.
     fn lower_given(&mut self) -> Result<bool, Refused> {
         self.given.as_ref().map(|given| given.lower).map_or(Ok(false), |lower| lower(self))
     }
 
-    /// Lowers rivers to their banks: on a grid finer than the one that their heights are of, hillsides come out a little
-    /// lower, and rivers would stand on dams. Returns `true` if that is more than next to nothing.
+    /// Lowers rivers to their banks: on a grid finer than the one their heights come from, hillsides come out a little
+    /// lower, and rivers would stand on dams. Returns `true` if any were lowered noticeably.
     fn lower_to_banks(&mut self) -> Result<bool, Refused> {
-        /// The height per cell of rivers, in units, that is next to nothing.
+        /// The mean lowering of a river's cells, in units, that may be ignored.
         const ENOUGH: f32 = 0.0005;
         let mut heights = Vec::new();
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
@@ -260,7 +260,7 @@ impl ReliefSolver {
         Ok(lowered > ENOUGH * self.channels.len() as f32)
     }
 
-    /// Takes the heights from the front, wears them, and lets rivers fall.
+    /// Takes the heights from the front, wears them, lets rivers fall, and begins creep.
     fn settle(&mut self) -> Result<Part, Refused> {
         let (mut heights, mut is_river) = (Vec::new(), Vec::new());
         lengthen(&mut heights, self.cells.inland.len(), f32::INFINITY)?;
@@ -294,7 +294,7 @@ impl ReliefSolver {
     }
 }
 
-/// The height of the sea's ground at a distance from the coast, which is negative there: it falls to this depth.
+/// Returns the height of the sea floor, negative, at a coast distance, negative too: it falls away to `DEEPEST`. Both are in units.
 fn depth(inland: f32) -> f32 {
     const DEEPEST: f32 = 12.0;
     const FAR: f32 = 80.0;
@@ -308,7 +308,7 @@ mod tests {
     use crate::recipe::link;
     use crate::session::Session;
 
-    /// The share of the height of rivers, summed over the cells that they pass, by which the land around lowers them.
+    /// Returns the share of the heights of rivers, summed over their cells, by which the land around has lowered them.
     fn lowered(text: &str) -> f32 {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();
         session.finish().unwrap();

@@ -1,4 +1,4 @@
-//! How steep hillsides are: little at the coast and beside great rivers, more inland, more here than there.
+//! The steepness of hillsides: little at the coast and beside great rivers, more inland, more here than there.
 
 use glam::Vec2;
 
@@ -17,20 +17,20 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::network::Network;
 
-/// Steepness, in the making.
+/// The steepness of each cell, in the making.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steepness {
-    /// By how much each cell rises over a neighbour, in units; anything off land.
+    /// The height by which each cell rises over a neighbour, in units; meaningless where there is no land.
     pub rises: Vec<f32>,
-    /// The factor for each cell by what lies near it, in the making; 1 where nothing does.
+    /// The factor to be applied to each cell for the river or ridge near it; 1 where there is none.
     factors: Vec<f32>,
 }
 
-/// After so much work, in elementary steps, whatever takes long goes on another time.
+/// The number of elementary steps after which a call ends.
 const WORK_A_STEP: u64 = 1_000_000;
 
 impl Steepness {
-    /// That of hillsides without rivers and ridges.
+    /// Computes the steepness of hillsides without rivers and ridges.
     pub fn of_hillsides(settings: &ReliefSettings, cells: &Cells) -> Result<Self, Refused> {
         let ground = Ground::new(settings);
         let mut this = Self::default();
@@ -41,7 +41,7 @@ impl Steepness {
         for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
             let first = row * cells.columns;
             for (cell, rise) in (first..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
-                // `point` would divide for each of them.
+                // `Cells::point` would divide for each cell.
                 let at = Vec2::new(cells.coordinate(cell - first), cells.coordinate(row));
                 *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at);
             }
@@ -60,8 +60,8 @@ impl Steepness {
         });
     }
 
-    /// Flattens flood plains: beside a river, hills begin some widths away. Goes on from a vertex; returns the next, as
-    /// long as there are more.
+    /// Flattens flood plains, from a vertex on: hills begin some widths away from a river. Returns the vertex to go on
+    /// from; `None` once all are done.
     pub fn flatten_valleys(
         &mut self,
         settings: &ReliefSettings,
@@ -77,7 +77,7 @@ impl Steepness {
                 return Some(i);
             }
             let radius = vertex.width() * WIDTHS;
-            // Of the map's own cells: on a finer grid the same rivers have valleys.
+            // In cells of the map's own grid, so that on a finer one the same rivers have valleys.
             if radius > 1.5 * CELL_SIZE {
                 // A floor gentler than the river would lower the river.
                 let least = profile::share_of_slope(vertex.discharge as f32 * catchment);
@@ -89,8 +89,8 @@ impl Steepness {
         None
     }
 
-    /// Raises the ridges of the recipe: steep ground, which makes them divides. Goes on from a piece of them; returns
-    /// the next, as long as there are more.
+    /// Raises the land's ridges, from a segment on: steep ground makes them divides. Returns the segment to go on from;
+    /// `None` once all are raised.
     pub fn raise_ridges(&mut self, cells: &Cells, land: &Land, from: usize) -> Option<usize> {
         const RADIUS: f32 = 14.0;
         const MOST: f32 = 3.0;
@@ -110,8 +110,8 @@ impl Steepness {
         None
     }
 
-    /// Changes the factors of the cells around a point, by their distance as a share of the radius and by what they
-    /// were before.
+    /// Sets the factor of each cell around a point to `change` of the cell's distance, as a share of the radius, and
+    /// its former factor.
     #[inline(never)] // one copy
     fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: &dyn Fn(f32, f32) -> f32) {
         let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
@@ -126,7 +126,7 @@ impl Steepness {
         }
     }
 
-    /// Multiplies steepness by the factors, which are 1 again.
+    /// Multiplies steepness by the factors, and sets these to 1.
     fn multiply(&mut self) {
         work::count(self.rises.len());
         for (rise, factor) in self.rises.iter_mut().zip(&mut self.factors) {
@@ -135,18 +135,18 @@ impl Steepness {
     }
 }
 
-/// The slope at a distance from the sea, before ground and valleys: it grows from that of the coast to that of mountains.
+/// Returns the slope at a distance from the sea, in units, before rock and valleys: it grows from that of the coast to that of mountains.
 pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
     let way = (inland / settings.plains.max(1.0)).clamp(0.0, 1.0);
     let least = fast_min(settings.hillsides.at_the_coast, settings.mountains);
     least + (settings.mountains - least) * way * way * (3.0 - 2.0 * way)
 }
 
-/// The sides of the map at which land runs on. The land beyond is not known, so all water runs inward there: on usual
-/// slopes the border would be a wall.
+/// The sides of the map at which land runs on. The land beyond is unknown, so all water runs inward there, and with
+/// usual slopes the border would be a wall.
 struct Border {
     domain: Domain,
-    /// In the order of [`Domain::sides`], whether land runs on.
+    /// For each side, in the order of [`Domain::sides`], `true` if land runs on.
     runs_on: [bool; 4],
 }
 
@@ -157,7 +157,7 @@ impl Border {
         Self { domain, runs_on: domain.sides(Vec2::ZERO).map(runs_on) }
     }
 
-    /// The factor for the steepness at a point.
+    /// Returns the factor for the steepness at a point: less than 1 near a side at which land runs on.
     fn calm(&self, at: Vec2) -> f32 {
         const LEAST: f32 = 0.3;
         const FAR: f32 = 60.0;
@@ -169,18 +169,18 @@ impl Border {
     }
 }
 
-/// Steeper and gentler ground, sampled wide apart: it changes little from cell to cell.
+/// Factors of steeper and gentler ground, sampled far apart, since they change little from cell to cell.
 struct Ground {
     columns: usize,
     samples: Vec<f32>,
 }
 
-/// How far apart samples lie, in units.
+/// The distance between samples, in units.
 const APART: f32 = 8.0;
 
 impl Ground {
     fn new(settings: &ReliefSettings) -> Self {
-        /// The greatest deviation of hardness that counts.
+        /// The greatest deviation of hardness, in standard deviations; more is clamped.
         const MOST: f32 = 1.5;
         let Hillsides { broad, rock: of_rock, .. } = settings.hillsides;
         let (wide, fine) = (settings.noise(0, 200.0, 3), settings.noise(1, 45.0, 2));
@@ -220,7 +220,7 @@ mod tests {
     use crate::recipe::link;
     use crate::session::Session;
 
-    /// How far a point lies from a segment.
+    /// Returns the distance of a point from a segment.
     fn far(point: Vec2, from: Vec2, to: Vec2) -> f32 {
         let way = to - from;
         let share = ((point - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);

@@ -3,17 +3,17 @@
 //!
 //! The cost of walking up becomes a height by one rising law: whatever was lower stays lower, and rivers fall as before.
 
-/// The height that no land reaches, in units.
+/// The height that worn land approaches but never reaches, in units.
 const CEILING: f32 = 280.0;
 
-/// The height of land by the cost of walking up to it, both in units.
+/// Returns the height of land by the cost of walking up to it, both in units.
 pub(super) fn worn(cost: f32) -> f32 {
     CEILING * cost / (CEILING + cost)
 }
 
-/// The cost of walking up to a height, both in units.
+/// Returns the cost of walking up to a height, both in units: the inverse of [`worn`].
 pub(super) fn unworn(height: f32) -> f32 {
-    // Nothing is infinitely high, not even what is said of a relief read from elsewhere.
+    // Heights above the ceiling, which a relief from elsewhere may have, give finite costs too.
     CEILING * height / (CEILING - height).max(1.0)
 }
 

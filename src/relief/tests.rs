@@ -11,7 +11,7 @@ use crate::property::cases;
 /// Cells with the heights of rivers in them, river by river.
 type Rivers = Vec<Vec<(usize, f32)>>;
 
-/// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height that wander from
+/// Generates small maps with land, sea and a rim, hillsides of any steepness, and rivers of any height that wander from
 /// cell to cell.
 fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Rivers)> {
     (4usize..14, 4usize..14).prop_flat_map(|(columns, rows)| {
@@ -33,7 +33,7 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Rivers)> {
     })
 }
 
-/// A path over land from a cell on, with a height for each step.
+/// Returns a path over land from a cell on, with a height for each step.
 fn wander(cells: &Cells, start: usize, height: f32, steps: &[(usize, f32)]) -> Vec<(usize, f32)> {
     let mut path: Vec<(usize, f32)> = Some((start, height)).filter(|step| cells.is_land(step.0)).into_iter().collect();
     for &(way, height) in steps {
@@ -43,7 +43,7 @@ fn wander(cells: &Cells, start: usize, height: f32, steps: &[(usize, f32)]) -> V
     path
 }
 
-/// A front on tiles with a side of so many cells, made on two threads.
+/// Makes a front, on two threads, on tiles whose side is a number of cells.
 fn front(cells: &Cells, rises: &[f32], rivers: &Rivers, side: usize) -> Front {
     let threads = NonZero::new(2).unwrap();
     let mut front = Front::new(cells, rises, side, threads).unwrap();
@@ -52,7 +52,7 @@ fn front(cells: &Cells, rises: &[f32], rivers: &Rivers, side: usize) -> Front {
     front
 }
 
-/// The heights that it ends with, on one thread in steps of a few entries of its queues, or on several.
+/// Runs a front to its end, on one thread in steps of a few queue entries, or on several. Returns the heights of all cells.
 fn solved(mut front: Front, cells: &Cells, threads: usize) -> Vec<f32> {
     let threads = NonZero::new(threads).unwrap();
     while front.advance(3, threads) {}
@@ -61,13 +61,13 @@ fn solved(mut front: Front, cells: &Cells, threads: usize) -> Vec<f32> {
     heights
 }
 
-/// The height of a cell by those of four others, as Sethian (1996) has it, written down anew.
+/// Computes the height of a cell from those of its four neighbours by Sethian's scheme (1996), independently of the code under test.
 fn upwind([west, east, north, south]: [f32; 4], rise: f32) -> f32 {
     let (a, b) = (west.min(east).min(north.min(south)), west.min(east).max(north.min(south)));
     if b - a >= rise { a + rise } else { (a + b + (2.0 * rise * rise - (b - a) * (b - a)).sqrt()) * 0.5 }
 }
 
-/// The same, where every cell is solved again, and every river falls again, until nothing changes.
+/// Computes the heights that a front ends with by relaxation: solves every cell and lowers every river again, until nothing changes.
 fn relaxed(cells: &Cells, rises: &[f32], rivers: &Rivers) -> Vec<f32> {
     let mut height = vec![f32::INFINITY; cells.inland.len()];
     let coast = |cell: usize| cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside));

@@ -1,22 +1,22 @@
-//! Cells in the order of their heights, in steps of equal size. Within a step the latest comes first: a cell may then
-//! come too early, and again once it is lower.
+//! A queue of cells in the order of their heights, in steps of equal size. Within a step the latest comes first, so a
+//! cell may come too early, and again once it is lower.
 
-/// A queue of cells.
+/// A queue of cells, the lowest step first.
 #[derive(Clone, Debug)]
 pub(super) struct Buckets {
     lists: Vec<Vec<u32>>,
-    /// The number of steps in a unit of height.
+    /// The number of steps per unit of height.
     steps_a_unit: f32,
-    /// No list before this one holds a cell.
+    /// The index of the first list that may hold a cell.
     lowest: usize,
     len: usize,
 }
 
-/// The greatest number of steps. All cells above the last are in it.
+/// The greatest number of steps. The last one also takes all higher cells.
 const MOST: usize = 1 << 14;
 
 impl Buckets {
-    /// An empty queue with steps of a height, in units.
+    /// Makes an empty queue with steps of a given height, in units.
     pub fn new(step: f32) -> Self {
         Self { lists: Vec::new(), steps_a_unit: 1.0 / step, lowest: 0, len: 0 }
     }
@@ -36,7 +36,7 @@ impl Buckets {
         self.len += 1;
     }
 
-    /// Removes a cell of the lowest step, and returns it with that step.
+    /// Removes a cell of the lowest step, and returns it with that step; `None` if the queue is empty.
     #[inline]
     pub fn pop(&mut self) -> Option<(usize, usize)> {
         if self.len == 0 {
@@ -52,7 +52,7 @@ impl Buckets {
         }
     }
 
-    /// The step of a height.
+    /// Returns the step that a height, in units, belongs to.
     #[inline]
     pub fn step(&self, height: f32) -> usize {
         ((height * self.steps_a_unit) as usize).min(MOST - 1)

@@ -20,7 +20,7 @@ use crate::base::parallel::{for_each, for_each_row};
 use crate::base::sort::sorted_pairs;
 use crate::base::work;
 
-/// A front on the cells of a map.
+/// The front on the cells of a map.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Front {
     /// The number of columns of the grid, the rim included.
@@ -42,17 +42,17 @@ pub(super) const TILE: usize = 256;
 /// The least height of a river, in sides of a cell.
 const LEAST_HEIGHT: f32 = 5e-5;
 
-/// The height of a step of the queue, in sides of a cell: less than most cells rise.
+/// The height of a step of the queue, in sides of a cell: less than the rise of most cells.
 const STEP: f32 = 0.1;
 
 impl Front {
-    /// Divides the cells of a map into tiles with sides of at most so many cells, on a number of threads; `rises` has the
-    /// amount by which each cell of land rises above a neighbour, in units.
+    /// Divides the cells of a map into tiles of at most `side` by `side` cells, on a number of threads; `rises` has the
+    /// height by which each cell of land rises above a neighbour, in units.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
     pub fn new(cells: &Cells, rises: &[f32], side: usize, threads: NonZero<usize>) -> Result<Self, Refused> {
-        /// Heights, steepness and ways, and what waits.
+        /// Heights, steepness, ways of rivers, and the queue.
         const BYTES_A_CELL: usize = 24;
         ask(rises.len() * BYTES_A_CELL)?;
         work::count(2 * rises.len());
@@ -69,7 +69,7 @@ impl Front {
         Ok(Self { columns: cells.columns, tiles, across, next: 0, side, cells: cells.land_count() })
     }
 
-    /// Adds the coast, on a number of threads: cells of land beside the sea are as high as their way from it.
+    /// Adds the coast, on a number of threads: each cell of land beside the sea gets the height that it rises from the coast line.
     pub fn add_coast(&mut self, cells: &Cells, threads: NonZero<usize>) {
         work::count(cells.inland.len() + 4 * self.cells);
         for_each(self.tiles.iter_mut(), threads, |tile| {
@@ -79,7 +79,7 @@ impl Front {
                 }
                 let cell = (tile.top + local / tile.columns) * cells.columns + tile.left + local % tile.columns;
                 if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
-                    // The coast runs between the middles. `clamp` would bring a message with numbers, which weighs 8 kB.
+                    // The coast runs between the middles of cells. `clamp` would bring a panic message with numbers, which weighs 8 kB.
                     let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
                     tile.lower(local, tile.rises[local] * way / cells.size);
                 }
@@ -87,7 +87,7 @@ impl Front {
         });
     }
 
-    /// Adds rivers: each cell of their paths is at most as high as a path has it, and as the one before.
+    /// Adds rivers: each cell of a path is at most as high as the path says there, and as the cell upstream.
     pub fn add_rivers(&mut self, cells: &Cells, channels: &Channels) {
         // Land is above the sea up to the very mouth.
         let least = LEAST_HEIGHT * cells.size;
@@ -112,8 +112,8 @@ impl Front {
         }
     }
 
-    /// Moves on by this many entries of a queue at most or, on more threads than one, by a whole round. Returns `true` if
-    /// there is more to do.
+    /// Moves the front on by at most `entries` queue entries or, on several threads, by a whole round. Returns `true`
+    /// if there is more to do.
     pub fn advance(&mut self, entries: usize, threads: NonZero<usize>) -> bool {
         if threads.get() > 1 {
             self.solve_all(threads);
@@ -123,7 +123,7 @@ impl Front {
         self.exchange()
     }
 
-    /// Returns `true` if there is more to do in this round.
+    /// Solves a tile by at most `entries` queue entries. Returns `true` if there may be more to do in this round.
     fn solve_some(&mut self, entries: usize) -> bool {
         work::count(5 * entries);
         while let Some(tile) = self.tiles.get_mut(self.next) {
@@ -142,7 +142,7 @@ impl Front {
         for_each(waiting, threads, |tile| while tile.advance(usize::MAX) {});
     }
 
-    /// Passes heights on from tile to tile. Returns `true` if cells wait.
+    /// Passes heights on from tile to tile. Returns `true` if any cell waits.
     fn exchange(&mut self) -> bool {
         for tile in 0..self.tiles.len() {
             let ring = self.tiles[tile].ring();
@@ -154,8 +154,8 @@ impl Front {
         self.tiles.iter().any(Tile::is_waiting)
     }
 
-    /// Lets a cell of a tile's ring, and the same cell in its own tile, be as low as the lower of both; `beside` is the
-    /// neighbour of the former within the ring.
+    /// Lowers a cell of a tile's ring, and the same cell in its own tile, to the lower of both; `beside` is the
+    /// neighbour of the former inside the ring.
     fn exchange_cell(&mut self, tile: usize, cell: usize, beside: Option<usize>) {
         let Some((own, local)) = self.place_of_ring(tile, cell) else { return };
         let (here, there) = (self.tiles[tile].heights[cell], self.tiles[own].heights[local]);
@@ -168,7 +168,7 @@ impl Front {
         beside.into_iter().for_each(|beside| self.tiles[tile].solve(beside));
     }
 
-    /// The tile to which a cell of another tile's ring belongs, and its place there; `None` beyond the map.
+    /// Returns the tile to which a cell of another tile's ring belongs, and its index there; `None` beyond the map.
     fn place_of_ring(&self, tile: usize, cell: usize) -> Option<(usize, usize)> {
         let Tile { left, top, columns, .. } = self.tiles[tile];
         let (column, row) = (left + cell % columns, top + cell / columns);
@@ -179,7 +179,7 @@ impl Front {
         is_inside.then(|| self.place(global))
     }
 
-    /// The tile of a cell of the map, and the cell's place in it.
+    /// Returns the tile of a cell of the map, and the cell's index in it.
     fn place(&self, cell: usize) -> (usize, usize) {
         let (column, row) = (cell % self.columns - 1, cell / self.columns - 1);
         let tile = row / self.side * self.across + column / self.side;
@@ -192,7 +192,7 @@ impl Front {
         self.tiles[tile].lower(local, height);
     }
 
-    /// Writes the heights of all cells of the map into a list of the cells with their rim, on a number of threads;
+    /// Writes the heights of all cells into a list that includes the rim, which it leaves, on a number of threads;
     /// infinite where there is no land.
     pub fn write(&self, heights: &mut [f32], threads: NonZero<usize>) {
         work::count(heights.len());
@@ -206,7 +206,7 @@ impl Front {
         });
     }
 
-    /// The share of a run that is done, from 0 to 1, roughly. It never decreases.
+    /// Estimates the share of a run that is done, from 0 to 1. It never decreases.
     pub fn progress(&self) -> f32 {
         /// The number of times that a cell passes its height on, on average.
         const TIMES: f32 = 1.2;
@@ -216,12 +216,12 @@ impl Front {
 }
 
 impl Tile {
-    /// The place in this tile of a cell of a grid with so many columns.
+    /// Returns the index in this tile of a cell of the whole grid, which has `columns` columns.
     fn local(&self, columns: usize, cell: usize) -> usize {
         (cell / columns - self.top) * self.columns + cell % columns - self.left
     }
 
-    /// The cells of the ring, each with its neighbour within; corners have none.
+    /// Lists the cells of the ring, each with its neighbour inside the ring; corners have none.
     fn ring(&self) -> Vec<(usize, Option<usize>)> {
         let (columns, last) = (self.columns, (self.rows - 1) * self.columns);
         let mut ring = Vec::with_capacity(2 * (self.columns + self.rows));
@@ -237,7 +237,7 @@ impl Tile {
     }
 }
 
-/// Opens the cells of land of a tile, but for its ring.
+/// Closes a tile, then opens its cells of land inside the ring to the front.
 fn fill(tile: &mut Tile, cells: &Cells, rises: &[f32]) {
     tile.close();
     for row in 1..tile.rows - 1 {

@@ -5,7 +5,7 @@ use super::buckets::Buckets;
 /// The steepness of cells that the front does not enter: the sea, what lies beyond the map, and the ring.
 pub(super) const CLOSED: f32 = f32::INFINITY;
 
-/// A tile of a front.
+/// A tile of a front, with its ring.
 #[derive(Clone, Debug)]
 pub(super) struct Tile {
     /// The column and row, on the whole grid, of its first cell: a corner of the ring.
@@ -16,23 +16,23 @@ pub(super) struct Tile {
     pub rows: usize,
     /// The least heights found so far.
     pub heights: Vec<f32>,
-    /// The amount by which each cell rises above a neighbour; [`CLOSED`] where the front does not enter.
+    /// The height by which each cell rises above a neighbour, in units; [`CLOSED`] where the front does not enter.
     pub rises: Vec<f32>,
-    /// For each cell that a river passes, one more than the index in `next` of the first cell to which the river goes
-    /// on; 0 elsewhere.
+    /// For each cell that a river passes, one more than the index in `next` of the first cell that a river passes next;
+    /// 0 elsewhere.
     first: Vec<u32>,
-    /// Cells to which rivers go on; those of one cell follow one another.
+    /// The cells that rivers pass next; those after the same cell follow one another.
     next: Vec<u32>,
     queue: Buckets,
     /// The number of cells that have passed their heights on.
     pub passed: usize,
 }
 
-/// Marks the last cell to which the rivers of a cell go on.
+/// The bit that marks, in `next`, the last of the cells after the same cell.
 const LAST: u32 = 1 << 31;
 
 impl Tile {
-    /// A tile at a place on the grid, to be [closed](Self::close). Cells wait in steps of this height, in units.
+    /// Makes a tile at a place on the grid, to be [closed](Self::close). Its queue has steps of a given height, in units.
     pub fn new(place: (usize, usize), size: (usize, usize), step: f32) -> Self {
         let ((left, top), (columns, rows)) = (place, size);
         Self {
@@ -55,7 +55,7 @@ impl Tile {
         self.rises = self.heights.clone();
     }
 
-    /// Takes the ways of rivers: pairs of a cell and the one to which a river goes on, sorted.
+    /// Sets the ways of rivers: sorted pairs of a cell and the cell that a river passes next.
     pub fn set_ways(&mut self, ways: &[(u32, u32)]) {
         self.first = vec![0; self.heights.len()];
         self.next = Vec::with_capacity(ways.len());
@@ -68,12 +68,12 @@ impl Tile {
         }
     }
 
-    /// Returns `true` if cells wait.
+    /// Returns `true` if any cell waits to pass its height on.
     pub fn is_waiting(&self) -> bool {
         !self.queue.is_empty()
     }
 
-    /// Lowers a cell to a height if it is higher, and has it pass that on.
+    /// Lowers a cell to a height if it is higher, and queues it to pass that on.
     #[inline]
     pub fn lower(&mut self, cell: usize, height: f32) {
         if height < self.heights[cell] {
@@ -92,11 +92,11 @@ impl Tile {
         }
     }
 
-    /// Moves the front on by this many entries of the queue at most. Returns `true` if there are more.
+    /// Moves the front on by at most this many queue entries. Returns `true` if there are more.
     pub fn advance(&mut self, entries: usize) -> bool {
         for _ in 0..entries {
             let Some((cell, step)) = self.queue.pop() else { return false };
-            // One that has been lowered since has had its turn.
+            // A cell that has been lowered since then has been queued again.
             if self.queue.step(self.heights[cell]) == step {
                 self.pass_on(cell);
                 self.passed += 1;
@@ -105,7 +105,7 @@ impl Tile {
         self.is_waiting()
     }
 
-    /// Lowers the neighbours of a cell, and what lies downstream, as far as its own height demands.
+    /// Lowers the neighbours of a cell and the cells downstream of it as far as its height demands.
     #[inline]
     fn pass_on(&mut self, cell: usize) {
         let height = self.heights[cell];
@@ -133,7 +133,7 @@ impl Tile {
     }
 }
 
-/// The height of a cell by those of its four neighbours, of which only lower ones count: first-order and upwind.
+/// Computes the height of a cell from those of its four neighbours by the first-order upwind scheme, in which only lower ones count.
 #[inline]
 pub(in crate::relief) fn solved(heights: &[f32], columns: usize, cell: usize, rise: f32) -> f32 {
     let lower = |one: usize, other: usize| if heights[one] < heights[other] { heights[one] } else { heights[other] };
