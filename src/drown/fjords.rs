@@ -5,16 +5,16 @@ use glam::Vec2;
 
 use crate::base::geometry::{distance, smooth_step};
 
-/// The great valley that lies nearest to a corner.
+/// The trough of the great valley nearest to a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trough {
-    /// The distance to the line of its river, in units; infinite if it is farther than any trough reaches.
+    /// The distance from the corner to the line of the valley's river, in units; infinite if no trough reaches the corner.
     far: f32,
-    /// The area that drains through it there, in square units.
+    /// The area that drains through the valley there, in square units.
     area: f32,
 }
 
-/// The area from which on valleys are troughs, and that from which on these are as wide as any, in square units.
+/// The drained area from which on valleys are troughs, and that from which on troughs have their full width, in square units.
 const AREAS: (f32, f32) = (800.0, 2500.0);
 
 /// The hardness of the ground in which troughs begin, and in which they are complete.
@@ -23,10 +23,10 @@ const HARD: (f32, f32) = (0.1, 0.5);
 /// Half the width of a floor, in units.
 const WIDE: f32 = 6.0;
 
-/// The way over which a floor becomes a wall, in units: that between corners, so that coasts run smoothly between them.
+/// The distance over which a floor becomes a wall, in units: that between corners, so that coasts run smoothly between them.
 const RIM: f32 = 4.0;
 
-/// The way from the rim over which walls become hillsides, in units.
+/// The distance from the rim over which walls become hillsides, in units.
 const WALLS: f32 = 14.0;
 
 impl Trough {
@@ -36,7 +36,7 @@ impl Trough {
     /// No trough.
     pub const NONE: Self = Self { far: f32::INFINITY, area: 0.0 };
 
-    /// The great valley along a straight piece of a river, as seen from a place; `None` of small ones.
+    /// Returns the trough along a segment of a river that drains an area, for a corner at `at`; `None` if the river is small.
     pub fn of(area: f32, from: Vec2, to: Vec2, at: Vec2) -> Option<Self> {
         if !Self::is_great(area) {
             return None;
@@ -51,17 +51,17 @@ impl Trough {
         area > AREAS.0
     }
 
-    /// The nearer of two.
+    /// Returns the nearer of two troughs.
     pub fn or(self, other: Self) -> Self {
         if other.far < self.far { other } else { self }
     }
 
-    /// The steepness of a corner as a share of a hillside's, by that which it has without a trough, that of ground
-    /// without a valley, and its hardness.
+    /// Returns the steepness of a corner as a share of a hillside's; `usual` is its steepness without a trough, `flank`
+    /// that of ground without a valley.
     pub fn steepness(self, usual: f32, flank: f32, hardness: f32) -> f32 {
-        /// The steepness of a floor.
+        /// The steepness of a floor, as a share of a hillside's.
         const FLOOR: f32 = 0.004;
-        /// The distance from its line up to which a corner may be the river's own, in units.
+        /// The distance from a river up to which it may run through a corner, in units.
         const OWN: f32 = 3.0;
         if self.far >= Self::REACH || hardness <= HARD.0 {
             return usual;

@@ -6,13 +6,13 @@ use crate::base::work;
 use crate::domain::Domain;
 use crate::land::{Land, RisenSea};
 
-/// The search for a level, in heights at the corners of a low stand's lattice.
+/// The search for a level, over the heights at the corners of a low stand's lattice.
 #[derive(Clone, Debug)]
 pub(super) struct Level {
     heights: Vec<f32>,
-    /// The corners in ascending order of their heights, each with how much it counts for its area.
+    /// The corners in ascending order of their heights, each with its weight: the number of squares around it in the domain.
     sorted: Vec<(u32, u32)>,
-    /// The share of the domain that shall be sea, and the share of heights below the level that is tried next.
+    /// The share of the domain that is to be sea, and the share of heights below the level that is tried next.
     sea: f32,
     share: f32,
     tries: u32,
@@ -20,14 +20,14 @@ pub(super) struct Level {
     is_rough: bool,
 }
 
-/// The difference between the share of sea and what is asked for that is near enough.
+/// The greatest difference from the share of sea asked for.
 const NEAR: f32 = 5e-4;
 
 /// The greatest number of levels that are tried.
 const TRIES: u32 = 6;
 
 impl Level {
-    /// Sorts heights over a low stand; the sea shall cover a share of the domain.
+    /// Begins the search for the level at which the sea covers a share of the domain.
     pub fn new(low_stand: &Land, heights: Vec<f32>, sea: f32) -> Result<Self, Refused> {
         /// Two entries, each of a key and a place, then a corner with its count, and the counts.
         const BYTES_A_CORNER: usize = 48;
@@ -39,10 +39,10 @@ impl Level {
         Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true })
     }
 
-    /// Tries a level. Returns it, and the land above it, if it leaves the right share. Where exactly its coast runs is
-    /// found out only once a level is nearly right.
+    /// Tries a level. Returns it, and the land above it, if the share of sea is right; the exact coast is traced only
+    /// once a level is nearly right.
     pub fn advance(&mut self, low_stand: &Land) -> Option<(f32, Land)> {
-        // Below the low stand the sea would have fallen.
+        // Below the low stand the sea would have to fall.
         let level = self.quantile(self.share).max(0.0);
         let sea = RisenSea::new(low_stand, &self.heights, level);
         let is_last = level == 0.0 || self.tries + 1 == TRIES;
@@ -54,7 +54,7 @@ impl Level {
         (self.is_right(land.share_of_sea()) || is_last).then_some((level, land))
     }
 
-    /// Returns `true` if that share of the domain is near enough to what is asked for. The next try is nearer.
+    /// Returns `true` if a share of sea is near enough to what is asked for. Prepares the next try, which is nearer.
     fn is_right(&mut self, share: f32) -> bool {
         let off = self.sea - share;
         self.share = (self.share + off).clamp(0.0, 1.0);
@@ -62,18 +62,18 @@ impl Level {
         off.abs() < NEAR
     }
 
-    /// The heights at the corners, in units.
+    /// Returns the heights at the corners, in units.
     pub fn into_heights(self) -> Vec<f32> {
         self.heights
     }
 
-    /// The heights at the corners, in units.
+    /// Returns the heights at the corners, in units.
     #[cfg(test)]
     pub fn heights(&self) -> &[f32] {
         &self.heights
     }
 
-    /// The height that a share of the domain lies below.
+    /// Returns the height that a share of the domain lies below, in units.
     fn quantile(&self, share: f32) -> f32 {
         let all: u32 = self.sorted.iter().map(|(_, squares)| squares).sum();
         let wanted = (share * all as f32) as u32;

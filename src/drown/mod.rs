@@ -4,9 +4,9 @@
 //! low stand ─► drainage ─► valleys ─► coarse relief ─► waves ─► level ─► land
 //! ```
 //!
-//! Rivers grow on the land of a low stand. Then a coarse relief gives each of its corners a height, low along rivers and
-//! high between them, and the land is what lies above the level at which the sea covers the share that the recipe asks
-//! for. Every valley that reaches below becomes an inlet, as rias do (von Richthofen 1886), or fjords where rock is hard.
+//! Rivers grow on the land of a low stand. Then a coarse relief gives each corner of its lattice a height, low along rivers and
+//! high between them, and the land is what lies above the level at which the sea covers the share that the recipe asks for.
+//! Every valley that reaches below that level becomes an inlet: a ria (von Richthofen 1886), or a fjord where rock is hard.
 
 mod fjords;
 mod level;
@@ -34,13 +34,13 @@ use waves::Waves;
 pub(crate) use transgression::Transgression;
 pub(crate) use valleys::Valleys;
 
-/// The search for the level to which the sea rises, in progress: a stepper.
+/// The search for the level to which the sea rises, step by step.
 #[derive(Clone, Debug)]
 pub(crate) struct Drowning {
     low_stand: Arc<LowStand>,
     recipe: Recipe,
     drainage: DrainageSettings,
-    /// The hardness of the ground at each corner, about −1 to 1 where it is usual; empty until it is needed.
+    /// The hardness of the ground at each corner, mostly from −1 to 1; empty until it is needed.
     rock: Vec<f32>,
     next: Part,
 }
@@ -52,16 +52,16 @@ enum Part {
     /// Marks the valleys of the tree.
     Mark(Marking),
     Hillsides(Arc<Valleys>),
-    /// Raises ridges, from this piece on.
+    /// Raises ridges, from a segment on.
     Ridges(Arc<Valleys>, LowStandRelief, usize),
     March(Arc<Valleys>, LowStandRelief),
     Waves(Arc<Valleys>, Waves),
     Level(Arc<Valleys>, Level),
-    /// Only while a step is made, and after one that failed.
+    /// No part: only once the level is known.
     Between,
 }
 
-/// The land that the sea has left, and the valleys that it rose into.
+/// The land that the sea has left, and the valleys that the sea rose into.
 #[derive(Clone, Debug)]
 pub(crate) struct Drowned {
     pub land: Arc<Land>,
@@ -72,7 +72,7 @@ impl Drowning {
     /// The approximate memory of a rise, in megabytes.
     pub const MEGABYTES: u32 = 12;
 
-    /// Begins the rise from a low stand of a recipe.
+    /// Begins the rise of the sea from the low stand of a recipe.
     pub fn new(recipe: &Recipe, low_stand: Arc<LowStand>) -> Self {
         Self {
             low_stand,
@@ -83,12 +83,12 @@ impl Drowning {
         }
     }
 
-    /// The same over valleys that are known already.
+    /// Begins the rise of the sea over valleys that are known already.
     pub fn over(recipe: &Recipe, low_stand: Arc<LowStand>, valleys: Arc<Valleys>) -> Self {
         Self { next: Part::Hillsides(valleys), ..Self::new(recipe, low_stand) }
     }
 
-    /// The progress, from 0 to 1.
+    /// Returns the share of the work that is done, from 0 to 1.
     pub fn progress(&self) -> f32 {
         match &self.next {
             Part::Begin => 0.0,
@@ -102,7 +102,7 @@ impl Drowning {
         }
     }
 
-    /// Makes a step; `tree` is the tree that grew on the low stand. Returns the transgression, once its level is known.
+    /// Does a step of the work for the tree that grew on the low stand. Returns the transgression once its level is known.
     ///
     /// # Errors
     /// Fails if there is not enough memory. A further call begins again.
@@ -156,7 +156,7 @@ impl Drowning {
         Ok((next, None))
     }
 
-    /// The usual hillsides with valleys, harder and softer ground, and a gentle shelf.
+    /// Prepares the relief of the low stand, with valleys, hard and soft ground, and a gentle shelf.
     fn hillsides(&self, valleys: &Valleys) -> Result<LowStandRelief, Refused> {
         let mut relief = LowStandRelief::new(&self.recipe, &self.low_stand.land)?;
         let today = self.low_stand.today.heights();
@@ -171,7 +171,7 @@ impl Drowning {
         self.low_stand.land.coast_distance()
     }
 
-    /// Finds how hard the ground is at each corner of the low stand; as hard as usual at sea, where nobody asks.
+    /// Computes the hardness of the ground at each corner of the low stand; 0 at sea, where it does not matter.
     fn rock(&self) -> Result<Vec<f32>, Refused> {
         let (lattice, noise) = (self.lattice(), self.drainage.rock());
         let corners = lattice.heights().len();
@@ -184,24 +184,24 @@ impl Drowning {
         Ok(lattice.heights().iter().enumerate().map(hardness).collect())
     }
 
-    /// The ease with which waves move the ground at each corner, from 0 to 1.
+    /// Returns the ease with which waves move the ground at each corner, from 0 to 1.
     fn softness(&self) -> Vec<f32> {
         self.rock.iter().map(|&rock| smooth(SOFT.0, SOFT.1, rock)).collect()
     }
 }
 
-/// The hardness at which waves begin to move ground, and at which it is as soft as any.
+/// The hardness at which waves begin to move ground, and at which ground counts as fully soft.
 const SOFT: (f32, f32) = (-0.5, -1.3);
 
-/// The steepness of hard and soft ground as a share of the usual.
+/// Returns the steepness of ground of some hardness, as a share of the usual.
 fn of_rock(hardness: f32) -> f32 {
     const CONTRAST: f32 = 0.4;
     const MOST: f32 = 1.2;
     libm::expf(CONTRAST * hardness.clamp(-MOST, MOST))
 }
 
-/// The steepness of ground at a distance from today's coast, in units, negative off it, as a share of the usual. Off that
-/// coast land is a gentle shelf, which drowns first; so the large form stays.
+/// Returns the steepness of ground, as a share of the usual, at a distance from today's coast, in units, negative off
+/// it. Off that coast land is a gentle shelf, which drowns first; so the large form stays.
 fn of_shelf(inland: f32) -> f32 {
     const SHELF: f32 = 0.35;
     const BLEND: f32 = 24.0;

@@ -6,7 +6,7 @@ use crate::grow::{Growth, GrowthSettings};
 use crate::land::Cell;
 use crate::recipe::link;
 
-/// A recipe's sea at its low stand, with the tree that has grown there, before the search for its level.
+/// Grows the tree of a recipe's low stand, and begins the search for the level of its sea.
 fn at_the_low_stand(text: &str) -> (Arc<LowStand>, Growth, Drowning) {
     let recipe = link::read(text).unwrap();
     let low_stand = Arc::new(LowStand::of(&recipe, CoastDistance::SPACING).unwrap());
@@ -16,7 +16,7 @@ fn at_the_low_stand(text: &str) -> (Arc<LowStand>, Growth, Drowning) {
     (low_stand, growth, drowning)
 }
 
-/// The heights of a recipe's low stand, after waves.
+/// Returns a recipe's low stand, and the heights of its corners after waves.
 fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
     let (low_stand, growth, mut drowning) = at_the_low_stand(text);
     loop {
@@ -27,7 +27,7 @@ fn heights(text: &str) -> (Arc<LowStand>, Vec<f32>) {
     }
 }
 
-/// A recipe's sea about to rise to its level.
+/// Returns a recipe's low stand, and the sea about to rise from it.
 fn transgression(text: &str) -> (Arc<LowStand>, Transgression) {
     let (low_stand, growth, mut drowning) = at_the_low_stand(text);
     loop {
@@ -37,7 +37,7 @@ fn transgression(text: &str) -> (Arc<LowStand>, Transgression) {
     }
 }
 
-/// Checks that one land lies in another, as exactly as coasts are.
+/// Checks that one land lies within another, as exactly as coasts are traced.
 fn assert_lies_in(land: &Land, before: &Land, what: &str) {
     let corners = before.coast_distance().heights().iter().zip(land.coast_distance().heights());
     // A former speck may be part of a cape.
@@ -51,7 +51,7 @@ fn assert_lies_in(land: &Land, before: &Land, what: &str) {
     assert!(new < 100, "{new} cells have come out of the sea {what}");
 }
 
-/// The land at the level where the sea covers a share of the domain.
+/// Returns the land at the level where the sea covers a share of the domain.
 fn at(low_stand: &LowStand, heights: &[f32], sea: f32) -> Land {
     let mut level = Level::new(&low_stand.land, heights.to_vec(), sea).unwrap();
     loop {

@@ -1,4 +1,4 @@
-//! Valleys on the corners of a lattice: how much land drains through each.
+//! Valleys on the corners of a lattice: the area that drains through each corner.
 
 use glam::Vec2;
 
@@ -12,21 +12,21 @@ use crate::tree::Tree;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Valleys {
     areas: Vec<f32>,
-    /// The great valley nearest to each corner.
+    /// The trough of the great valley nearest to each corner.
     troughs: Vec<Trough>,
     columns: usize,
 }
 
-/// The area from which on slopes fall as more drains, in square units.
+/// The drained area from which on slopes fall with more of it, in square units.
 const AREA: f32 = 16.0;
 
-/// The steepness of a valley of that area, and of ground without one, as shares of a hillside's.
+/// The steepness of a valley with that area, and of ground without a valley, as shares of a hillside's.
 const VALLEY: f32 = 0.4;
 const FLANK: f32 = 1.15;
 
 impl Valleys {
-    /// The steepness of a corner as a share of a hillside's, by its hardness: Flint's law (1974) with the usual concavity
-    /// of a half, but for troughs.
+    /// Returns the steepness of a corner as a share of a hillside's, by its hardness: Flint's law (1974) with the usual
+    /// concavity of a half, except in troughs.
     pub fn steepness(&self, corner: usize, hardness: f32) -> f32 {
         let usual = match self.areas.get(corner) {
             Some(&area) if area > 0.0 => VALLEY * (AREA / area.max(AREA)).sqrt(),
@@ -35,10 +35,10 @@ impl Valleys {
         self.troughs.get(corner).map_or(usual, |trough| trough.steepness(usual, FLANK, hardness))
     }
 
-    /// The same valleys, with middling ones wherever a land has no corner: what drains there is not known, and ground that
-    /// a lower sea uncovers is the first to drown.
+    /// Returns the valleys with a middling area wherever `land` is sea: what drains there is unknown, and ground that
+    /// only a lower sea uncovers is the first to drown.
     pub fn with_unknown(&self, land: &CoastDistance) -> Self {
-        /// The area that is thought to drain through unknown ground, in square units.
+        /// The area that is taken to drain through unknown ground, in square units.
         const UNKNOWN: f32 = 160.0;
         let known = self.areas.iter().zip(land.heights());
         Self {
@@ -64,7 +64,7 @@ pub(super) struct Marking {
 }
 
 impl Marking {
-    /// Finds what each node of a tree drains; `parcel_spacing` is the distance between parcels, in units.
+    /// Begins with the discharge of each node of a tree; `parcel_spacing` is the distance between parcels, in units.
     pub fn new(tree: &Tree, lattice: &CoastDistance, parcel_spacing: f32) -> Result<Self, Refused> {
         let (columns, rows) = lattice.size();
         let (mut areas, mut troughs, mut discharge) = (Vec::new(), Vec::new(), Vec::new());
@@ -104,7 +104,7 @@ impl Marking {
         false
     }
 
-    /// Marks the corners nearest to a straight line; of several rivers at a corner, the greatest counts.
+    /// Marks the corners nearest to a segment with the area that drains there; of several rivers at a corner, the greatest counts.
     fn mark(&mut self, from: Vec2, to: Vec2, area: f32) {
         let [from, to] = [from, to].map(|at| at / self.spacing + 0.5);
         for (column, row) in walk(from, to) {
@@ -117,7 +117,7 @@ impl Marking {
         }
     }
 
-    /// Lets the corners around a straight line know of the great valley along it.
+    /// Marks the corners around a segment with the trough along it.
     fn hollow(&mut self, from: Vec2, to: Vec2, area: f32) {
         let index = |at: f32, count: usize| ((at / self.spacing).max(0.0) as usize).min(count);
         let (first, last) = (from.min(to) - Trough::REACH, from.max(to) + Trough::REACH);

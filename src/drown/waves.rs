@@ -1,7 +1,7 @@
-//! The work of waves: where ground is soft they straighten coasts into beaches and open bays, and hard heads stay.
+//! The work of waves: where ground is soft they straighten coasts into beaches and open bays, while hard headlands stay.
 //!
 //! Heights are blurred where ground is soft, so the coast of every level is smoother there, and land still only shrinks
-//! as the sea rises. What the blur has left lower than all around it is lifted, so that there is no pit.
+//! as the sea rises. Pits that the blur has left are filled.
 
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::queue::Queue;
@@ -13,22 +13,22 @@ use crate::land::CoastDistance;
 pub(super) struct Waves {
     heights: Vec<f32>,
     before: Vec<f32>,
-    /// The share by which each corner moves toward the mean around it in a round; 0 for sea and rim.
+    /// The share by which each corner moves toward the mean of its neighbours in a round; 0 for sea and rim.
     softness: Vec<f32>,
     columns: usize,
     rows: usize,
     round: u32,
 }
 
-/// The number of rounds of blur, and of those that a step takes.
+/// The number of rounds of blur, and the number of rounds in a step.
 const ROUNDS: u32 = 24;
 const ROUNDS_A_STEP: u32 = 4;
 
-/// The height of a rim, which is neither land nor sea.
+/// The height of the rim, which is neither land nor sea.
 const RIM: f32 = f32::INFINITY;
 
 impl Waves {
-    /// Begins with heights at the corners of a lattice, above 0 on land, and the softness of the ground, from 0 to 1.
+    /// Begins with the heights at the corners of a lattice, in units, above 0 on land, and the softness of the ground, from 0 to 1.
     pub fn new(lattice: &CoastDistance, heights: Vec<f32>, softness: &[f32]) -> Result<Self, Refused> {
         let (columns, rows) = lattice.size();
         let (wide, high) = (columns + 2, rows + 2);
@@ -45,7 +45,7 @@ impl Waves {
         Ok(this)
     }
 
-    /// Makes some more rounds, and lifts pits after the last. Returns `true` if there is more to do.
+    /// Does some more rounds of blur, and fills pits after the last. Returns `true` if there is more to do.
     pub fn advance(&mut self) -> bool {
         if self.round >= ROUNDS {
             self.lift();
@@ -73,7 +73,7 @@ impl Waves {
         }
     }
 
-    /// Lifts land that is nowhere lower than all around it, the lowest first, over the neighbour that its water leaves to.
+    /// Fills pits: lifts each corner of land, in the order of flooding from the sea, above the neighbour that its water leaves to.
     fn lift(&mut self) {
         /// The least rise from one corner to the next, in units.
         const RISE: f32 = 1e-3;
@@ -99,7 +99,7 @@ impl Waves {
         [cell - 1, cell + 1, cell - self.columns, cell + self.columns]
     }
 
-    /// The heights without the rim, row by row.
+    /// Returns the heights without the rim, row by row.
     pub fn into_heights(self) -> Vec<f32> {
         let Self { heights, columns, rows, .. } = self;
         let mut inside = Vec::with_capacity((columns - 2) * (rows - 2));

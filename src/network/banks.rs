@@ -1,4 +1,4 @@
-//! Banks: both sides of a line that is as wide as its places say.
+//! Banks: the two sides of a line whose width is given place by place.
 
 use glam::Vec2;
 
@@ -15,12 +15,12 @@ pub struct Banks {
     pub left: Vec<Vec2>,
     /// The right bank.
     pub right: Vec<Vec2>,
-    /// The number of the place of the line that each point of either bank belongs to.
+    /// The index of the place of the line that each pair of points, left and right, belongs to.
     pub(super) places: Vec<u32>,
 }
 
 impl Banks {
-    /// Makes the banks along a line, as wide as its places say.
+    /// Makes the banks along a line from the width at each of its places.
     pub(crate) fn along(line: &[Place], courses: CourseShape) -> Self {
         let mut banks = Self::default();
         for (i, &Place { at, half }) in line.iter().enumerate() {
@@ -37,7 +37,7 @@ impl Banks {
         banks
     }
 
-    /// Makes the banks along a line. At the first place, they meet.
+    /// Makes the banks along a line. They meet at its first place.
     pub(crate) fn of_line(line: &[Place], courses: CourseShape) -> Self {
         let mut kept: Vec<u32> = (0..line.len() as u32).collect();
         kept.dedup_by_key(|i| line[*i as usize].at);
@@ -50,7 +50,7 @@ impl Banks {
         banks
     }
 
-    /// The corners of the shape that both banks enclose: down the left one and up the right one, none twice in a row.
+    /// Returns the polygon that both banks enclose: down the left bank and up the right one, no point twice in a row.
     pub fn ring(&self) -> Vec<Vec2> {
         let mut ring: Vec<Vec2> = self.left.iter().chain(self.right.iter().rev()).copied().collect();
         ring.dedup();
@@ -60,9 +60,9 @@ impl Banks {
         ring
     }
 
-    /// Adds a sharp corner between two ways, each as long as half the width. Both sides keep their width up to it, and
-    /// the outer bank keeps its distance around it. The inner bank passes through the corner itself, so that there is
-    /// no gap.
+    /// Adds a sharp corner; `before` and `after` are the directions there, as long as half the width. Up to it the
+    /// banks keep their distance from the line, and around it the outer one does. The inner bank passes through the
+    /// corner itself, so that there is no gap.
     fn turn(&mut self, place: u32, at: Vec2, before: Vec2, after: Vec2) {
         let tip = at + direction(before - after) * length(before);
         self.push(place, at - before.perp(), at + before.perp());
@@ -84,7 +84,7 @@ impl Banks {
 /// A line turns by more than 60° if the mean of the unit vectors before and after has a smaller square: cos² 30°.
 const SHARP: f32 = 0.75;
 
-/// The unit vectors along a line before and after a place; at either end, the only one twice.
+/// Returns the unit vectors along a line before and after a place; at either end of the line the only one twice.
 fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
     let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
     let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
@@ -95,8 +95,8 @@ fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
     }
 }
 
-/// The offset to the right bank at a corner of a line, long enough that both sides of the corner keep their distance: a
-/// mitre. It is cut where the line turns sharply, and zero where it turns straight back.
+/// Returns the offset to the right bank at a corner of a line, for a half-width of 1: a mitre, long enough that both sides
+/// of the corner keep their distance. It is cut where the line turns sharply, and zero where it turns straight back.
 fn aside(middle: Vec2) -> Vec2 {
     // `f32::max` is avoided: it handles NaN, and takes several jumps in wasm.
     let squared = middle.length_squared();

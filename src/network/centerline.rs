@@ -6,33 +6,33 @@ use super::{Banks, NONE, Network, Oxbow, River, Vertex};
 use crate::base::geometry::direction;
 use crate::recipe::CourseShape;
 
-/// How far beyond its last vertex a river reaches into the sea, in widths. A round end adds another half.
+/// The distance by which a river runs beyond its last vertex into the sea, in widths. A round end adds another half.
 const PAST_SHORE: f32 = 0.1;
 
-/// A place in the middle between two banks.
+/// A place on a centerline, midway between two banks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Where it lies, in units.
     pub at: Vec2,
-    /// How far either bank is, in units.
+    /// The distance to either bank, in units.
     pub half: f32,
 }
 
 impl Network {
-    /// The middle line of a river from its source to its end: a tributary's end in the middle of the river that it joins, no
-    /// wider than it came; another's past the shore.
+    /// Returns the centerline of a river from its source to its end: in the middle of the river that it joins, no wider
+    /// than above; or past the shore.
     pub fn middle(&self, river: &River) -> Vec<Place> {
         middle(&self.course(river).collect::<Vec<_>>(), river.junction != NONE)
     }
 
-    /// The banks of a river, from its source to its end. Where courses are smooth and the network is as it is drawn, both together are a
-    /// valid polygon.
+    /// Makes the banks of a river, from its source to its end. In a drawn network with smooth courses, both together
+    /// are a valid polygon.
     pub fn banks(&self, river: &River, courses: CourseShape) -> Banks {
         Banks::of_line(&self.middle(river), courses)
     }
 }
 
-/// The middle line of a course.
+/// Returns the centerline of a course, which ends past the shore unless it is that of a tributary.
 pub(super) fn middle(course: &[&Vertex], is_tributary: bool) -> Vec<Place> {
     let last = course.len().wrapping_sub(1);
     let place = |(i, vertex): (usize, &&Vertex)| {
@@ -47,7 +47,7 @@ pub(super) fn middle(course: &[&Vertex], is_tributary: bool) -> Vec<Place> {
 }
 
 impl Oxbow {
-    /// The centerline of the part that is still water; empty if silt has filled it all.
+    /// Returns the centerline of the part of the lake that is still water; empty if silt has filled it all.
     pub fn middle(&self) -> Vec<Place> {
         let lake = self.lake();
         let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
@@ -55,13 +55,13 @@ impl Oxbow {
         bed(&course).into_iter().zip(open).map(|(place, share)| Place { half: place.half * share, ..place }).collect()
     }
 
-    /// The centerline of the river that ran here, as wide as it was, but for what other rivers have run over.
+    /// Returns the centerline of the river that ran here, with its full width, which is 0 where other rivers have run over it.
     pub(super) fn bed(&self) -> Vec<Place> {
         bed(&self.vertices.iter().collect::<Vec<_>>())
     }
 }
 
-/// The middle line of a part of a course.
+/// Returns the centerline of a part of a course.
 fn bed(course: &[&Vertex]) -> Vec<Place> {
     course.iter().enumerate().map(|(i, vertex)| between(vertex.at, vertex, tangent(course, i))).collect()
 }

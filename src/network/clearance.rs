@@ -1,4 +1,4 @@
-//! The guard: how near the lines of a network come to each other.
+//! The guard of clearances: it measures how near the lines of a network come to each other.
 //!
 //! Two segments that have no end in common, at a distance d, cannot come to cross if each moves by less than d/2. So it is
 //! enough to know, for each segment, the distance to the nearest other one, as far as it can matter; and this
@@ -14,17 +14,17 @@ use crate::base::geometry::{distance, fast_max, fast_min, gap, meet};
 use crate::base::work;
 use crate::domain::Domain;
 
-/// What rounding may add to or take off a distance between two segments, in units.
+/// The greatest rounding error of a distance between two segments, in units.
 const ROUNDING: f32 = 1e-3;
 
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearbyPair {
-    /// The one that comes first.
+    /// The segment with the smaller index.
     pub first: u32,
-    /// The other.
+    /// The segment with the greater index.
     pub second: u32,
-    /// In units.
+    /// The distance between both, in units.
     pub distance: f32,
 }
 
@@ -38,7 +38,7 @@ pub struct ClearanceGrid {
     /// Where each cell begins in `entries`.
     starts: Vec<u32>,
     entries: Vec<Entry>,
-    /// Half the length of the longest segment, and that over what its reach lets expect, see [`ClearanceGrid::expected`].
+    /// Half the length of the longest segment; and the greatest ratio of a half length to [`ClearanceGrid::expected`].
     longest_half: f32,
     stretch: f32,
 }
@@ -53,7 +53,7 @@ struct Entry {
     segment: u32,
 }
 
-/// What a measurement looks at.
+/// The network that is measured, with the vertex downstream of each.
 #[derive(Clone, Copy)]
 struct Survey<'a> {
     network: &'a Network,
@@ -61,17 +61,17 @@ struct Survey<'a> {
 }
 
 impl ClearanceGrid {
-    /// An empty grid for segments about as long as a spacing, or longer where rivers are wide.
+    /// Makes an empty grid for segments about as long as a spacing, or longer where rivers are wide.
     pub fn new(domain: &Domain, spacing: f32) -> Self {
         let side = spacing * 2.0;
         let cells = (domain.size / side).floor() + 1.0;
         Self { spacing, side, columns: cells.x as usize, rows: cells.y as usize, ..Self::default() }
     }
 
-    /// Measures the distance of each segment, known by its upper vertex, from the nearest other one with no end in common,
-    /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around, at least to its cap; one
-    /// that can neither move nor matter to others beyond their caps looks nowhere, 0. `tell` is called for each pair nearer
-    /// than the larger of its two search radii, unless they are near each other along one river.
+    /// Measures the clearance of each segment, known by its upper vertex: the distance to the nearest other one with no
+    /// end in common, at most its cap. `reach` is the search radius of each segment, at least its cap; 0 for one that
+    /// can neither move nor matter to others beyond their caps. `tell` is called for each pair nearer than the larger
+    /// of its two search radii, unless both are near each other along one river.
     pub fn measure(
         &mut self,
         network: &Network,
@@ -114,13 +114,13 @@ impl ClearanceGrid {
         }
     }
 
-    /// Half of what a segment with some reach is long at most, but for a factor: longer where rivers are wide.
+    /// Returns the half length to expect of a segment with a search radius, up to a common factor: longer where rivers are wide.
     fn expected(&self, reach: f32) -> f32 {
         fast_max(self.spacing, reach)
     }
 
-    /// Whether a line from one vertex to another, across a neck, meets no segment of the last survey but those that end
-    /// in either.
+    /// Returns `true` if a line from one vertex to another, across a neck, meets no segment of the last measurement but
+    /// those that end in either.
     pub fn is_free(&self, network: &Network, downstream: &[u32], (a, b): (u32, u32)) -> bool {
         let line = (network.vertices[a as usize].at, network.vertices[b as usize].at);
         let radius = distance(line.0, line.1) * 0.5 + self.longest_half;
@@ -133,8 +133,8 @@ impl ClearanceGrid {
         })
     }
 
-    /// Whether a segment of the last survey comes nearer to a place than its own margin, known by its upper vertex; no margin is over
-    /// the largest.
+    /// Returns `true` if a segment of the last measurement comes nearer to a point than its margin, which depends on
+    /// its upper vertex and is at most `largest`.
     pub fn is_near(
         &self,
         network: &Network,
@@ -153,7 +153,7 @@ impl ClearanceGrid {
         })
     }
 
-    /// The segments of the last survey whose cells a circle touches that is so much larger than the longest of them.
+    /// Iterates over the segments of the last measurement whose bounding circles overlap a circle around a point.
     pub fn segments(&self, at: Vec2, radius: f32) -> impl Iterator<Item = u32> + '_ {
         let radius = radius + self.longest_half;
         self.runs(at, radius).flat_map(move |row| {
@@ -203,7 +203,7 @@ impl ClearanceGrid {
         ((x / self.side) as usize).min(end - 1)
     }
 
-    /// The entries in the cells around a point, row by row.
+    /// Iterates over the ranges of the entries in the cells within a radius of a point, row by row.
     fn runs(&self, at: Vec2, radius: f32) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let (left, right) = (self.place(at.x - radius, self.columns), self.place(at.x + radius, self.columns));
         (self.place(at.y - radius, self.rows)..=self.place(at.y + radius, self.rows)).map(move |row| {

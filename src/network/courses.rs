@@ -1,5 +1,5 @@
-//! From a tree to courses: at each confluence the arm with the greatest discharge is the river's own, and every other one
-//! is a river that joins it.
+//! From a tree to courses: at each confluence a river continues up the arm with the greatest discharge, and every other
+//! arm is a river that joins it.
 
 use super::ranking;
 use super::uncross::uncross;
@@ -10,32 +10,32 @@ use crate::tree::{Hydrology, NO_PARENT, Tree};
 /// The courses of a tree as it grew, and the order in which their vertices go when they are simplified.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Courses {
-    /// A vertex a node; no widths yet.
+    /// The courses, with a vertex for each node and no widths yet.
     pub network: Network,
     /// The vertices that can go, in the order in which they do.
     pub ranking: Vec<u32>,
 }
 
 impl Courses {
-    /// Reads the courses of a trimmed tree. `may_cross` says whether its steps may cross each other; `land` is where
-    /// simplified courses have to stay.
+    /// Reads the courses of a trimmed tree, and ranks their vertices. `may_cross` says whether its steps may cross each
+    /// other; `land` is where simplified courses have to stay.
     pub fn of(tree: &Tree, may_cross: bool, land: Option<&Land>) -> Self {
         Self::ranked(Self::unranked(tree, may_cross), land)
     }
 
-    /// The first half of the work: the courses alone.
+    /// Reads the courses of a trimmed tree without ranking their vertices: the first half of [`Self::of`].
     pub fn unranked(tree: &Tree, may_cross: bool) -> Network {
         if may_cross { courses(&uncross(tree)) } else { courses(tree) }
     }
 
-    /// The second half: the order in which vertices go.
+    /// Ranks the vertices of courses: the second half of [`Self::of`].
     pub fn ranked(network: Network, land: Option<&Land>) -> Self {
         let ranking = ranking::rank(&network, land);
         Self { network, ranking }
     }
 }
 
-/// One vertex a node. Rivers stand in the order in which they leave the sea: a river after the one it joins. A mouth from
+/// Makes the courses of a tree, with a vertex for each node. Each river comes after the one that it joins. A mouth from
 /// which nothing grew makes no river.
 fn courses(tree: &Tree) -> Network {
     let hydrology = Hydrology::of(tree);
@@ -77,7 +77,7 @@ fn courses(tree: &Tree) -> Network {
     network
 }
 
-/// The number of the lowest of a river's nodes that grew, as a source always did.
+/// Returns the identity of the lowest node of a river that grew; there is one, since sources always grew.
 fn identity(tree: &Tree, upstream: &[u32]) -> u32 {
     let identities = upstream.iter().map(|&node| tree.identity_of(node as usize));
     identities.into_iter().find(|&identity| identity != crate::tree::UNGROWN).unwrap_or(0)

@@ -4,8 +4,8 @@ use glam::Vec2;
 
 use crate::base::geometry::{fast_max, fast_min, length};
 
-/// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
-/// a screen whose y runs down, 0 where it is straight or where points coincide.
+/// Returns the curvature at the middle one of three points on a line: positive where the line turns to the right as
+/// seen on a screen, whose y runs down; 0 where it is straight or where points coincide.
 ///
 /// κ = 2 (b − a) × (c − b) / (|ab| |bc| |ca|). A line that turns straight back has no curvature by this formula; it counts
 /// as the sharpest bend that its points can form, one over half their distance. Units: 1 / length.

@@ -4,9 +4,9 @@ use super::settings::NetworkSettings;
 use super::{NONE, Network, Vertex};
 use crate::base::geometry::distance;
 
-/// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
-/// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
-/// place among the old vertices, and the share of the way to the next.
+/// Inserts vertices, so that neighbours lie at most one and a half steps apart, and at least two thirds of one where
+/// the course has room. Returns the new network, and for each of its vertices the index of the old vertex at or above
+/// it, with the share of the way to the next.
 pub(super) fn divide(network: &Network, settings: &NetworkSettings) -> (Network, Vec<(u32, f32)>) {
     let downstream = network.downstream();
     let mut place = vec![NONE; network.vertices.len()];
@@ -21,7 +21,7 @@ pub(super) fn divide(network: &Network, settings: &NetworkSettings) -> (Network,
             origin.push((i as u32, 0.0));
             let Some(next) = network.vertices.get(downstream[i] as usize) else { continue };
             let step = settings.step(2.0 * settings.half_width(network.vertices[i].discharge));
-            // A river that is its source alone would have no width anywhere.
+            // A river with a single vertex, its source, would have no width anywhere.
             let least = if own.len() == 1 { 2 } else { 1 };
             let pieces = pieces(distance(network.vertices[i].at, next.at), step).max(least);
             for piece in 1..pieces {
@@ -38,12 +38,12 @@ pub(super) fn divide(network: &Network, settings: &NetworkSettings) -> (Network,
     (divided, origin)
 }
 
-/// Into how many pieces a length is divided.
+/// Returns the number of pieces, at least 1, about as long as `spacing`, into which a length is divided.
 pub(super) fn pieces(length: f32, spacing: f32) -> u32 {
     ((length / spacing + 0.5) as u32).max(1)
 }
 
-/// A vertex on the way from one to the next downstream. It drains what the upper one does.
+/// Interpolates between a vertex and the next downstream. The result has the discharge of the upper one.
 pub(super) fn between(upper: &Vertex, lower: &Vertex, share: f32) -> Vertex {
     let mix = |a: f32, b: f32| a + (b - a) * share;
     Vertex {

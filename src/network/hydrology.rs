@@ -8,16 +8,16 @@ use super::{NONE, Network};
 use crate::base::geometry::{distance, fast_max, fast_min, lengths};
 use crate::tree::LEAST_SLOPE;
 
-/// The slope of a river that drains a share of everything: S ∝ Q^−0.5, as Flint (1974) found it for mountain streams, so that it is
-/// steep in inverse proportion to its width.
+/// Returns the slope of a river that drains a share of the whole map: S ∝ Q^−0.5, as Flint (1974) found for mountain
+/// streams, so that slope is inversely proportional to width.
 pub fn slope(share: f32) -> f32 {
     LEAST_SLOPE / share.max(1e-6).sqrt()
 }
 
-/// The slope at each vertex, downstream. That of a tree's own elevations is taken over some way, as their ground is hard here and soft
-/// there.
+/// Computes the slope downstream at each vertex. Where the tree has elevations, it is averaged along the river, since
+/// their ground is hard here and soft there.
 pub(super) fn slopes(network: &Network, total_discharge: u32) -> Vec<f32> {
-    /// A few times the distance between streams.
+    /// The number of vertices that a slope is averaged over: a few times the distance between streams.
     const VERTICES: usize = 24;
     if !has_elevations(network) {
         return network.vertices.iter().map(|vertex| slope(vertex.discharge as f32 / total_discharge as f32)).collect();
@@ -40,7 +40,7 @@ fn has_elevations(network: &Network) -> bool {
     network.vertices.iter().any(|vertex| vertex.elevation > 0.0)
 }
 
-/// The elevation of each vertex over the sea, in units; 0 at mouths. It falls along every river.
+/// Returns the elevation of each vertex over the sea, in units; 0 at mouths. It falls along every river.
 pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
     let downstream = network.downstream();
     let is_given = has_elevations(network);
@@ -51,19 +51,20 @@ pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
             let share = vertex.discharge as f32 / total_discharge as f32;
             slope(share) * distance(vertex.at, next.at) * straightness[i]
         };
-        // However short the way, a river falls.
+        // A river falls over any distance, however short.
         let own = if is_given { vertex.elevation } else { below + law() };
         own.max(below.next_up())
     })
 }
 
-/// What each vertex has by its number and what the next one downstream has; 0 at mouths.
+/// Computes a value for each vertex from the sea up: 0 at mouths, else `of` its index and the value of the next vertex
+/// downstream.
 pub fn upward(network: &Network, of: impl Fn(usize, f32) -> f32) -> Vec<f32> {
     let downstream = network.downstream();
     let mut values = vec![f32::NAN; network.vertices.len()];
     let mut upward = Vec::new();
     for start in 0..network.vertices.len() as u32 {
-        // Down to what is known, then up again.
+        // Down to a vertex whose value is known, then up again.
         let mut i = start;
         while i != NONE && values[i as usize].is_nan() {
             upward.push(i);
@@ -77,7 +78,8 @@ pub fn upward(network: &Network, of: impl Fn(usize, f32) -> f32) -> Vec<f32> {
     values
 }
 
-/// The straight way over the way along the river, around each vertex: a river that winds through a plain does not climb.
+/// Returns the straight distance over that along the river, around each vertex: a river that winds through a plain does
+/// not climb.
 pub(crate) fn straightness(network: &Network) -> Vec<f32> {
     const VERTICES: usize = 12;
     let mut straightness = vec![1.0; network.vertices.len()];

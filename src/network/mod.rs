@@ -53,29 +53,29 @@ use glam::Vec2;
 
 use crate::base::geometry::{distance, lengths};
 
-/// No vertex, no river.
+/// The index that stands for no vertex or no river.
 pub const NONE: u32 = u32::MAX;
 
 /// A point of a course.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Vertex {
-    /// Where it lies, in domain units.
+    /// The position, in domain units.
     pub at: Vec2,
-    /// What is drained at and above it.
+    /// The amount that is drained at the vertex and upstream of it.
     pub discharge: u32,
-    /// How far the left bank is from the middle line, looking downstream, in units; 0 at a source.
+    /// The distance of the left bank from the course, looking downstream, in units; 0 at a source.
     pub left: f32,
-    /// How far the right bank is.
+    /// The distance of the right bank from the course, in units; 0 at a source.
     pub right: f32,
-    /// How freely it meanders, from 0, where it stays, to 1.
+    /// The mobility: 0 where the vertex stays, 1 where it meanders fully.
     pub mobility: f32,
-    /// How high over the sea the tree has it, in units; 0 everywhere if the tree has no elevations.
+    /// The elevation over the sea that the tree gives, in units; 0 everywhere if the tree has no elevations.
     pub elevation: f32,
 }
 
 impl Vertex {
-    /// From bank to bank, in units.
+    /// Returns the distance from bank to bank, in units.
     #[inline]
     pub fn width(&self) -> f32 {
         self.left + self.right
@@ -86,9 +86,9 @@ impl Vertex {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct River {
-    /// Its first vertex, the source.
+    /// The index of its first vertex, the source.
     pub start: u32,
-    /// The vertex after its own last one. That is its mouth, if it joins no other river.
+    /// The index after its own last vertex, which is its mouth if it joins no other river.
     pub end: u32,
     /// The vertex at which it joins another river; [`NONE`] if it reaches the sea.
     pub junction: u32,
@@ -98,13 +98,13 @@ pub struct River {
     pub order: u8,
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
-    /// The number of its lowest node that grew (`identity` of its tree): no other river has it, and it stays whatever
-    /// becomes of its course.
+    /// The identity of its lowest node that grew (`identity` of its tree): no other river has the same, and it stays
+    /// whatever becomes of the course.
     pub identity: u32,
 }
 
 impl River {
-    /// The positions of its own vertices.
+    /// Returns the indices of its own vertices.
     #[inline]
     pub fn vertex_range(&self) -> Range<usize> {
         self.start as usize..self.end as usize
@@ -117,24 +117,24 @@ impl River {
 pub struct Oxbow {
     /// The river that left it.
     pub river: u32,
-    /// The round in which it was cut off.
+    /// The round in which the loop was cut off.
     pub born: u32,
-    /// The share of it that silt has filled, from 0, when it is young, to 1, when it is gone: as a picture shows it, the more silt the
-    /// fainter.
+    /// The share of the lake that silt has filled, from 0 when it is young to 1 when it is gone. Pictures show a lake
+    /// the fainter, the more silt it has.
     pub silt: f32,
-    /// Its middle line with the widths that the river had.
+    /// The old course with the widths that the river had.
     pub vertices: Vec<Vertex>,
 }
 
 impl Oxbow {
-    /// The lake that there is to see: of the longest run of vertices that no river has run over what silt has left, each with the
-    /// share of its width that is left, most of it in the middle, nothing at the ends, where silt has closed the loop. Empty if
-    /// that is too short to be a lake.
+    /// Returns the vertices of the visible lake, each with the share of its width that silt has left: most in the
+    /// middle, nothing at the ends, where silt has closed the loop. It is what silt has left of the longest run of
+    /// vertices that no river has run over; empty if that is too short to be a lake.
     pub fn lake(&self) -> Vec<(Vertex, f32)> {
         const LEAST_WIDTHS: f32 = 3.0;
         const LEAST_VERTICES: usize = 3;
         const TAPER: f32 = 1.5;
-        // Silt comes in at the ends, and makes shallow what it does not fill.
+        // Silt comes in at the ends, and makes the rest of the lake shallow.
         const FROM_EITHER_END: f32 = 0.35;
         const FROM_THE_BANKS: f32 = 0.5;
         if self.silt >= 1.0 {
@@ -165,17 +165,17 @@ impl Oxbow {
 pub struct Network {
     /// All vertices, river by river.
     pub vertices: Vec<Vertex>,
-    /// The rivers. They keep their numbers while their courses change.
+    /// The rivers. They keep their indices while their courses change.
     pub rivers: Vec<River>,
     /// The oxbow lakes, oldest first.
     pub oxbows: Vec<Oxbow>,
 }
 
 impl Network {
-    /// No river.
+    /// A network without rivers.
     pub const EMPTY: &'static Self = &Self { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
 
-    /// The vertex below each; [`NONE`] below a mouth.
+    /// Returns the vertex downstream of each; [`NONE`] at a mouth.
     pub fn downstream(&self) -> Vec<u32> {
         let mut downstream: Vec<u32> = (1..=self.vertices.len() as u32).collect();
         for river in self.rivers.iter().filter(|river| river.end > river.start) {
@@ -184,17 +184,17 @@ impl Network {
         downstream
     }
 
-    /// The rivers that run into the sea, in their order.
+    /// Returns the indices of the rivers that run into the sea, in ascending order.
     pub fn mouths(&self) -> Vec<u32> {
         (0..).zip(&self.rivers).filter(|(_, river)| river.parent == NONE).map(|(id, _)| id).collect()
     }
 
-    /// Of each river, the number of its basin: that of the mouth that its water comes to, counted from 1 in the order of
-    /// [`mouths`](Self::mouths).
+    /// Returns, for each river, the number of its basin: that of the mouth that its water comes to, counted from 1 in
+    /// the order of [`mouths`](Self::mouths).
     pub fn basins(&self) -> Vec<u32> {
         let mouths = self.mouths();
         let basin = |mut id: u32| {
-            // After a cutoff a river may join one that stands after it.
+            // After a cutoff a river may join one with a greater index.
             while let Some(river) = self.rivers.get(id as usize).filter(|river| river.parent != NONE) {
                 id = river.parent;
             }
@@ -203,19 +203,19 @@ impl Network {
         (0..self.rivers.len() as u32).map(basin).collect()
     }
 
-    /// A river's course: its own vertices, then the junction if it ends in one.
+    /// Iterates over a river's course: its own vertices, then the junction if it ends in one.
     pub fn course(&self, river: &River) -> impl DoubleEndedIterator<Item = &Vertex> + Clone {
         let junction = (river.junction != NONE).then(|| &self.vertices[river.junction as usize]);
         self.vertices[river.vertex_range()].iter().chain(junction)
     }
 
-    /// Where the vertices of a river's course lie.
+    /// Returns the positions of the vertices of a river's course.
     #[inline(never)] // each copy weighs two hundred bytes
     pub(crate) fn places(&self, river: &River) -> Vec<Vec2> {
         self.course(river).map(|vertex| vertex.at).collect()
     }
 
-    /// For each vertex, whether a river joins another there.
+    /// Returns, for each vertex, `true` if a river joins another there.
     pub fn junctions(&self) -> Vec<bool> {
         let mut is_junction = vec![false; self.vertices.len()];
         for river in self.rivers.iter().filter(|river| river.junction != NONE) {
@@ -224,17 +224,17 @@ impl Network {
         is_junction
     }
 
-    /// The discharge of a river at its end; 0 if it has no vertices.
+    /// Returns the discharge of a river at its end; 0 if it has no vertices.
     pub fn discharge(&self, river: &River) -> u32 {
         self.vertices[river.vertex_range()].last().map_or(0, |vertex| vertex.discharge)
     }
 
-    /// The length of a river, in units.
+    /// Returns the length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
         lengths(&self.places(river)).last().copied().unwrap_or(0.0)
     }
 
-    /// The length of a river over the straight line from its source to its end; 1 if it ends where it begins.
+    /// Returns the length of a river over the straight line from its source to its end; 1 if it ends where it begins.
     pub fn sinuosity(&self, river: &River) -> f32 {
         let ends = (self.course(river).next(), self.course(river).next_back());
         match ends {

@@ -1,7 +1,7 @@
-//! Narrowing: where a course turns more sharply than its river is wide, or comes back to itself, the drawn width gives way.
+//! Narrowing: where a course turns too sharply for the width of its river, or comes back to itself, the river is drawn narrower.
 //!
-//! Both banks of a river are a ring. Where that crosses or touches itself, the river is made narrower little by little, and widens
-//! again above and below, until it does not.
+//! Both banks of a river form a ring. Where the ring crosses or touches itself, the river is made narrower little by
+//! little until it does not, and widens again above and below.
 
 use std::ops::Range;
 
@@ -13,21 +13,21 @@ use crate::base::geometry::{distance, doubled_area, fast_max, fast_min, length, 
 use crate::base::work;
 use crate::recipe::CourseShape;
 
-/// How fast half of the width changes along a river that has given way, at most.
+/// The greatest change of half the width per unit of length along a narrowed river.
 const FLARE: f32 = 0.2;
 
-/// How much farther than half the width a bank is where a line turns, at most.
+/// The greatest distance of a bank from the line where it turns, in half-widths.
 const MITRE: f32 = 1.16;
 
-/// A line that turns less, by the cosine of the angle, is as good as straight.
+/// The cosine of the angle up to which a line counts as straight.
 const STRAIGHT: f32 = 0.98;
 
-/// The share of its width that a river keeps where its banks still meet, and how often that is tried.
+/// The factor for the width of a river where its banks still meet, and how often that is tried.
 const LESS: f32 = 0.85;
 const TRIES: u32 = 96;
 
-/// Returns the network with some of its rivers as narrow as they need be for banks that do not meet, in smooth courses; `None` if they
-/// all are.
+/// Returns the network, with smooth courses, with some of its rivers narrowed so that their banks do not meet; `None`
+/// if none has to be.
 pub(super) fn narrowed<'a>(network: &Network, rivers: impl Iterator<Item = &'a River>) -> Option<Network> {
     let mut drawn: Option<Network> = None;
     for river in rivers {
@@ -42,14 +42,14 @@ pub(super) fn narrowed<'a>(network: &Network, rivers: impl Iterator<Item = &'a R
     drawn
 }
 
-/// The share of its width that each own vertex of a course keeps; `None` if that is all of it.
+/// Returns the share of its width that each own vertex of a course keeps; `None` if all keep all of it.
 fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>> {
     let line = middle(course, is_tributary);
     if own < 2 || !is_in_doubt(&line) {
         return None;
     }
     let mut shares: Vec<f32> = vec![1.0; own];
-    // Places that met before; all of them at first, and when these no longer do.
+    // Places around which banks met in the last try; all places at first, and again once none meet.
     let mut suspects: Option<Vec<bool>> = None;
     for _ in 0..TRIES {
         let places =
@@ -62,7 +62,7 @@ fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>
         }
         let mut gives_way = vec![false; own];
         for place in places {
-            // Its neighbours, too; the junction belongs to the other river.
+            // The neighbours give way too; the junction belongs to the other river.
             let place = (place as usize).min(own - 1);
             gives_way[place.saturating_sub(1)..(place + 2).min(own)].fill(true);
         }
@@ -75,7 +75,7 @@ fn shares(course: &[&Vertex], own: usize, is_tributary: bool) -> Option<Vec<f32>
     shares.iter().any(|&share| share < 1.0).then_some(shares)
 }
 
-/// The line of a course whose widths are scaled.
+/// Returns the centerline of a course whose widths are scaled.
 fn scaled(course: &[&Vertex], shares: &[f32], is_tributary: bool) -> Vec<Place> {
     let narrow = |(vertex, share): (&&Vertex, &f32)| Vertex {
         left: vertex.left * share,
@@ -87,7 +87,7 @@ fn scaled(course: &[&Vertex], shares: &[f32], is_tributary: bool) -> Vec<Place> 
     middle(&course.iter().collect::<Vec<_>>(), is_tributary)
 }
 
-/// Whether two pieces of a line come so near each other that banks could meet.
+/// Returns `true` if pieces of a line come so near to each other, or turn so sharply, that banks could meet.
 fn is_in_doubt(line: &[Place]) -> bool {
     let turns = |three: &[Place]| {
         let (before, after) = (three[1].at - three[0].at, three[2].at - three[1].at);
@@ -108,7 +108,7 @@ fn is_in_doubt(line: &[Place]) -> bool {
     line.windows(3).any(turns) || (0..runs.0.len()).any(comes_near)
 }
 
-/// The circle around a piece of a line and its banks.
+/// The circle around a segment of a line and its banks.
 struct Piece {
     middle: Vec2,
     radius: f32,
@@ -126,7 +126,7 @@ impl Piece {
     }
 }
 
-/// Lets widths change little by little along a line.
+/// Lowers shares so that widths change gradually along a line.
 fn flare(shares: &mut [f32], line: &[Place]) {
     let ease = |narrow: f32, a: usize, b: usize| {
         let room = narrow * line[a].half + FLARE * distance(line[a].at, line[b].at);
@@ -140,7 +140,7 @@ fn flare(shares: &mut [f32], line: &[Place]) {
     }
 }
 
-/// Points in runs, each with the box around it.
+/// The bounding boxes of runs of points or sides.
 struct Runs(Vec<[Vec2; 2]>);
 
 impl Runs {
@@ -163,12 +163,12 @@ impl Runs {
         Self(lows.0.iter().zip(&highs.0).map(|(low, high)| [low[0], high[1]]).collect())
     }
 
-    /// The numbers of a run's members, of so many in all.
+    /// Returns the indices of a run's members; `count` is the number of members of all runs.
     fn range(run: usize, count: usize) -> Range<usize> {
         (run * Self::LENGTH).min(count)..((run + 1) * Self::LENGTH).min(count)
     }
 
-    /// The runs that come as near to one as that, itself included.
+    /// Iterates over the runs whose boxes come within a distance of the box of a run, which is one of them.
     fn near(&self, run: usize, reach: f32) -> impl Iterator<Item = usize> + '_ {
         let [least, most] = self.0[run];
         work::count(self.0.len());
@@ -177,19 +177,19 @@ impl Runs {
         self.0.iter().enumerate().filter(move |(_, other)| is_near(other)).map(|(i, _)| i)
     }
 
-    /// The box that two runs share: their members can only meet there.
+    /// Returns the intersection of the boxes of two runs: only there can their members meet.
     fn shared(&self, a: usize, b: usize) -> [Vec2; 2] {
         [self.0[a][0].max(self.0[b][0]), self.0[a][1].min(self.0[b][1])]
     }
 }
 
-/// Whether the box around a side comes into another box, or to its edge.
+/// Returns `true` if the box around a side touches or overlaps another box.
 fn touches((from, to): (Vec2, Vec2), [least, most]: [Vec2; 2]) -> bool {
     from.min(to).cmple(most).all() && from.max(to).cmpge(least).all()
 }
 
 impl Banks {
-    /// The numbers of the places where the ring of both banks crosses or touches itself: all of them, or those around suspects.
+    /// Finds the indices of the places where the ring of both banks crosses or touches itself: all of them, or those at suspects.
     fn meetings(&self, suspects: Option<&[bool]>) -> Vec<u32> {
         let corners = self.left.iter().zip(&self.places).chain(self.right.iter().zip(&self.places).rev());
         let mut corners: Vec<(Vec2, u32)> = corners.map(|(&at, &place)| (at, place)).collect();
@@ -224,7 +224,7 @@ impl Banks {
     }
 }
 
-/// Whether two sides of a closed ring meet elsewhere than in the corner of neighbours.
+/// Returns `true` if two sides of a closed ring meet anywhere but in the common corner of neighbours.
 fn sides_meet(sides: &[(Vec2, Vec2)], i: usize, j: usize) -> bool {
     let (a, b) = (sides[i], sides[j]);
     let turns_back =
@@ -243,13 +243,13 @@ mod tests {
     use super::super::samples::{river, straight};
     use super::*;
 
-    /// A river of a width along a line, as it is drawn; `None` if that is with all its width.
+    /// Returns a river of a given width along a line as it is drawn; `None` if it keeps all its width.
     fn drawn(line: &[Vec2], width: f32) -> Option<Network> {
         let network = river(line, width);
         narrowed(&network, network.rivers.iter())
     }
 
-    /// Two limbs so far apart, and a half circle between.
+    /// Returns the course of two parallel limbs at a distance, joined by a half circle.
     fn hairpin(apart: f32) -> Vec<Vec2> {
         let back = straight((140.0, 400.0 + apart), (100.0, 400.0 + apart), 40);
         let turn = (1..12).map(|i| {

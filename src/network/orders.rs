@@ -3,7 +3,7 @@
 use super::{NONE, Network, River};
 use crate::base::sort;
 
-/// Counts all rivers' orders and magnitudes. Those of the tree stand until rivers join others than they did.
+/// Recomputes the orders and magnitudes of all rivers, which change when a river comes to join another one than before.
 pub(super) fn count(network: &mut Network) {
     let rivers = &mut network.rivers;
     let arms = sort::argsort(rivers.iter().map(|river| river.junction));
@@ -29,11 +29,11 @@ pub(super) fn count(network: &mut Network) {
     }
 }
 
-/// Order and magnitude of a river below arms that join it at some vertices, from its source down. Where the highest order
-/// is that of several, the river itself among them, it rises by one.
+/// Returns the order and magnitude of a river at its end; `arms` join it in the order from its source down. Where
+/// several of those that meet, the river itself among them, have the highest order, it rises by one.
 fn fed_by<'a>(arms: impl Iterator<Item = &'a River>) -> (u8, u32) {
     let (mut order, mut magnitude) = (1, 1);
-    // At the vertex that was looked at last: the highest order that came to it, and how many times.
+    // The last vertex looked at, the highest order of what meets there, and how many times it does.
     let (mut vertex, mut highest, mut times) = (NONE, 0, 0);
     for arm in arms {
         if arm.junction != vertex {
@@ -54,7 +54,7 @@ mod tests {
     use super::*;
     use crate::network::Vertex;
 
-    /// Rivers with a number of vertices each, which join a vertex of another one.
+    /// Makes rivers from the number of vertices of each, its junction and its parent.
     fn network(rivers: &[(u32, u32, u32)]) -> Network {
         let mut start = 0;
         let river = |&(length, junction, parent): &(u32, u32, u32)| {

@@ -1,10 +1,10 @@
-//! In which order vertices go when courses are simplified: one ranking of all rivers, made once, so that any degree of
-//! simplification is a prefix of it.
+//! The order in which simplification removes vertices: one ranking for all rivers, made once, so that any degree of
+//! simplification removes a prefix of it.
 //!
-//! The method is that of Visvalingam and Whyatt, but spikes count for less. A network has rules of its own: sources, mouths
-//! and junctions stay; a vertex goes only while its triangle with its neighbours holds no other vertex, so that the line
-//! cannot come to lie across another, nor so near it that rounding could carry it across; and only if the line that is left
-//! stays on land.
+//! The method is that of Visvalingam and Whyatt, but spikes count for less. A network has rules of its own: sources,
+//! mouths and junctions stay; a vertex goes only while its triangle with its neighbours contains no other vertex, so
+//! that the line cannot come to cross another, nor so near to one that rounding could make them cross; and only if the
+//! line that is left stays on land.
 
 use glam::Vec2;
 
@@ -15,7 +15,7 @@ use crate::base::simplify::{Lines, Place, area_unless_spike};
 use crate::base::work;
 use crate::land::Land;
 
-/// The vertices that can go, in the order in which they do.
+/// Ranks the vertices that simplification may remove, the first to go first; simplified lines stay on `land`.
 pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
     let places = places(network);
     let cells = Cells::new(&places);
@@ -31,7 +31,7 @@ pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
     order
 }
 
-/// A network with a share of the ranked vertices gone.
+/// Returns a network without a share, from 0 to 1, of the ranked vertices.
 pub(super) fn simplified(network: &Network, ranking: &[u32], share: f32) -> Network {
     let count = (ranking.len() as f32 * share) as usize;
     let mut stays = vec![true; network.vertices.len()];
@@ -52,7 +52,7 @@ pub(super) fn simplified(network: &Network, ranking: &[u32], share: f32) -> Netw
     simplified
 }
 
-/// The vertices with the neighbours of those that may go; the others have none upstream.
+/// Returns all vertices, each with its neighbours along the course; those that have to stay have none upstream.
 fn places(network: &Network) -> Vec<Place> {
     let place = |(i, (vertex, after)): (u32, (&Vertex, u32))| Place { at: vertex.at, before: i.wrapping_sub(1), after };
     let mut places: Vec<Place> = (0..).zip(network.vertices.iter().zip(network.downstream())).map(place).collect();
@@ -60,13 +60,13 @@ fn places(network: &Network) -> Vec<Place> {
         places[river.start as usize].before = NONE;
     }
     for (place, _) in places.iter_mut().zip(network.junctions()).filter(|(_, is_junction)| *is_junction) {
-        // It keeps its place in both lines, and its own neighbour downstream: so it is no triangle's middle.
+        // Without a neighbour upstream a junction is no triangle's middle, and so stays.
         place.before = NONE;
     }
     places
 }
 
-/// Points by cells of a grid, with where they lie: what stands side by side is looked at together.
+/// Points sorted into the cells of a grid, with their positions, so that a row of cells is one run in memory.
 struct Cells {
     starts: Vec<u32>,
     points: Vec<(Vec2, u32)>,
@@ -109,7 +109,8 @@ impl Cells {
         (((x - from) / self.side) as usize).min(end - 1)
     }
 
-    /// Whether no point lies in a triangle or close to its side from the first corner to the last, but for those that do not count.
+    /// Returns `true` if no point lies in a triangle or close to its side from the first corner to the last, except
+    /// those that are apart.
     fn is_clear(&self, [a, b, c]: [Vec2; 3], mut is_apart: impl FnMut(u32) -> bool) -> bool {
         let (least, most) = (a.min(b).min(c) - LEAST_CLEARANCE, a.max(b).max(c) + LEAST_CLEARANCE);
         let left = self.place(least.x, self.corner.x, self.columns);

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::{NONE, Network, NetworkSettings, River, Vertex};
 use crate::recipe::link;
 
-/// The settings of a plain rectangle, vertices a unit apart.
+/// Returns settings for a plain rectangle with vertices a unit apart.
 pub(super) fn settings() -> NetworkSettings {
     let recipe =
         link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&courses=smooth&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
@@ -18,7 +18,7 @@ pub(super) fn settings() -> NetworkSettings {
     }
 }
 
-/// A river through some points, as wide everywhere, that moves freely.
+/// Makes a river through some points, of the same width everywhere, that moves freely.
 pub(super) fn river(points: &[Vec2], width: f32) -> Network {
     let half = width * 0.5;
     let vertex =
@@ -29,7 +29,7 @@ pub(super) fn river(points: &[Vec2], width: f32) -> Network {
 }
 
 impl Network {
-    /// The same with another river, which joins the first at one of its vertices.
+    /// Adds another river, which joins the first at one of its vertices.
     pub(super) fn with_arm(mut self, points: &[Vec2], junction: u32, discharge: u32) -> Self {
         let start = self.vertices.len() as u32;
         let width = self.vertices[0].width() * 0.5;
@@ -42,13 +42,13 @@ impl Network {
     }
 }
 
-/// Points from one to another, the first included.
+/// Returns evenly spaced points from one to another, both included.
 pub(super) fn straight(from: (f32, f32), to: (f32, f32), pieces: u32) -> Vec<Vec2> {
     (0..=pieces).map(|i| Vec2::from(from).lerp(Vec2::from(to), i as f32 / pieces as f32)).collect()
 }
 
-/// Langbein and Leopold's curve, whose direction is ω sin(2π s / M) at length s, as long as some waves of length `wave`: its
-/// curvature is ω (2π / M) cos(2π s / M), its sinuosity 1 / J₀(ω).
+/// Returns some waves of Langbein and Leopold's curve, whose direction is ω sin(2π s / M) at length s, with M = `wave`:
+/// its curvature is ω (2π / M) cos(2π s / M), its sinuosity 1 / J₀(ω).
 pub(super) fn sine_generated(omega: f32, wave: f32, waves: u32, pieces: u32) -> Vec<Vec2> {
     let piece = wave / pieces as f32;
     let mut line = vec![Vec2::new(20.0, 400.0)];
@@ -59,13 +59,13 @@ pub(super) fn sine_generated(omega: f32, wave: f32, waves: u32, pieces: u32) -> 
     line
 }
 
-/// The length of a line over the distance of its ends.
+/// Returns the length of a line over the distance between its ends.
 pub(super) fn sinuosity(line: &[Vec2]) -> f32 {
     let length: f32 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
     length / line[0].distance(line[line.len() - 1])
 }
 
-/// Where the vertices of a network lie.
+/// Returns the positions of a network's vertices.
 pub(super) fn places(network: &Network) -> Vec<Vec2> {
     network.vertices.iter().map(|vertex| vertex.at).collect()
 }

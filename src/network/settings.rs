@@ -16,51 +16,51 @@ use crate::recipe::{CourseShape, IntegerKey, MeanderModel, NumberKey, Recipe};
 pub struct NetworkSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
-    /// The rectangle.
+    /// The rectangle of the map.
     pub domain: Domain,
-    /// The land; `None` if all of the domain is.
+    /// The land; `None` if all of the domain is land.
     pub(super) land: Option<Arc<Land>>,
-    /// About how far apart the vertices of a course are.
+    /// The approximate distance between the vertices of a course, in units.
     pub spacing: f32,
-    /// The discharge of a river that drains everything.
+    /// The discharge of a river that would drain the whole map.
     pub total_discharge: u32,
-    /// The least width of a stream: thin, but visible; less where streams lie close together.
+    /// The least width of a stream, in units: thin, but visible; less where streams lie close together.
     pub hairline: f32,
-    /// The width of a river that drains everything.
+    /// The width of a river that would drain the whole map, in units.
     pub max_width: f32,
     /// The lines that rivers follow.
     pub courses: CourseShape,
-    /// The share of the vertices that simplification takes out, of those that can go.
+    /// The share that simplification removes of the vertices that it may remove, from 0 to 1.
     pub simplify: f32,
-    /// By what share of itself a bank's distance from the middle varies, at most.
+    /// The greatest variation of a bank's distance from the middle, as a share of that distance.
     pub bank_variation: f32,
-    /// How rivers meander; not at all, if they are as grown.
+    /// The model by which rivers meander; none if courses are as grown.
     pub model: MeanderModel,
-    /// The number of rounds.
+    /// The number of rounds of meandering.
     pub rounds: u32,
-    /// How far a bend moves in a round, from 0 to 1.
+    /// The strength with which bends move in a round, from 0 to 1.
     pub strength: f32,
-    /// How much of that is sideways, from 0 to 1; the rest is downstream.
+    /// The share of a bend's move that is sideways, from 0 to 1; the rest is downstream.
     pub mix: f32,
-    /// How much all rivers but the great ones meander, from 0 to 1.
+    /// The mobility of all rivers but the great ones, at most, from 0 to 1.
     pub meander_elsewhere: f32,
-    /// How many rivers meander fully, where they are flat.
+    /// The number of great rivers, which meander fully where they are flat.
     pub great_rivers: u32,
     /// The share of all courses that counts as flat.
     pub flat_share: f32,
-    /// How near two limbs of a river come before it cuts through, in widths.
+    /// The distance between two limbs of a river at which it cuts through, in widths.
     pub neck: f32,
-    /// The time in which silt fills an oxbow lake, in times of the default: 0 leaves no lakes, infinity all of them.
+    /// The time in which silt fills an oxbow lake, as a multiple of the default: 0 leaves no lakes, infinity all of them.
     pub oxbow_life: f32,
     /// The least distance between the banks of two rivers, in units.
     pub min_clearance: f32,
-    /// Over how many widths meandering sets in, from sources, mouths and junctions on.
+    /// The distance from sources, mouths and junctions over which meandering sets in, in widths.
     pub taper: f32,
 }
 
 impl NetworkSettings {
-    /// The settings of a recipe, for a tree on some land: `stream_spacing` is the distance between its streams, in units, and
-    /// `total_discharge` the discharge of a river that drained everything.
+    /// Resolves the settings of a recipe for a tree on some land: `stream_spacing` is the distance between its streams,
+    /// in units, and `total_discharge` the discharge of a river that would drain the whole map.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {
         Self {
             seed: Seed::from_text(recipe.seed()),
@@ -90,25 +90,25 @@ impl NetworkSettings {
         }
     }
 
-    /// How far apart the vertices of a river of some width are: a wide one needs no more of them to a bend.
+    /// Returns the distance between the vertices of a river of a given width, in units: a wide river's bends need no more vertices.
     #[inline]
     pub fn step(&self, width: f32) -> f32 {
         const A_WIDTH: f32 = 0.25;
         fast_max(self.spacing, width * A_WIDTH)
     }
 
-    /// Half the width of a river of some discharge, before its banks vary.
+    /// Returns half the width of a river of a given discharge, in units, before its banks vary.
     pub fn half_width(&self, discharge: u32) -> f32 {
         let share = discharge as f32 / self.total_discharge as f32;
         fast_max(self.max_width * share.sqrt(), self.hairline) * 0.5
     }
 
-    /// Noise along courses, from -1 to 1.
+    /// Returns noise along courses, from -1 to 1.
     pub(super) fn width_noise(&self) -> FastNoiseLite {
         self.noise(0, 1.0, 2)
     }
 
-    /// Noise over the map: where rivers meander gently.
+    /// Returns noise over the map, which tells where rivers meander gently.
     pub(super) fn gentle_noise(&self) -> FastNoiseLite {
         const BUMPS: f32 = 3.0;
         self.noise(1, BUMPS / self.domain.size.min_element(), 2)
@@ -119,7 +119,7 @@ impl NetworkSettings {
     }
 }
 
-/// From none at 0 over the default at a half to infinity at 1.
+/// Converts the recipe's share to the life of oxbow lakes: 0 at 0, the default 1 at a half, infinite at 1.
 fn oxbow_life(share: f32) -> f32 {
     share / (1.0 - share)
 }
@@ -128,7 +128,7 @@ fn oxbow_life(share: f32) -> f32 {
 const HAIRLINE: f32 = 0.6;
 const HAIRLINE_SHARE: f32 = 0.1;
 
-/// A course's vertices lie this much of the distance between streams apart: enough for bends narrower than that.
+/// The distance between vertices as a share of that between streams, fine enough for bends narrower than that; and its limits, in units.
 const SPACING: f32 = 0.32;
 const LEAST_SPACING: f32 = 0.25;
 const MOST_SPACING: f32 = 5.0;

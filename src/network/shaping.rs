@@ -11,16 +11,16 @@ use crate::base::memory;
 use crate::recipe::CourseShape;
 use crate::tree::Tree;
 
-/// Why a tree cannot be made into rivers.
+/// The reason why a tree cannot be made into rivers.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ShapeError {
     /// There was not enough memory.
     #[error("the rivers of {nodes} nodes need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
-        /// How many nodes the tree has.
+        /// The number of nodes in the tree.
         nodes: u32,
-        /// About how much is needed.
+        /// The memory that is needed, approximately.
         megabytes: u32,
     },
 }
@@ -29,24 +29,24 @@ pub enum ShapeError {
 #[derive(Clone, Debug)]
 pub struct Shaping {
     settings: NetworkSettings,
-    /// How many nodes the tree has.
+    /// The number of nodes in the tree.
     nodes: u32,
     state: State,
 }
 
 #[derive(Clone, Debug, Default)]
 enum State {
-    /// Only while a step is made.
+    /// No state: only while a step is made.
     #[default]
     Between,
     Courses(Network),
     Ranked(Courses),
-    /// Smooth courses, and how often they may be thinned out; or courses as grown, never.
+    /// Smooth courses, and how often they may still be thinned out; or courses as grown, which are not.
     Smooth(Courses, Network, u32),
     Rivers(Courses, Box<Meander>),
 }
 
-/// How often courses are thinned out at most.
+/// The greatest number of times that courses are thinned out.
 const THINNINGS: u32 = 4;
 
 impl Shaping {
@@ -56,14 +56,14 @@ impl Shaping {
     /// # Errors
     /// If there is not enough memory for its rivers.
     pub fn new(tree: &Tree, may_cross: bool, settings: NetworkSettings) -> Result<Self, ShapeError> {
-        /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
+        /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 bytes a node at most.
         const BYTES_A_NODE: usize = 256;
         ask_for_memory(tree.len(), BYTES_A_NODE, PastCourses::BYTES)?;
         let state = State::Courses(Courses::unranked(tree, may_cross));
         Ok(Self { settings, nodes: tree.len() as u32, state })
     }
 
-    /// Makes a step. Returns whether there is more to do.
+    /// Does a step of the work. Returns `true` if there is more to do.
     pub fn step(&mut self) -> bool {
         self.state = match std::mem::take(&mut self.state) {
             State::Between => State::Between,
@@ -91,8 +91,8 @@ impl Shaping {
         !self.is_finished()
     }
 
-    /// Changes to other settings of the same tree on the same land. It makes no step: what depends on the settings is
-    /// discarded, and the steps that follow make it again.
+    /// Changes to other settings for the same tree on the same land. Whatever depends on the settings is discarded, and
+    /// made again by the steps that follow.
     pub fn change(&mut self, settings: NetworkSettings) {
         self.settings = settings;
         self.state = match std::mem::take(&mut self.state) {
@@ -101,19 +101,19 @@ impl Shaping {
         };
     }
 
-    /// Makes sure that nobody else has the very rivers that change with the next rounds, by a copy if need be.
+    /// Makes sure that the rivers, which the next rounds change, are not shared: copies them if need be.
     pub(crate) fn unshare(&mut self) {
         if let State::Rivers(_, meander) = &mut self.state {
             meander.unshare();
         }
     }
 
-    /// Whether there is nothing more to do.
+    /// Returns `true` if there is nothing more to do.
     pub fn is_finished(&self) -> bool {
         self.meander().is_some_and(Meander::is_finished)
     }
 
-    /// Rivers and their meanders; `None` until there are any.
+    /// Returns the meandering rivers; `None` until there are any.
     pub fn meander(&self) -> Option<&Meander> {
         match &self.state {
             State::Rivers(_, meander) => Some(meander),
@@ -121,12 +121,12 @@ impl Shaping {
         }
     }
 
-    /// The rivers; `None` until there are any.
+    /// Returns the rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
         self.meander().map(|meander| &**meander.network())
     }
 
-    /// The courses as the tree has them, and the order in which their vertices go; `None` until that is known.
+    /// Returns the courses as the tree has them, and the ranking of their vertices; `None` until that is known.
     pub fn courses(&self) -> Option<&Courses> {
         match &self.state {
             State::Ranked(courses) | State::Smooth(courses, ..) | State::Rivers(courses, _) => Some(courses),
@@ -134,18 +134,18 @@ impl Shaping {
         }
     }
 
-    /// The settings that rivers are made by.
+    /// Returns the settings that rivers are made with.
     pub fn settings(&self) -> &NetworkSettings {
         &self.settings
     }
 
-    /// How many nodes the tree has.
+    /// Returns the number of nodes in the tree.
     pub fn nodes(&self) -> u32 {
         self.nodes
     }
 }
 
-/// Checks that there is enough memory for a number of nodes, and for more.
+/// Checks that there is enough memory for a number of nodes, and for `more` bytes.
 ///
 /// # Errors
 /// If there is not enough.

@@ -12,14 +12,14 @@ use super::{NONE, Network};
 use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::land::Land;
 
-/// How often vertices are moved toward the smooth line: most are there after two or three.
+/// The number of times that vertices are moved toward the smooth line: most reach it after two or three.
 const ROUNDS: u32 = 6;
 
-/// No move goes farther than this share of the distance to the nearest other line: with all of them below a half, and a
-/// margin for rounding and for vertices taken out, lines stay apart.
+/// The share of the distance to the nearest other line that a vertex may move. Below a half, with a margin for rounding
+/// and for removed vertices, lines stay apart.
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.3;
 
-/// Smooths a network that [`super::evenly::divide`] has made of a coarser one.
+/// Smooths a network that [`super::evenly::divide`] has made from a coarser one.
 pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], settings: &NetworkSettings) {
     let (land, spacing) = (settings.land.as_deref(), settings.spacing);
     let mut targets = targets(coarse, origin);
@@ -47,15 +47,15 @@ pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f3
     }
 }
 
-/// Lines come no nearer than this, in units: far above what is lost to rounding, far below what can be seen.
+/// The least distance between lines, in units: far above rounding errors, far below what can be seen.
 pub(super) const LEAST_CLEARANCE: f32 = 0.02;
 
-/// The clearance that moving may use up.
+/// Returns the part of a clearance that moves may use up, in units.
 pub(super) fn room(clearance: f32) -> f32 {
     fast_max(clearance - LEAST_CLEARANCE, 0.0)
 }
 
-/// How far each vertex may move: by the least clearance of the segments that end in it.
+/// Returns the distance that each vertex may move, in units, by the least clearance of the segments that end in it.
 pub(super) fn limits(clearance: &[f32], downstream: &[u32]) -> Vec<f32> {
     let mut limits: Vec<f32> = clearance.iter().map(|&clearance| room(clearance) * SHARE_OF_CLEARANCE).collect();
     for (&clearance, &below) in clearance.iter().zip(downstream) {
@@ -66,7 +66,7 @@ pub(super) fn limits(clearance: &[f32], downstream: &[u32]) -> Vec<f32> {
     limits
 }
 
-/// Whether a river may move at a place: all around lies land.
+/// Returns `true` if all within a distance of a point is land, so that a river may move there.
 pub(super) fn has_room(land: Option<&Land>, at: Vec2, distance: f32) -> bool {
     land.is_none_or(|land| land.is_all_land(at, distance))
 }
@@ -76,7 +76,7 @@ fn toward(at: Vec2, target: Vec2, limit: f32) -> Vec2 {
     if far <= limit { target } else { at + way * (limit / far) }
 }
 
-/// Where each vertex lies on the smooth line.
+/// Returns the place of each vertex on the smooth line.
 fn targets(coarse: &Network, origin: &[(u32, f32)]) -> Vec<Vec2> {
     let downstream = coarse.downstream();
     let mut before = vec![NONE; coarse.vertices.len()];

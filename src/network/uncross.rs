@@ -1,4 +1,4 @@
-//! Where a grown river crosses another, or itself, it joins it.
+//! A grown river that crosses another, or itself, is made to join it.
 //!
 //! Growth by space colonization does not look where older rivers run: with strong curl or momentum it steps across
 //! them. In nature the two would join at the crossing. So steps are taken once more in the order in which they grew,
@@ -15,11 +15,11 @@ use crate::base::work;
 use crate::tree::UNGROWN;
 use crate::tree::{NO_PARENT, Tree};
 
-/// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
-/// A branch that cannot be joined cleanly, for lack of room, goes.
+/// Makes a tree whose steps meet only at nodes. Its nodes are in another order than before, parents still first. A
+/// branch that cannot be joined cleanly, for lack of room, is removed.
 pub(super) fn uncross(tree: &Tree) -> Tree {
     let mut planar = Planar::new(tree);
-    // The new number of each old node.
+    // The new index of each old node.
     let mut number = vec![NONE; tree.len()];
     for node in 0..tree.len() {
         number[node] = match tree.parent_of(node) {
@@ -47,7 +47,7 @@ struct Planar {
     rows: usize,
     side: f32,
     corner: Vec2,
-    /// Shorter pieces do not count.
+    /// The length up to which a piece of a step does not count.
     tiny: f32,
 }
 
@@ -91,7 +91,8 @@ impl Planar {
         node
     }
 
-    /// Adds a step from a node; where it would meet an older step it starts there instead. `None` if neither can be.
+    /// Adds a step from a node, or from the last older step that it would meet. Returns the new node; `None` if neither
+    /// is possible.
     fn grow(&mut self, at: Vec2, from: u32, drained: u32) -> Option<u32> {
         if self.folds_back(at, from) {
             return None;
@@ -116,7 +117,7 @@ impl Planar {
         })
     }
 
-    /// Whether a step from a node would lie upon another step that ends there.
+    /// Returns `true` if a step from a node would lie upon another step that ends there.
     fn folds_back(&self, at: Vec2, from: u32) -> bool {
         let new = (at, self.at[from as usize]);
         let mut folds_back = false;
@@ -132,8 +133,8 @@ impl Planar {
         folds_back
     }
 
-    /// Of the steps that a new one meets, the one it meets last on its way from `from`, and the share of its way
-    /// left then.
+    /// Finds the step that a new one meets last on its way from `from`, and the share of its way that is left then;
+    /// `None` if it meets none.
     fn last_met(&self, new: Segment, from: u32) -> Option<(u32, f32)> {
         let mut met: Option<(u32, f32)> = None;
         self.visit(new, &mut |step| {
@@ -149,7 +150,7 @@ impl Planar {
         met
     }
 
-    /// Whether a segment meets no step but those that have one of these nodes for an end, or are the step between them.
+    /// Returns `true` if a segment meets no step but those that end in one of some nodes.
     fn is_free(&self, new: Segment, ends: &[u32]) -> bool {
         let mut is_free = true;
         self.visit(new, &mut |step| {
@@ -189,7 +190,7 @@ impl Planar {
         }
     }
 
-    /// The columns and rows of the cells of the box around a segment.
+    /// Returns the columns and rows of the cells that the box around a segment touches.
     fn cells(&self, (a, b): Segment) -> (Range<usize>, Range<usize>) {
         let place = |x: f32, end: usize| ((x / self.side) as usize).min(end - 1);
         let (least, most) = (a.min(b) - self.corner, a.max(b) - self.corner);
@@ -197,7 +198,7 @@ impl Planar {
         (range(least.x, most.x, self.columns), range(least.y, most.y, self.rows))
     }
 
-    /// The nodes in an order in which parents stand first.
+    /// Sorts the nodes so that parents come before their children, and returns them as a tree.
     fn into_tree(self) -> Tree {
         let count = self.at.len();
         let mut upper = vec![NONE; count];
@@ -240,7 +241,7 @@ impl Planar {
 mod tests {
     use super::*;
 
-    /// A river from (0, 0) eastward, and a later one that steps across it from the south.
+    /// Makes a river from (0, 0) eastward, and a later one from the south, with its last node at `last`.
     fn crossing(last: Vec2) -> Tree {
         let at = [(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (14.0, 16.0), (14.0, 6.0)].map(Vec2::from);
         Tree {

@@ -13,7 +13,7 @@ use crate::base::geometry::{distance, fast_max, fast_min};
 /// The distance, in spacings, over which a river widens from nothing to its full width.
 const TAPER: f32 = 8.0;
 
-/// Gives every vertex its banks.
+/// Sets the distance of both banks at each vertex.
 pub(super) fn widen(network: &mut Network, settings: &NetworkSettings) {
     let noise = settings.width_noise();
     let mut floors = Floors(vec![(0.0, 0.0); network.vertices.len()]);
@@ -23,7 +23,7 @@ pub(super) fn widen(network: &mut Network, settings: &NetworkSettings) {
     }
 }
 
-/// The least half-widths that arms ask for at junctions.
+/// The least half-widths that tributaries demand at junctions.
 struct Floors(Vec<(f32, f32)>);
 
 impl Floors {
@@ -34,8 +34,8 @@ impl Floors {
     }
 }
 
-/// Makes a vertex that has become a junction as wide as what comes down to it, and lets no bank below it come nearer than
-/// it is there: as far down as the next junction of which that is true already.
+/// Widens a vertex that has become a junction to what joins there, `arm` being half the tributary's width, and the
+/// banks below it to no less: down to the next junction that is wide enough already.
 pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f32) {
     let is_junction = network.junctions();
     let river = network.rivers[river];
@@ -90,7 +90,7 @@ fn widen_river(
         last = (vertex.left, vertex.right);
     }
     if river.junction != NONE {
-        // Both arms: below, the river is at least as wide as the tributary, half of it on each side.
+        // Below the junction the river is at least as wide as the tributary, half of it on each side.
         floors.raise(river.junction, fast_max((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
     }
 }
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use crate::network::Vertex;
 
-    /// A river that an arm with a share of its discharge, in percent, joins halfway.
+    /// Makes a river that an arm with a share of its discharge, in percent, joins halfway.
     fn confluence(share: u32) -> Network {
         let mut network = river(&straight((0.0, 500.0), (200.0, 500.0), 200), 0.0).with_arm(
             &straight((100.0, 400.0), (100.0, 499.0), 99),

@@ -1,5 +1,5 @@
-//! Channel heads: where enough water has gathered for a river to begin. Drainage trees cover the hillsides too, and the
-//! part above the heads is removed.
+//! Channel heads: the places where enough water has gathered for a river to begin. Drainage trees cover the hillsides
+//! too, and the part above the heads is removed.
 
 use crate::base::random::{DEVIATION, Purpose, Seed};
 use crate::tree::Tree;
@@ -7,7 +7,7 @@ use crate::tree::Tree;
 /// The rule by which channels begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heads {
-    /// The discharge at which a channel begins, in the middle of its range. 0: everywhere.
+    /// The discharge at which a channel begins, in the middle of its range; 0 if channels are everywhere.
     pub channel_area: u32,
     /// The deviation of the logarithm of that discharge from place to place.
     pub variation: f32,
@@ -18,14 +18,14 @@ pub struct Heads {
 }
 
 impl Default for Heads {
-    /// Channels everywhere.
+    /// Returns the rule by which channels are everywhere.
     fn default() -> Self {
         Self { channel_area: 0, variation: 0.0, largest_basin: u32::MAX, wavelength: f32::INFINITY }
     }
 }
 
 impl Heads {
-    /// Returns for each node whether it belongs to a channel. A channel that has begun goes on to the sea.
+    /// Returns, for each node, `true` if it belongs to a channel. A channel that has begun goes on to the sea.
     pub fn channels(&self, tree: &Tree, discharge: &[u32], seed: Seed) -> Vec<bool> {
         let mut channels = vec![false; tree.len()];
         let is_head = self.is_head(tree, seed);
@@ -38,7 +38,7 @@ impl Heads {
         channels
     }
 
-    /// A test of a node, with its discharge, that has no channel upstream of it: `true` if one begins there.
+    /// Returns a test for a node without a channel upstream, given with its discharge: `true` if a channel begins there.
     pub fn is_head(&self, tree: &Tree, seed: Seed) -> impl Fn(usize, u32) -> bool {
         let mut noise = seed.noise(Purpose::Trimming, 0, 1.0 / self.wavelength, 3);
         noise.set_fractal_gain(Some(0.6));

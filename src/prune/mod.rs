@@ -32,7 +32,7 @@ pub struct Trim {
     pub treats_sea_as_fork: bool,
     /// The deviation of the logarithm of that depth from branch to branch.
     pub variation: f32,
-    /// The heads of channels. What lies above them is hillside and is removed.
+    /// The rule for channel heads. Whatever lies above them is hillside and is removed.
     pub heads: Heads,
     /// The distance that tributaries keep from greater ones, in units; 0 if they need not.
     pub tributary_spacing: f32,
@@ -71,7 +71,7 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
     Pruned { tree, hydrology, origin }
 }
 
-/// The depth of each node in the tree of channels; 0 at channel heads and on hillside.
+/// Returns the depth of each node in the tree of channels; 0 at channel heads and on hillside.
 pub fn channel_depth(tree: &Tree, channels: &[bool]) -> Vec<u32> {
     let mut depth = vec![0u32; tree.len()];
     for node in (0..tree.len()).rev().filter(|&node| channels[node]) {
@@ -82,15 +82,15 @@ pub fn channel_depth(tree: &Tree, channels: &[bool]) -> Vec<u32> {
     depth
 }
 
-/// Returns for each node of a finished tree whether it stays.
+/// Returns, for each node of a finished tree, `true` if it stays.
 pub fn stays(tree: &Tree, discharge: &[u32], trim: Trim) -> Vec<bool> {
     let channels = trim.heads.channels(tree, discharge, trim.seed);
     let stays = without_short_branches(tree, &channels, trim);
     selection::select(tree, discharge, stays, trim)
 }
 
-/// Removes hillside and short side branches. Parents precede their children, so in one pass a removal reaches everything
-/// upstream.
+/// Returns, for each node, `true` unless it is hillside or on a short side branch. Parents precede their children, so
+/// in one pass a removal reaches everything upstream.
 fn without_short_branches(tree: &Tree, channels: &[bool], trim: Trim) -> Vec<bool> {
     let depth = channel_depth(tree, channels);
     let chance = trim.seed.item_hash(Purpose::Trimming);
@@ -134,8 +134,8 @@ fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tr
     }
 }
 
-/// The amount that each node drains itself: its discharge less that of its children. The water of a removed branch
-/// counts as that of the node it joined.
+/// Returns the amount that each node drains itself: its discharge less that of its children. The water of a removed
+/// branch counts as that of the node it joined.
 fn own_share(parent: &[u32], discharge: &[u32]) -> Vec<u32> {
     let mut drained = discharge.to_vec();
     for (&parent, &discharge) in parent.iter().zip(discharge) {

@@ -1,5 +1,5 @@
-//! Selection of tributaries, the greatest discharge first, so that rivers do not look like fishbones. A tributary stays
-//! out, with everything upstream of it, if it would
+//! Selection of tributaries, the greatest discharge first, so that rivers do not look like fishbones. A tributary is
+//! removed, with everything upstream of it, if it would
 //!
 //! - join its river nearer than a distance d to a greater tributary, along the river or across, or to an end of the
 //!   river itself, or
@@ -31,10 +31,10 @@ const JUNCTION: f32 = 2.2;
 /// The length from which a tributary may join anywhere, in distances between junctions.
 const LONG: f32 = 8.0;
 
-/// One in so many samples of a course may lie beside another river.
+/// The reciprocal of the share of a course's samples that may lie beside another river.
 const SHARE: usize = 5;
 
-/// Takes out tributaries from those nodes that stay.
+/// Removes crowded tributaries from the nodes that stay.
 pub(super) fn select(tree: &Tree, discharge: &[u32], stays: Vec<bool>, trim: Trim) -> Vec<bool> {
     if trim.tributary_spacing <= 0.0 {
         return stays;
@@ -84,14 +84,14 @@ impl Rivers {
         Self { upstream, greatest_first: order.into_iter().map(|i| lowest[i]).collect() }
     }
 
-    /// The nodes of a river, from its lowest to its source.
+    /// Returns the nodes of a river, from its lowest to its source.
     fn course(&self, first: u32) -> Vec<u32> {
         let next = |&node: &u32| Some(self.upstream[node as usize]).filter(|&node| node != NO_PARENT);
         std::iter::successors(Some(first), next).collect()
     }
 }
 
-/// The rivers that stay.
+/// The rivers that stay so far.
 struct Selection<'a> {
     tree: &'a Tree,
     trim: Trim,
@@ -123,7 +123,7 @@ impl<'a> Selection<'a> {
         Self { tree, trim, along, last_junction: vec![NO_PARENT; tree.len()], river, junctions: Vec::new(), courses }
     }
 
-    /// Returns `true` if a tributary, lowest node first, is far enough from all that stays.
+    /// Returns `true` if a tributary, lowest node first, is far enough from the rivers that stay.
     fn has_room(&self, course: &[u32], parent: usize) -> bool {
         (self.is_long(course) || self.is_apart(course[0], parent)) && !self.runs_beside(course, parent)
     }
@@ -183,7 +183,7 @@ impl<'a> Selection<'a> {
         self.junctions.push((node, last));
     }
 
-    /// Places along a course, as close as two to a distance between rivers.
+    /// Samples points along a course, half a distance between rivers apart at most.
     fn samples(&self, course: &[u32], parent: Option<usize>) -> Vec<Vec2> {
         let step = 0.5 * self.courses.apart;
         let mut samples = Vec::new();
@@ -199,7 +199,7 @@ impl<'a> Selection<'a> {
     }
 }
 
-/// Points by the squares of the plane that they lie in.
+/// Points, sorted into squares of the plane.
 struct Samples {
     /// The distance within which points count as near, in units.
     apart: f32,
@@ -230,7 +230,7 @@ impl Samples {
         self.points.push((at, last));
     }
 
-    /// Returns `true` if any point is near a place.
+    /// Returns `true` if any of the points is near a place.
     fn has_near(&self, at: Vec2) -> bool {
         let ((left, top), (right, bottom)) = (self.square(at - self.apart), self.square(at + self.apart));
         (top..=bottom).any(|row| (left..=right).any(|column| self.holds_near(row * self.columns + column, at)))
@@ -248,7 +248,7 @@ impl Samples {
         false
     }
 
-    /// The column and row of the square that contains a place, or of the nearest one.
+    /// Returns the column and row of the square that contains a place, or of the nearest one.
     fn square(&self, at: Vec2) -> (usize, usize) {
         let square = (at - self.corner) / self.side;
         ((square.x as usize).min(self.columns - 1), (square.y as usize).min(self.rows - 1))

@@ -9,7 +9,7 @@ use crate::session::Session;
 use crate::tree::NO_PARENT;
 use proptest::prelude::*;
 
-/// A finished tree with its discharge, and the trimming of its recipe.
+/// Grows a tree. Returns it with its discharge and the trimming of its recipe.
 fn grown(text: &str) -> (Tree, Vec<u32>, Trim) {
     let mut session = Session::new(link::read(&format!("attractors=2000&{text}")).unwrap()).unwrap();
     while session.network().is_none() {

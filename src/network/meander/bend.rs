@@ -1,5 +1,5 @@
-//! Meandering by vectors (Hodgin; Dragons Abound): each point moves toward the outside of its bend and down the belt of bends, by as
-//! much as the river curves there.
+//! Meandering by vectors (Hodgin; Dragons Abound): each point moves toward the outside of its bend and down the meander
+//! belt, in proportion to the river's curvature there.
 //!
 //! Curvature is measured in widths, so that wide rivers and narrow ones bend alike; capped, so that no sharp corner runs
 //! away; and smoothed along the river, over a distance at which bends of about eleven widths grow fastest, as they do
@@ -12,27 +12,27 @@ use super::super::settings::NetworkSettings;
 use super::super::{Network, River};
 use crate::base::geometry::{direction, distance, fast_max};
 
-/// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
+/// The curvature, times width, above which bends move no faster: a radius of two widths.
 const SHARPEST: f32 = 0.5;
 
-/// Over how many widths curvature is smoothed. A small bend's rate of growth goes with k² / (1 + k²L²)², which is greatest at
-/// a wavelength of 2πL; grown bends come out somewhat shorter.
+/// The distance over which curvature is smoothed, in widths. A small bend's rate of growth goes with k² / (1 + k²L²)²,
+/// which is greatest at a wavelength of 2πL; grown bends come out somewhat shorter.
 const MEMORY: f32 = 2.2;
 
-/// Over how many widths up and down the river the direction of its belt is taken: about a bend either way.
+/// The distance up and down the river over which the direction of its belt is taken, in widths: about a bend either way.
 const BELT: f32 = 8.0;
 
-/// From this share of it on a bend is eased.
+/// The share of the sharpest bend from which on bends are eased.
 const NEARLY: f32 = 0.7;
 
-/// How much of the way to the middle of its neighbours a vertex is drawn in a round where the river bends more sharply than
-/// that. Drawn so everywhere, rivers would pull straight like rubber bands.
+/// The share of the way to the midpoint of its neighbours by which a vertex is drawn in a round where the river bends
+/// more sharply than that. Drawn so everywhere, rivers would pull straight like rubber bands.
 const EASE: f32 = 0.4;
 
-/// How far a bend as sharp as can be moves in a round at full strength, in widths.
+/// The distance that the sharpest bend moves in a round at full strength, in widths.
 const PACE: f32 = 1.2;
 
-/// The way that each vertex goes in this round.
+/// Returns the offset by which each vertex is to move in a round, in units.
 pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSettings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
@@ -46,22 +46,22 @@ pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSet
     moves
 }
 
-/// One river's curvature, in widths.
+/// The curvature along a river, in widths.
 #[derive(Default)]
 pub(super) struct Course {
     pub at: Vec<Vec2>,
-    /// The width that matters: rivers narrower than a spacing bend as if they were as wide.
+    /// The width that counts: rivers narrower than a spacing bend as if they were as wide as that.
     pub width: Vec<f32>,
-    /// Curvature times width, the sharpest bend being one.
+    /// Curvature times width over that of the sharpest bend, from -1 to 1.
     pub bend: Vec<f32>,
-    /// How much sharper than the sharpest it is, from 0 to 1.
+    /// The excess of the uncapped bend over the share from which on bends are eased, from 0 to 1.
     pub kink: Vec<f32>,
-    /// The length of the segment upstream.
+    /// The length of the segment upstream, in units.
     pub step: Vec<f32>,
 }
 
 impl Course {
-    /// Reads a river, its junction included.
+    /// Measures a river, its junction included.
     pub fn read(&mut self, network: &Network, river: &River, settings: &NetworkSettings) {
         self.at.clear();
         self.width.clear();
@@ -76,7 +76,7 @@ impl Course {
         self.bend.clear();
         self.kink.clear();
         for i in 0..count {
-            // Measured over about a width either way: nearer points would tell of noise.
+            // Measured over about a width either way: nearer points would measure noise.
             let stride = ((self.width[i] / settings.step(self.width[i])) as usize).max(1).min(i).min(count - 1 - i);
             let kappa = curvature(self.at[i - stride], self.at[i], self.at[i + stride]);
             let bend = kappa * self.width[i] / SHARPEST;
@@ -85,29 +85,29 @@ impl Course {
         }
     }
 
-    /// The unit vector downstream.
+    /// Returns the unit vector downstream at a vertex.
     pub fn tangent(&self, i: usize) -> Vec2 {
         direction(self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)])
     }
 
-    /// The unit vector down the belt of bends around a vertex.
+    /// Returns the unit vector down the meander belt around a vertex.
     fn belt(&self, i: usize, settings: &NetworkSettings) -> Vec2 {
         let stride = (BELT * self.width[i] / settings.step(self.width[i])) as usize;
         direction(self.at[(i + stride).min(self.at.len() - 1)] - self.at[i.saturating_sub(stride)])
     }
 
-    /// Curvature times width where it may be sharper than the sharpest, up to 1.7 of it.
+    /// Returns the bend at a vertex without its cap: up to 1.7 times the sharpest.
     pub fn uncapped(&self, i: usize) -> f32 {
         let beyond = fast_max(self.kink[i] - (1.0 - NEARLY), 0.0);
         self.bend[i] + beyond.copysign(self.bend[i])
     }
 
-    /// The way that takes a kink out of a line.
+    /// Returns the offset of a vertex that takes a kink out of a line.
     pub fn ease(&self, i: usize) -> Vec2 {
         ((self.at[i - 1] + self.at[i + 1]) * 0.5 - self.at[i]) * (EASE * self.kink[i])
     }
 
-    /// Smooths curvature, an exponential filter once up and once down the river.
+    /// Smooths curvature by an exponential filter, once down and once up the river.
     fn smooth(&mut self) {
         let mut last = 0.0f32;
         for i in 0..self.bend.len() {
@@ -127,9 +127,9 @@ impl Course {
                 continue;
             }
             let (bend, tangent) = (self.bend[i], self.tangent(i));
-            // A positive bend turns toward `perp`, so its outside is the other way.
+            // A positive bend turns toward `perp`, so its outside is on the other side.
             let outward = tangent.perp() * -bend;
-            // Along its own line a vertex would move nothing: bends travel down the belt in which they lie.
+            // A move along the river's own line would change nothing: bends travel down the belt in which they lie.
             let onward = self.belt(i, settings) * bend.abs();
             let push = outward * settings.mix + onward * (1.0 - settings.mix);
             let far = PACE * settings.strength * self.width[i];
@@ -138,7 +138,7 @@ impl Course {
     }
 }
 
-/// How much of a new value a filter takes in over a step.
+/// Returns the share of a new value that the filter takes in over a step.
 fn share(step: f32, width: f32) -> f32 {
     step / (step + MEMORY * width)
 }
@@ -150,7 +150,7 @@ mod tests {
 
     const PIECES: u32 = 60;
 
-    /// The ways of a river's vertices, with its line. Its bends are about eleven widths long.
+    /// Returns the offsets of the vertices of a river five units wide along a line.
     fn ways(line: &[Vec2], mix: f32) -> Vec<Vec2> {
         let settings = NetworkSettings { mix, strength: 1.0, ..settings() };
         moves(&river(line, 5.0), &vec![1.0; line.len()], &settings)

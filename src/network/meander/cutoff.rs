@@ -1,7 +1,7 @@
-//! Cutoffs: where two limbs of a river come near each other, it breaks through, and leaves the loop as an oxbow lake.
+//! Cutoffs: where two limbs of a river come near each other, the river breaks through, and leaves the loop as an oxbow lake.
 //!
-//! A loop that other rivers join is not left whole: the uppermost of them takes over its bed from there on, as brooks
-//! do, and joins the river below the neck; the rest join that one. So no tributary is ever cut off.
+//! A loop that other rivers join is not left whole: the uppermost of them takes over the bed below its junction, as
+//! brooks do, and joins the river below the neck; the other tributaries join it. So no tributary is ever cut off.
 
 use super::super::clearance::NearbyPair;
 use super::super::orders;
@@ -20,27 +20,28 @@ pub(super) struct Cut {
     pub below: u32,
 }
 
-/// How near two limbs of a river come before it breaks through: as near as its neck asks, and so near that their banks would meet.
+/// Returns the distance between two limbs at which their river breaks through, in units; never less than banks have to
+/// keep.
 fn neck(network: &Network, [a, b]: [u32; 2], settings: &NetworkSettings) -> f32 {
     let width = |i: u32| network.vertices[i as usize].width();
     let neck = settings.neck * fast_max(width(a), NARROWEST * settings.spacing);
     fast_max(neck, (width(a) + width(b)) * 0.5 + settings.min_clearance)
 }
 
-/// Whether two segments of a river are limbs of a loop, and not only of a bend, and so near each other that it breaks through.
+/// Returns `true` if two segments of a river are limbs of a loop, not only of a bend, so near each other that it breaks through.
 pub(super) fn is_neck(network: &Network, pair: &NearbyPair, settings: &NetworkSettings) -> bool {
-    /// A bend's way from limb to limb is shorter than so many times the distance between them.
+    /// The least way along a loop from limb to limb, in necks; shorter ones are only bends.
     const LEAST: f32 = 2.0;
     let neck = neck(network, [pair.first, pair.second], settings);
     pair.distance < neck && way(network, pair.first, pair.second) > LEAST * neck
 }
 
-/// The way along a river from one vertex to another.
+/// Returns the distance along a river from one vertex to another, in units.
 fn way(network: &Network, from: u32, to: u32) -> f32 {
     network.vertices[from as usize..=to as usize].windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
 }
 
-/// The necks to be cut: the longest loops of each river, none within another.
+/// Finds the necks to be cut among some pairs of segments: those of the longest loops of each river, none within another.
 pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSettings) -> Vec<Cut> {
     let river_of = river_of(network);
     let moves = |i: u32| network.vertices[i as usize].mobility > 0.0;
@@ -52,7 +53,7 @@ pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSe
     };
     let cut = |pair: &NearbyPair| nearest_ends(network, river_of[pair.first as usize], pair.first, pair.second);
     let mut necks: Vec<Cut> = near.iter().filter(is_cut).filter_map(cut).collect();
-    // By their rivers, those of one river by their lengths, the longest first, and those of one length from the source on.
+    // By river, then by length, the longest first, then from the source on.
     for key in [|cut: &Cut| cut.above, |cut: &Cut| u32::MAX - (cut.below - cut.above), |cut: &Cut| cut.river] {
         necks = argsort(necks.iter().map(key)).into_iter().map(|i| necks[i]).collect();
     }
@@ -66,7 +67,7 @@ pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSe
     longest
 }
 
-/// The ends of two segments of a river that lie nearest each other.
+/// Finds the ends of two segments of a river that lie nearest each other, the upper one above the loop; `None` if the river has none.
 fn nearest_ends(network: &Network, river: u32, first: u32, second: u32) -> Option<Cut> {
     let end = network.rivers[river as usize].end;
     let at = |i: u32| network.vertices[i as usize].at;
@@ -76,7 +77,7 @@ fn nearest_ends(network: &Network, river: u32, first: u32, second: u32) -> Optio
     nearest.map(|(above, below)| Cut { river, above, below })
 }
 
-/// Cuts through necks, none within another, in the order of their rivers.
+/// Cuts through necks, which are sorted by river, none within another.
 pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
     let loops: Vec<Loop> = cuts.iter().map(|&cut| Loop::of(network, cut)).collect();
     let oxbows: Vec<Oxbow> = loops.iter().filter_map(|cut_off| cut_off.oxbow(network, round)).collect();
@@ -133,7 +134,7 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
 /// A loop that is cut off.
 struct Loop {
     cut: Cut,
-    /// The river that takes over its bed, and the vertex from which on.
+    /// The river that takes over its bed, if any, and the vertex from which on.
     heir: Option<u32>,
     taken_from: u32,
 }
@@ -150,12 +151,12 @@ impl Loop {
         Self { cut, heir, taken_from }
     }
 
-    /// Whether a river, as it was before, joined the part of the loop that has gone over to the heir.
+    /// Returns `true` if a river, as it was before the cut, joins the part of the loop that goes over to the heir.
     fn is_left_to_heir(&self, number: u32, river: &River) -> bool {
         self.heir.is_some_and(|heir| heir != number) && (self.taken_from..self.cut.below).contains(&river.junction)
     }
 
-    /// The bed that the heir takes over: it holds its water alone now.
+    /// Iterates over the vertices of the bed that the heir takes over, with their indices. The bed has lost the river's own water.
     fn bed<'a>(&'a self, network: &'a Network, heir: &River) -> impl Iterator<Item = (u32, Vertex)> + 'a {
         let gone = network.vertices[self.cut.above as usize].discharge;
         let last = network.vertices[heir.vertex_range()].last().copied().unwrap_or_default();
@@ -168,7 +169,7 @@ impl Loop {
         })
     }
 
-    /// The part that is left without a river, if it is long enough for a lake.
+    /// Returns the part of the loop that is left without a river; `None` if it is too short for a lake.
     fn oxbow(&self, network: &Network, round: u32) -> Option<Oxbow> {
         const LEAST_WIDTHS: f32 = 5.0;
         let vertices = network.vertices[self.cut.above as usize..=self.taken_from as usize].to_vec();
@@ -183,7 +184,7 @@ mod tests {
     use super::*;
     use glam::Vec2;
 
-    /// A river that runs east, loops to the south and comes back to within a unit: 0 to 20, 20 to 60, 60 to 80.
+    /// Makes a river that runs east (vertices 0 to 20), loops to the south and comes back to within a unit (to 60), and runs on.
     fn hairpin() -> Network {
         let mut line = straight((0.0, 50.0), (20.0, 50.0), 20);
         line.extend(straight((20.0, 51.0), (20.0, 70.0), 19));
@@ -203,7 +204,7 @@ mod tests {
         let cuts = necks(&network, &[near(30, 49), near(20, 59), near(38, 41)], &settings);
         assert_eq!(cuts.len(), 1);
         assert!(cuts[0].above <= 21 && cuts[0].below >= 59, "{cuts:?}");
-        // Too far apart, too short, or both of it held: no neck.
+        // Limbs too far apart, a loop too short, or both limbs held: no neck.
         assert!(necks(&network, &[NearbyPair { distance: 1.6, ..near(20, 59) }, near(38, 41)], &settings).is_empty());
         let mut held = network;
         held.vertices.iter_mut().for_each(|vertex| vertex.mobility = 0.0);

@@ -1,9 +1,9 @@
 //! Fairing: no wide river bends more sharply than its width allows.
 //!
-//! A vertex of a bend whose radius is under so many widths is drawn toward the mean of the course within a width of it, again and
-//! again until the bend is wide enough. It moves only if the segments that end there cross no others, come no nearer to the banks of
-//! other rivers and stay on land. Tributaries end in it, so they ride with it: what of them lies under the river's own water is drawn
-//! straight to the junction.
+//! A vertex of a bend whose radius is too small is drawn toward the mean of the course within a width of it, again and
+//! again until the bend is wide enough. It moves only if the segments that end there cross no others, come no nearer to
+//! the banks of other rivers and stay on land. Tributaries that end in it move with it: the part of them that lies
+//! under the river's own water is drawn straight to the junction.
 
 use glam::Vec2;
 
@@ -16,34 +16,34 @@ use super::{CAP, Survey, keeps_off_frame, river_of};
 use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
 use crate::base::work;
 
-/// The least radius of a wide river's bends, in widths: that of the circle through points one width apart.
+/// The least radius of a wide river's bends, in widths: that of the circle through points a width apart.
 const LEAST_RADIUS: f32 = 1.5;
 
-/// Bends are eased from this radius down, so that they rarely come to the least.
+/// The radius from which down bends are eased, in widths, so that they rarely come to the least.
 const EASED_RADIUS: f32 = 2.0;
 
-/// What moves more freely than this is eased as if it were at least as wide as vertices are apart.
+/// The mobility above which narrow rivers are eased too, as if they were as wide as vertices are apart.
 const FULLY: f32 = 0.5;
 
-/// The most work of all passes in elementary steps, and what is added for each unit of the total discharge. Few maps need as much.
+/// The work that all passes may take, in elementary steps, and what is added for each unit of the total discharge. Few maps need it.
 const LEAST_WORK: u64 = 2_000_000;
 const WORK: u64 = 60;
 
-/// A shorter move than this share of a width is no reason for another pass.
+/// The least move that is a reason for another pass, in widths.
 const STILL: f32 = 0.01;
 
-/// A network whose bends are eased, after a survey.
+/// A network whose bends are being eased, after a survey.
 pub(super) struct Fairing<'a> {
     network: &'a mut Network,
     /// The grid of the survey.
     guard: &'a ClearanceGrid,
     settings: &'a NetworkSettings,
-    /// What was surveyed; kept up to date.
+    /// The survey, which is kept up to date.
     survey: &'a mut Survey,
-    /// Where the vertices were before they are eased, and how far any had moved by then.
+    /// The positions of the vertices before they are eased, and the greatest distance that any had moved by then.
     places: Vec<Vec2>,
     drift: f32,
-    /// The width of the widest river.
+    /// The greatest width of any river, in units.
     widest: f32,
 }
 
@@ -60,7 +60,7 @@ impl<'a> Fairing<'a> {
         Self { network, guard, settings, survey, places, drift, widest }
     }
 
-    /// Eases bends in at most so many passes, and fewer where each takes long.
+    /// Eases bends in at most `passes` passes, fewer if they take long.
     pub fn ease(mut self, passes: u32) {
         let end = work::steps() + LEAST_WORK + WORK * u64::from(self.settings.total_discharge);
         let plan = Plan::of(self.network);
@@ -74,7 +74,7 @@ impl<'a> Fairing<'a> {
         }
     }
 
-    /// Leads tributaries straight to their junctions that run past them and come back.
+    /// Leads tributaries that run past their junctions and come back straight to them.
     fn straighten_ends(&mut self, plan: &Plan) {
         for own in self.network.rivers.clone() {
             if own.junction == NONE || own.end <= own.start {
@@ -90,7 +90,7 @@ impl<'a> Fairing<'a> {
         }
     }
 
-    /// Whether a vertex lies beyond the junction that comes next, so that the river turns back.
+    /// Returns `true` if a river turns back at a vertex in order to reach its junction.
     fn turns_back(&self, i: u32, junction: Vec2) -> bool {
         let [above, at] = [i - 1, i].map(|i| self.network.vertices[i as usize].at);
         (junction - at).dot(at - above) < 0.0
@@ -121,7 +121,7 @@ impl<'a> Fairing<'a> {
         any
     }
 
-    /// The place of a vertex at which its river turns all but straight back, if it is to turn no more.
+    /// Returns the midpoint of the neighbours of a vertex at which its river turns almost straight back; `None` for other vertices.
     fn without_spike(&self, i: u32, below: u32) -> Option<Vec2> {
         /// The cosine of a turn of 160°.
         const SPIKE: f32 = -0.94;
@@ -131,7 +131,7 @@ impl<'a> Fairing<'a> {
         is_spike.then(|| (above + below) * 0.5)
     }
 
-    /// Moves a vertex if nothing is in the way of the segments that end in it.
+    /// Moves a vertex if nothing is in the way of the segments that end in it. Returns `true` if it has moved.
     fn try_to_move(&mut self, i: u32, to: Vec2, plan: &Plan) -> bool {
         let vertex = self.network.vertices[i as usize];
         if !keeps_off_frame(&self.settings.domain, &vertex, to) {
@@ -161,7 +161,7 @@ impl<'a> Fairing<'a> {
         true
     }
 
-    /// The part of a tributary that lies under the water of the river that it joins, once that vertex has moved.
+    /// Finds the part of a tributary that lies under the water of the river that it joins, once the junction has moved.
     fn arm(&self, last: u32, junction: Vec2, vertex: &Vertex, plan: &Plan) -> Arm {
         let cover = fast_min(vertex.left, vertex.right);
         let start = self.network.rivers[plan.river_of[last as usize] as usize].start;
@@ -174,7 +174,7 @@ impl<'a> Fairing<'a> {
         Arm { first, last }
     }
 
-    /// Whether a segment from a vertex could end where the moved one goes. Notes how far it is from others then.
+    /// Returns `true` if a segment from the vertex `end` could end where the moved one goes. Notes its distances from others there.
     fn is_free(&self, moved: &mut Moved<'_>, segment: u32, end: u32, plan: &Plan) -> bool {
         let vertices = &self.network.vertices;
         let (i, to) = (moved.i, moved.to);
@@ -197,7 +197,7 @@ impl<'a> Fairing<'a> {
         })
     }
 
-    /// Whether two segments are as far from each other as the banks of rivers ought to be, or at least no nearer than before.
+    /// Returns `true` if two segments are far enough apart for the banks of two rivers, or at least no nearer than before.
     fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment), plan: &Plan) -> bool {
         let [own, other] = [a, b].map(|segment| plan.river_of[segment as usize]);
         let parent = |river: u32| self.network.rivers[river as usize].parent;
@@ -205,13 +205,14 @@ impl<'a> Fairing<'a> {
         are_joined || far >= self.apart(a, b) || far >= gap(before.0, before.1)
     }
 
-    /// How far from a segment others matter: where its banks could come too near them, and within the cap of its clearance.
+    /// Returns the distance within which others matter to a segment, by its banks and by the cap of its clearance, in
+    /// units.
     fn sight(&self, segment: u32) -> f32 {
         let width = self.network.vertices[segment as usize].width();
         fast_max((width + self.widest) * 0.5 + self.settings.min_clearance, CAP * self.settings.step(width))
     }
 
-    /// How far apart the lines of two rivers are whose banks keep their distance.
+    /// Returns the distance between two segments at which the banks of their rivers keep theirs, in units.
     fn apart(&self, a: u32, b: u32) -> f32 {
         let [a, b] = [a, b].map(|i| self.network.vertices[i as usize].width());
         (a + b) * 0.5 + self.settings.min_clearance
@@ -223,11 +224,11 @@ struct Moved<'a> {
     i: u32,
     to: Vec2,
     arms: &'a [Arm],
-    /// Segments that end there, others near them, and their distances.
+    /// Segments that end in the vertex, others near them, and their distances once it has moved.
     gaps: Vec<(u32, u32, f32)>,
 }
 
-/// The end of a tributary, from the last vertex outside the water of the river that it joins to its last.
+/// The end of a tributary: its vertices from the last one outside the water of the river that it joins.
 struct Arm {
     first: u32,
     last: u32,
@@ -251,11 +252,11 @@ impl Arm {
     }
 }
 
-/// How sharply a course bends at a vertex.
+/// The bend of a course at a vertex.
 struct Bend {
-    /// The mean of the course within a width, most of all of what is near.
+    /// The mean of the course within a width, weighted by nearness.
     mean: Vec2,
-    /// How far the vertex goes toward it, from 0 to 1.
+    /// The share of the way to the mean that the vertex moves, from 0 to 1.
     ease: f32,
 }
 
@@ -269,7 +270,7 @@ impl Bend {
         let at = course(i)?;
         let upper = Side::of(at, width, (river.start..i).rev().map_while(course))?;
         let lower = Side::of(at, width, (i + 1..=river.end).map_while(course))?;
-        // A zigzag finer than a width has no bend as long as one.
+        // A zigzag finer than a width shows only in the nearest vertices.
         let sharpest =
             fast_max(curvature(upper.end, at, lower.end).abs(), curvature(course(i - 1)?, at, course(i + 1)?).abs());
         let [from, to] = [EASED_RADIUS, LEAST_RADIUS].map(|radius| 1.0 / radius);
@@ -278,15 +279,15 @@ impl Bend {
     }
 }
 
-/// A course within a width to one side of a vertex.
+/// The part of a course within a width of a vertex, on one side of it.
 struct Side {
-    /// Where it is a width away.
+    /// The point a width away along the course.
     end: Vec2,
     mean: Vec2,
 }
 
 impl Side {
-    /// As far as the course goes. `None` if it ends at the vertex itself.
+    /// Measures a course from a vertex on, shorter than a width if it ends before. `None` if it ends at the vertex itself.
     fn of(at: Vec2, width: f32, others: impl Iterator<Item = Vec2>) -> Option<Self> {
         let (mut from, mut along, mut sum, mut weight) = (at, 0.0, Vec2::ZERO, 0.0);
         for next in others {
@@ -305,7 +306,7 @@ impl Side {
     }
 }
 
-/// Which rivers end where.
+/// The river of each vertex, and the tributaries that end in it.
 struct Plan {
     river_of: Vec<u32>,
     is_junction: Vec<bool>,
@@ -319,7 +320,7 @@ impl Plan {
         let none = vec![NONE; network.vertices.len()];
         let mut plan =
             Self { river_of: river_of(network), is_junction: network.junctions(), arms: none.clone(), next: none };
-        // The first of them comes first.
+        // In reverse, so that the first tributary comes first in its list.
         for river in network.rivers.iter().rev().filter(|river| river.junction != NONE && river.end > river.start) {
             let last = river.end - 1;
             plan.next[last as usize] = std::mem::replace(&mut plan.arms[river.junction as usize], last);
@@ -327,7 +328,7 @@ impl Plan {
         plan
     }
 
-    /// The last vertices of the rivers that end in a vertex.
+    /// Iterates over the last vertices of the rivers that join at a vertex.
     fn arms(&self, junction: u32) -> impl Iterator<Item = u32> {
         let some = |i: u32| (i != NONE).then_some(i);
         std::iter::successors(some(self.arms[junction as usize]), move |&last| some(self.next[last as usize]))
@@ -341,7 +342,7 @@ mod tests {
 
     const WIDTH: f32 = 4.0;
 
-    /// A line with the bends of a river eased, in so many passes.
+    /// Returns a network with its bends eased in a number of passes.
     fn eased(mut network: Network, passes: u32) -> Network {
         let settings = NetworkSettings { min_clearance: 0.5, ..settings() };
         let downstream = network.downstream();
@@ -353,12 +354,12 @@ mod tests {
         network
     }
 
-    /// East, then south, with a corner as sharp as can be.
+    /// Returns a course east, then south, with a right-angled corner.
     fn corner() -> Vec<Vec2> {
         [straight((100.0, 400.0), (140.0, 400.0), 40), straight((140.0, 401.0), (140.0, 440.0), 39)].concat()
     }
 
-    /// The least radius of a line, in widths.
+    /// Returns the least radius of a river's bends, in widths.
     fn least_radius(network: &Network) -> f32 {
         let own = network.rivers[0];
         let sharpest = |i: u32| {

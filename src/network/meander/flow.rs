@@ -1,5 +1,5 @@
 //! Meandering by flow (Howard and Knutson 1984): a bank moves by the curvature of the river there and, fading with
-//! distance, of all of it upstream. So bends skew, and travel downstream.
+//! distance, everywhere upstream. So bends skew, and travel downstream.
 //!
 //! With R₀ = κ W, the rate is R₁(s) = Ω R₀(s) + Γ ∫ R₀(s − ξ) G(ξ) dξ / ∫ G dξ, Ω = −1, Γ = 2.5, G = exp(−ξ / memory), the memory
 //! about 1.4 widths (as meanderpy has it), times sinuosity^(−2/3), since a longer river is less steep. Short bends fade, those of
@@ -18,16 +18,16 @@ use super::bend::Course;
 const OMEGA: f32 = -1.0;
 const GAMMA: f32 = 2.5;
 
-/// In widths.
+/// The distance over which curvature upstream fades, in widths.
 const MEMORY: f32 = 1.4;
 
-/// The share of the integral that looks downstream: at a half, bends would not travel at all.
+/// The share of the integral that is taken downstream: at a half, bends would not travel at all.
 const DOWNSTREAM: f32 = 0.4;
 
-/// How far a bank moves in a round at full strength where the rate is one, in widths.
+/// The distance that a bank moves in a round at full strength where the rate is 1, in widths.
 const PACE: f32 = 0.66;
 
-/// The way that each vertex goes in this round.
+/// Returns the offset by which each vertex is to move in a round, in units.
 pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSettings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
@@ -52,7 +52,8 @@ pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSet
     moves
 }
 
-/// The mean curvature up and down the river from each vertex, weighted by G. Beyond its end it is taken to bend as above it.
+/// Returns the mean curvature up and down the river from each vertex, weighted by G. Beyond its lower end the river is
+/// taken to bend as above it.
 fn around(course: &Course) -> Vec<f32> {
     let mut around = vec![0.0; course.bend.len()];
     let mut mean = 0.0f32;
@@ -72,14 +73,14 @@ mod tests {
     use super::super::bend;
     use super::*;
 
-    /// How far each vertex goes to the left, by a model.
+    /// Returns how far each vertex but the ends moves to the left by a model, in units.
     fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &NetworkSettings) -> Vec<Vec2>) -> Vec<f32> {
         let settings = NetworkSettings { mix: 1.0, strength: 1.0, ..settings() };
         let ways = moves(&river(line, 5.0), &vec![1.0; line.len()], &settings);
         (1..line.len() - 1).map(|i| ways[i].perp_dot((line[i + 1] - line[i - 1]).normalize())).collect()
     }
 
-    /// The phase, in samples, of a wave whose length is given in samples.
+    /// Returns the phase, in samples, of a wave whose length is given in samples.
     fn phase(values: &[f32], wave: usize) -> f32 {
         let turn = |i: usize| std::f32::consts::TAU * i as f32 / wave as f32;
         let sum = |part: fn(f32) -> f32| values.iter().enumerate().map(|(i, value)| value * part(turn(i))).sum::<f32>();

@@ -1,5 +1,5 @@
-//! Oxbow lakes grow old: rivers run over them, silt fills them from their ends, and then they are gone. So there are never many, and no
-//! lake overlaps another or a river.
+//! The ageing of oxbow lakes: rivers run over them, and silt fills them from their ends until they are gone. So there
+//! are never many, and no lake overlaps another or a river.
 
 use super::super::clearance::ClearanceGrid;
 use super::super::settings::NetworkSettings;
@@ -8,11 +8,11 @@ use super::super::{Network, Oxbow, Vertex};
 use super::{CAP, ROUNDS_A_SURVEY, respace};
 use crate::base::geometry::fast_max;
 
-/// The age at which silt begins to fill a lake, and at which it has filled it.
+/// The age at which silt begins to fill a lake, and at which it has filled it, in rounds at the default life.
 const YOUNG: f32 = 24.0;
 const OLD: f32 = 160.0;
 
-/// Lets silt fill lakes as their age asks, in rounds over how long they last, and forgets those that are full.
+/// Fills lakes with silt by their age, in rounds, over their life, a multiple of the default; and removes those that are gone.
 pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32, life: f32) {
     if life == 0.0 {
         oxbows.clear();
@@ -24,9 +24,9 @@ pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32, life: f32) {
     oxbows.retain(|oxbow| !oxbow.lake().is_empty());
 }
 
-/// Takes away of lakes what rivers of the last survey run over, or so near that no land is left between when they have moved.
+/// Removes the parts of lakes that rivers of the last survey run over, or come so near to that moves could leave no land between.
 pub(super) fn erode(network: &mut Network, downstream: &[u32], guard: &ClearanceGrid, settings: &NetworkSettings) {
-    /// How far a line moves by one survey at most, in steps.
+    /// The greatest distance that a line moves between two surveys, in steps.
     const MOST_MOVE: f32 = CAP * (ROUNDS_A_SURVEY as f32 * SHARE_OF_CLEARANCE + respace::SHARE_OF_CLEARANCE);
     let margin = |lake: f32, river: &Vertex| {
         let apart = fast_max(settings.min_clearance, MOST_MOVE * settings.step(river.width()));
@@ -44,7 +44,7 @@ pub(super) fn erode(network: &mut Network, downstream: &[u32], guard: &Clearance
     network.oxbows = oxbows;
 }
 
-/// How far the farther bank is.
+/// Returns the distance of the farther bank, in units.
 fn bank(vertex: &Vertex) -> f32 {
     fast_max(vertex.left, vertex.right)
 }
@@ -54,7 +54,7 @@ mod tests {
     use super::super::super::samples::{river, straight};
     use super::*;
 
-    /// A lake 60 units long and two wide, left in round 10.
+    /// Makes a lake 60 units long and two wide, left in round 10.
     fn lake() -> Oxbow {
         let vertices = river(&straight((0.0, 0.0), (60.0, 0.0), 60), 2.0).vertices;
         Oxbow { river: 0, born: 10, silt: 0.0, vertices }

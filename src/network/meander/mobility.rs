@@ -1,6 +1,6 @@
-//! How freely each vertex meanders: a little all over the map, here more and there not at all, and fully where the great rivers are
-//! flat, the less the steeper they are; not at a river's own ends, and near them only little by little. Tributaries do not hold a river: it
-//! carries their ends along.
+//! Mobility: how freely each vertex meanders. Most rivers do so gently, more in some regions than in others, and less
+//! the steeper they are; great rivers do so fully where they are flat. The ends of a river stay, and mobility rises
+//! away from them. Tributaries do not hold a river: it carries their ends along.
 
 use super::super::hydrology::slopes;
 use super::super::settings::NetworkSettings;
@@ -12,14 +12,14 @@ use crate::recipe::MeanderModel;
 /// The distance, in widths, from a fixed point of a river within which it does not meander.
 const HELD: f32 = 1.0;
 
-/// Other rivers meander where they are flatter than this share of all courses, and less and less up to the second one.
+/// The share of flatter courses up to which other rivers meander gently, and that from which on they do not.
 const GENTLE: f32 = 0.4;
 const STEEP: f32 = 0.85;
 
-/// What sways less than this stands still: it would not be seen, and takes as long as the rest.
+/// The mobility below which vertices stay: their moves would not be seen, and take as long as others.
 const LEAST: f32 = 0.05;
 
-/// Gives every vertex its mobility. Returns the great rivers.
+/// Sets the mobility of every vertex. Returns the indices of the great rivers, in descending order of flat length.
 pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u32> {
     if settings.model == MeanderModel::None {
         return Vec::new();
@@ -47,7 +47,7 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u
     great
 }
 
-/// Lets mobility fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
+/// Lowers mobility toward vertices that have none, so that a river does not bend sharply where it is held.
 pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     const WIDTHS: f32 = 5.0;
     let ease = |vertex: &mut Vertex, beside: &mut Vertex| {
@@ -67,7 +67,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     }
 }
 
-/// The share of all courses that is flatter than each vertex; vertices lie evenly.
+/// Returns, for each vertex, the share of all vertices, which are evenly spaced, that are flatter.
 #[inline(never)] // two copies weigh more than a call
 fn steepness(network: &Network, settings: &NetworkSettings) -> Vec<f32> {
     let slopes = slopes(network, settings.total_discharge);
@@ -83,7 +83,7 @@ fn steepness(network: &Network, settings: &NetworkSettings) -> Vec<f32> {
     steepness
 }
 
-/// The rivers with the longest flat stretches.
+/// Returns the rivers with the greatest flat lengths, in descending order.
 fn great_rivers(network: &Network, is_flat: &[bool], count: u32) -> Vec<u32> {
     let length =
         |river: &super::super::River| is_flat[river.vertex_range()].iter().filter(|&&flat| flat).count() as u32;
@@ -93,8 +93,8 @@ fn great_rivers(network: &Network, is_flat: &[bool], count: u32) -> Vec<u32> {
     has_any.map(|river| river as u32).collect()
 }
 
-/// How far inside a flat stretch each vertex of a river lies: the distance to its nearer end, but for the river's own end; 0 where it
-/// is not flat.
+/// Returns how far inside a flat stretch each vertex of a river lies, in units: the distance to the stretch's nearer
+/// end, where the river's own end is none; 0 where it is not flat.
 fn depths_in_flat(is_flat: &[bool], along: &[f32]) -> Vec<f32> {
     let mut depths = vec![0.0; is_flat.len()];
     let mut start = 0;
@@ -111,19 +111,19 @@ fn depths_in_flat(is_flat: &[bool], along: &[f32]) -> Vec<f32> {
     depths
 }
 
-/// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
-/// spaced.
+/// The longest flat stretch of a great river, given by the discharge at its ends, which grows all along a river,
+/// however vertices are spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reach {
-    /// The river's number.
+    /// The index of the river.
     pub river: u32,
-    /// What it drains at the upper end.
+    /// The discharge at the upper end.
     pub least_discharge: u32,
-    /// What it drains at the lower end.
+    /// The discharge at the lower end.
     pub most_discharge: u32,
 }
 
-/// The longest flat stretch of each great river.
+/// Finds the longest flat stretch of each great river.
 pub(super) fn reaches(network: &Network, great: &[u32], settings: &NetworkSettings) -> Vec<Reach> {
     let is_flat: Vec<bool> = steepness(network, settings).iter().map(|&share| share < settings.flat_share).collect();
     great.iter().map(|&river| reach(network, river, &is_flat)).collect()
@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use crate::network::River;
 
-    /// A river 400 units long, two wide, with an arm halfway that brings such a share of its water.
+    /// Makes a river 400 units long and two wide, with mobility, that an arm with a discharge of `share` joins halfway.
     fn swaying(share: u32, settings: &NetworkSettings) -> (Network, River) {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0).with_arm(
             &straight((200.0, 100.0), (200.0, 399.0), 299),

@@ -1,9 +1,9 @@
 //! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
 //!
-//! A survey measures how near lines come to each other, and necks are cut. Then bends move for `ROUNDS_A_SURVEY` rounds by one of two
-//! models (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far as the survey allows; sharp
-//! bends are eased (`fair.rs`), and vertices spaced evenly again. Those that come too near another river stay where they are from then
-//! on.
+//! A survey measures how near lines come to each other, and necks are cut. Then bends move for `ROUNDS_A_SURVEY` rounds
+//! by one of two models (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far
+//! as the survey allows; sharp bends are eased (`fair.rs`), and vertices spaced evenly again. Vertices that come too
+//! near another river stay where they are from then on.
 
 mod bend;
 mod cutoff;
@@ -35,19 +35,19 @@ use crate::recipe::{CourseShape, MeanderModel};
 pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
 
-/// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
+/// The distance up to which clearances are measured, in steps. Vertices move by less than a third of it in a round.
 const CAP: f32 = 1.0;
 
-/// How many rounds a survey serves. What moves uses the clearance up, so that with more of them bends would hardly move in the last.
+/// The number of rounds that a survey serves. Moves use the clearance up, so that with more rounds bends would hardly move in the last.
 const ROUNDS_A_SURVEY: u32 = 2;
 
-/// From this share of a spacing on a river is wide: what moves near it counts on it to look around, moving or not.
+/// The width from which on a river is wide, in spacings: it looks around, moving or not, as rivers that move near it rely on.
 const WIDE: f32 = 0.6;
 
-/// Where necks are concerned, no river is narrower than this share of a spacing.
+/// The least width that counts for necks, in spacings.
 const NARROWEST: f32 = 0.5;
 
-/// How far banks that move stay away from the frame of the map, in units.
+/// The distance that moving banks keep from the frame of the map, in units.
 const OFF_FRAME: f32 = 8.0;
 
 /// A network on its way from courses to meandering rivers, step by step.
@@ -55,17 +55,17 @@ const OFF_FRAME: f32 = 8.0;
 pub struct Meander {
     settings: NetworkSettings,
     network: Arc<Network>,
-    /// The same as it is drawn; empty until somebody asks for it.
+    /// The network as it is drawn; empty until it is asked for.
     drawn: OnceLock<Arc<Network>>,
     guard: ClearanceGrid,
-    /// What the last survey found, while there are rounds to make by it.
+    /// The last survey, while it has rounds left to serve.
     survey: Option<Survey>,
     /// The necks that the last step found, and the next one cuts.
     necks: Vec<cutoff::Cut>,
     round: u32,
     past: Arc<PastCourses>,
     reaches: Arc<[Reach]>,
-    /// Whether anything was stopped by the frame of the map since the last survey.
+    /// `true` if a vertex was stopped by the frame of the map since the last survey.
     has_stopped: bool,
 }
 
@@ -74,14 +74,14 @@ pub struct Meander {
 struct Survey {
     downstream: Vec<u32>,
     step_scale: Vec<f32>,
-    /// A distance of each segment from the nearest other one that is not too large, up to its cap.
+    /// A lower bound for the distance of each segment from the nearest other one, up to its cap, in units.
     clearance: Vec<f32>,
-    /// How far any vertex has moved since, at most.
+    /// The greatest distance that any vertex may have moved since, in units.
     drift: f32,
 }
 
 impl Meander {
-    /// Round 0: courses that are smooth and thinned out, as wide as they will be.
+    /// Begins with courses that are smooth and thinned out: sets their widths and mobility, and makes no round yet.
     pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
         let great = mobility::assign(&mut network, &settings);
@@ -89,7 +89,7 @@ impl Meander {
         Self { past: PastCourses::of(great).into(), reaches: reaches.into(), ..Self::of(network, settings) }
     }
 
-    /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
+    /// Begins with any network that has its widths and mobility already. None of its rivers counts as great.
     pub fn of(network: Network, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         Self {
@@ -106,59 +106,59 @@ impl Meander {
         }
     }
 
-    /// The network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself, that banks would meet.
-    /// Rivers as grown keep their width, which is that of their tree.
+    /// Returns the network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself,
+    /// that banks would meet. Rivers as grown keep their full width.
     pub fn drawn(&self) -> &Arc<Network> {
         self.drawn.get_or_init(|| self.narrowed(self.network.rivers.iter()))
     }
 
-    /// The network with some of its rivers as they are drawn.
+    /// Returns the network with some of its rivers as they are drawn.
     fn narrowed<'a>(&'a self, rivers: impl Iterator<Item = &'a River>) -> Arc<Network> {
         let is_smooth = self.settings.courses == CourseShape::Smooth;
         let narrowed = if is_smooth { narrowed(&self.network, rivers) } else { None };
         narrowed.map_or_else(|| self.network.clone(), Arc::new)
     }
 
-    /// The network with all its width.
+    /// Returns the network with its full widths.
     pub fn network(&self) -> &Arc<Network> {
         &self.network
     }
 
-    /// Makes sure that nobody else has this very network, by a copy if need be.
+    /// Makes sure that the network and its past are not shared: copies them if need be.
     pub(in crate::network) fn unshare(&mut self) {
         Arc::make_mut(&mut self.network);
         Arc::make_mut(&mut self.past);
     }
 
-    /// The settings it is made by.
+    /// Returns the settings that rivers are made with.
     pub fn settings(&self) -> &NetworkSettings {
         &self.settings
     }
 
-    /// The courses that great rivers had before.
+    /// Returns the courses that great rivers had in earlier rounds.
     pub fn past(&self) -> &Arc<PastCourses> {
         &self.past
     }
 
-    /// Where the great rivers are flat, and meander fully.
+    /// Returns the longest flat stretch of each great river, where it meanders fully.
     pub fn reaches(&self) -> &Arc<[Reach]> {
         &self.reaches
     }
 
-    /// How many rounds have been made.
+    /// Returns the number of rounds that have been made.
     pub fn rounds(&self) -> u32 {
         self.round
     }
 
-    /// Makes a round. Returns whether there is another one to make.
+    /// Makes a round. Returns `true` if there is another one to make.
     pub fn round(&mut self) -> bool {
         let before = self.round;
         while self.step() && self.round == before {}
         !self.is_finished()
     }
 
-    /// Makes a step: finds necks that are to be cut, or makes a round. Only rounds change the network. Returns whether there is another
-    /// step to make.
+    /// Makes a step: finds necks that are to be cut, or makes a round. Only rounds change the network. Returns `true`
+    /// if there is another step to make.
     pub fn step(&mut self) -> bool {
         if self.is_finished() {
             return false;
@@ -169,10 +169,10 @@ impl Meander {
         !self.is_finished()
     }
 
-    /// Keeps the courses before another round if they are to be kept.
+    /// Records the courses before a round if the past wants them.
     fn keep_courses(&mut self) {
         if self.past.wants(self.round, self.settings.rounds) {
-            // Only the great ones are kept, and to narrow all of them takes longer than the round.
+            // Only great rivers are recorded, and to narrow all rivers takes longer than a round.
             let great = self.past.great_rivers().iter().map(|&river| &self.network.rivers[river as usize]);
             let drawn = self.narrowed(great);
             Arc::make_mut(&mut self.past).keep(&drawn, self.round);
@@ -195,8 +195,8 @@ impl Meander {
         lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
     }
 
-    /// Measures how near lines are to each other, and stops what is too near. `None` if there are necks: the next step cuts them, and
-    /// measures again.
+    /// Measures how near lines are to each other, and stops vertices that are too near. `None` if there are necks: the
+    /// next step cuts them, and measures again.
     fn survey(&mut self) -> Option<Survey> {
         let has_cut = self.cut_necks();
         let (downstream, step_scale) = (self.network.downstream(), self.step_scale());
@@ -214,20 +214,20 @@ impl Meander {
         Some(Survey { downstream, step_scale, clearance, drift: 0.0 })
     }
 
-    /// Eases bends that are too sharp, and spaces vertices evenly: the end of the rounds of a survey.
+    /// Ends the rounds of a survey: eases bends that are too sharp, and spaces vertices evenly.
     fn settle(&mut self, mut survey: Survey) {
         self.ease_bends(&mut survey);
         let Survey { step_scale, clearance, .. } = survey;
         respace::respace(Arc::make_mut(&mut self.network), &clearance, &step_scale, &self.settings);
     }
 
-    /// Whether there is no other round to make.
+    /// Returns `true` if there is no other round to make.
     pub fn is_finished(&self) -> bool {
         self.settings.model == MeanderModel::None || self.round >= self.settings.rounds
     }
 
-    /// Returns the share of a step that each vertex moves in the rounds of a survey. Rivers that meander but gently do so after every
-    /// third survey, three times as far: nobody sees it, and a round takes half the time.
+    /// Returns the factor for the move of each vertex in the rounds of a survey. Rivers that meander only gently move
+    /// after every third survey, three times as far: nobody sees it, and a round takes half the time.
     pub fn step_scale(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
         let mut step_scale = vec![0.0; self.network.vertices.len()];
@@ -248,8 +248,8 @@ impl Meander {
         step_scale
     }
 
-    /// How far each segment looks around for others, if it can move or is wide: until banks could come too near each other, and at
-    /// least to its cap.
+    /// Returns the search radius of each segment, in units: as far as banks could come too near each other, and at
+    /// least its cap; 0 if the segment neither can move nor is wide.
     pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
         let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
@@ -276,12 +276,12 @@ impl Meander {
             .collect()
     }
 
-    /// Up to which distance it matters how near the next line is: what moves need.
+    /// Returns the distance up to which the clearance of each segment matters to moves, in units.
     pub fn caps(&self) -> Vec<f32> {
         self.network.vertices.iter().map(|vertex| CAP * self.settings.step(vertex.width())).collect()
     }
 
-    /// The clearance of each segment, and the pairs that are near each other.
+    /// Measures the clearance of each segment, in units, and finds the pairs that are near each other.
     fn measure(&mut self, downstream: &[u32], step_scale: &[f32]) -> (Vec<f32>, Vec<NearbyPair>) {
         let reach = self.reach(downstream, step_scale);
         let mut near = Vec::new();
@@ -289,12 +289,12 @@ impl Meander {
         (clearance, near)
     }
 
-    /// Takes away of lakes what rivers of the last survey run over.
+    /// Removes the parts of lakes that rivers of the last survey run over.
     fn erode_lakes(&mut self, downstream: &[u32]) {
         lakes::erode(Arc::make_mut(&mut self.network), downstream, &self.guard, &self.settings);
     }
 
-    /// The necks among some pairs through which rivers can break.
+    /// Finds the necks among some pairs through which rivers can break.
     fn find_necks(&self, downstream: &[u32], near: &[NearbyPair]) -> Vec<cutoff::Cut> {
         let mut necks = cutoff::necks(&self.network, near, &self.settings);
         necks.retain(|cut| {
@@ -303,7 +303,7 @@ impl Meander {
         necks
     }
 
-    /// Cuts the necks that the last step found. Returns whether there were any.
+    /// Cuts the necks that the last step found. Returns `true` if there were any.
     fn cut_necks(&mut self) -> bool {
         let cuts = std::mem::take(&mut self.necks);
         if cuts.is_empty() {
@@ -320,14 +320,14 @@ impl Meander {
         true
     }
 
-    /// Whether a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
+    /// Returns `true` if a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
     fn is_on_land(&self, cut: &cutoff::Cut) -> bool {
         let [above, below] = [cut.above, cut.below].map(|i| self.network.vertices[i as usize].at);
         self.settings.land.as_ref().is_none_or(|land| land.allows(above, below))
     }
 
-    /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have
-    /// been cut. Returns whether there are any that could until now.
+    /// Stops vertices that have come too near another river, or so near their own that the neck should have been cut.
+    /// Returns `true` if any of them could move until now.
     fn freeze(&mut self, near: &[NearbyPair]) -> bool {
         let river_of = river_of(&self.network);
         let mut any = false;
@@ -359,7 +359,7 @@ impl Meander {
         pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
     }
 
-    /// Whether a river's segment is near another one because it is about to join it.
+    /// Returns `true` if a segment is near that of another river because its own river is about to join that.
     fn is_about_to_join(&self, (i, tributary): (u32, u32), (j, river): (u32, u32), apart: f32) -> bool {
         let tributary = &self.network.rivers[tributary as usize];
         let near = (2.0 * apart / self.settings.spacing) as u32 + 3;
@@ -376,7 +376,7 @@ impl Meander {
         fair::Fairing::new(network, &self.guard, &self.settings, survey).ease(passes);
     }
 
-    /// Lets bends move. Returns how far each vertex has.
+    /// Moves bends. Returns the distance that each vertex has moved, in units.
     fn move_bends(&mut self, survey: &Survey) -> Vec<f32> {
         let moves = match self.settings.model {
             MeanderModel::Flow => flow::moves(&self.network, &survey.step_scale, &self.settings),
@@ -408,8 +408,8 @@ impl Meander {
 }
 
 impl Survey {
-    /// Takes what moves may have used up off the clearance: those of a segment's own ends, and of others' the most that they may make of
-    /// the distance between them.
+    /// Subtracts from the clearance what moves may have used up: those of a segment's own ends, and the most that
+    /// others may have moved.
     fn use_up(&mut self, moved: &[f32]) {
         for (i, clearance) in self.clearance.iter_mut().enumerate() {
             let lower = moved.get(self.downstream[i] as usize).copied().unwrap_or_default();
@@ -419,7 +419,7 @@ impl Survey {
     }
 }
 
-/// Courses simplified and smooth, without widths.
+/// Simplifies and smooths courses; they have no widths yet.
 pub(super) fn smooth_courses(courses: &Courses, settings: &NetworkSettings) -> Network {
     let coarse = simplified(&courses.network, &courses.ranking, settings.simplify);
     let (mut network, origin) = divide(&coarse, settings);
@@ -427,8 +427,8 @@ pub(super) fn smooth_courses(courses: &Courses, settings: &NetworkSettings) -> N
     network
 }
 
-/// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
-/// simplified away: half of them at a time. Returns whether there were enough of them to look again.
+/// Removes vertices that lie closer than needed, half of them at a time. A Brownian tree has many, since simplification
+/// removes hardly any. Returns `true` if there were so many that another pass is worth while.
 pub(super) fn thin_out(network: &mut Network, settings: &NetworkSettings) -> bool {
     let downstream = network.downstream();
     let is_close = |(vertex, &below): (&Vertex, &u32)| {
@@ -447,14 +447,14 @@ pub(super) fn thin_out(network: &mut Network, settings: &NetworkSettings) -> boo
     true
 }
 
-/// Whether a vertex that moves somewhere stays clear of the frame of the map: beside it, a river would run along it like a gutter.
-/// What has grown there may leave it.
+/// Returns `true` if a vertex may move to a point by its distance from the frame of the map, along which a river would
+/// run like a gutter. Vertices that have grown there may move away from it.
 fn keeps_off_frame(domain: &Domain, vertex: &Vertex, to: Vec2) -> bool {
     let off = |at: Vec2| at.min(domain.size - at).min_element();
     off(to) >= OFF_FRAME + vertex.width() * 0.5 || off(to) > off(vertex.at) && domain.contains(to)
 }
 
-/// The river of each vertex.
+/// Returns the river of each vertex.
 fn river_of(network: &Network) -> Vec<u32> {
     let mut river_of = vec![NONE; network.vertices.len()];
     for (number, river) in network.rivers.iter().enumerate() {
@@ -468,7 +468,7 @@ mod tests {
     use super::super::samples::{places, river, settings, sine_generated, sinuosity, straight};
     use super::*;
 
-    /// A river of gentle bends, left to itself for some rounds.
+    /// Makes a river of gentle bends, and lets it meander for some rounds.
     fn meandered(model: MeanderModel, rounds: u32) -> Network {
         let line = sine_generated(0.3, 44.0, 8, 44);
         let mut meander = Meander::of(

@@ -1,17 +1,17 @@
-//! The beds in which great rivers ran before, kept at even rounds while they meander: what a map of past courses shows, and what can
-//! be looked through from the first round to the last.
+//! The former courses of great rivers, recorded at even intervals while they meander: a map of past courses shows them,
+//! and one can look through them from the first round to the last.
 //!
-//! The rounds are chosen by how many there will be, twelve of them or all of fewer, as even as whole numbers are: of 40 those before
-//! the rounds 1, 5, 8, 11, 15 and so on. A loop that is cut off belongs to the last of them before. So what is kept does not depend on
-//! how often a session stops to be looked at, and takes 0.9 MB at most: long courses are thinned out evenly, and loops beyond a
-//! number are left out.
+//! Which rounds are recorded depends on their number alone: twelve, or all of fewer, as evenly as whole numbers allow;
+//! of 40 those before the rounds 1, 5, 8, 11, 15 and so on. A loop that is cut off belongs to the last record before.
+//! So the past does not depend on how often a session stops to be looked at, and takes 0.9 MB at most: long courses are
+//! thinned out evenly, and loops beyond a number are left out.
 
 use super::super::{Network, Place};
 
-/// How many rounds are kept at most.
+/// The greatest number of rounds that are recorded.
 pub(super) const ROUNDS: u32 = 12;
 
-/// How many places the courses of a round have at most, besides their ends; and its loops.
+/// The greatest number of places in the courses of a round, besides their ends, and in its loops.
 const MOST_OF_COURSES: usize = 4000;
 const MOST_OF_LOOPS: usize = 1500;
 
@@ -26,11 +26,11 @@ pub struct PastCourses {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PastRound {
-    /// How many rounds had been made.
+    /// The number of rounds that had been made.
     pub round: u32,
     /// The course of each great river.
     pub courses: Vec<PastCourse>,
-    /// Loops that were cut off from then on, before the next round that is kept.
+    /// The loops that were cut off from then on, before the next round that is recorded.
     pub loops: Vec<PastCourse>,
 }
 
@@ -38,44 +38,44 @@ pub struct PastRound {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PastCourse {
-    /// The number of the river.
+    /// The index of the river.
     pub river: u32,
-    /// The line in the middle between its banks.
+    /// The centerline, with half the width at each place.
     pub line: Vec<Place>,
 }
 
 impl PastCourses {
-    /// What they take at most.
+    /// The greatest memory that past courses take, in bytes.
     pub(in crate::network) const BYTES: usize = 900_000;
 
-    /// Nothing yet, of the rivers that count as great.
+    /// Makes an empty past of the rivers that count as great.
     pub(super) fn of(great: Vec<u32>) -> Self {
         Self { great, rounds: Vec::new() }
     }
 
-    /// Courses that were kept before some rounds, of the rivers that count as great.
+    /// Makes a past of recorded rounds and of the rivers that count as great.
     pub(crate) fn of_rounds(great: Vec<u32>, rounds: Vec<PastRound>) -> Self {
         Self { great, rounds }
     }
 
-    /// The numbers of the great rivers: those that meander fully where they are flat, the longest first.
+    /// Returns the indices of the great rivers, which meander fully where they are flat, in descending order of flat
+    /// length.
     pub fn great_rivers(&self) -> &[u32] {
         &self.great
     }
 
-    /// The rounds that are kept, the oldest first; the courses that rivers have now are not among them.
+    /// Returns the recorded rounds, the oldest first. The courses that rivers have now are not among them.
     pub fn rounds(&self) -> &[PastRound] {
         &self.rounds
     }
 
-    /// Returns `true` if the courses before another round, of so many in all, are to be kept: it is one of the even ones, and they are
-    /// not kept yet.
+    /// Returns `true` if the courses after `round` of `of` rounds are to be recorded and are not yet.
     pub(super) fn wants(&self, round: u32, of: u32) -> bool {
         let is_kept = self.rounds.last().is_some_and(|past| past.round == round);
         !self.great.is_empty() && !is_kept && round * ROUNDS >= self.rounds.len() as u32 * of
     }
 
-    /// Keeps the courses before another round.
+    /// Records the courses of great rivers after a number of rounds.
     pub(super) fn keep(&mut self, network: &Network, round: u32) {
         let course = |&river: &u32| PastCourse { river, line: network.middle(&network.rivers[river as usize]) };
         let mut courses: Vec<PastCourse> = self.great.iter().map(course).collect();
@@ -84,7 +84,7 @@ impl PastCourses {
         self.rounds.push(PastRound { round, courses, loops: Vec::new() });
     }
 
-    /// Keeps the loops that have been cut off in this round, as wide as the river was.
+    /// Records the loops of great rivers that have been cut off in a round, with the full width of the river.
     pub(super) fn keep_loops(&mut self, network: &Network, round: u32) {
         let Some(PastRound { loops, .. }) = self.rounds.last_mut() else { return };
         for cut_off in network.oxbows.iter().filter(|oxbow| oxbow.born == round && self.great.contains(&oxbow.river)) {
@@ -97,14 +97,14 @@ impl PastCourses {
 }
 
 impl PastRound {
-    /// All that is kept of it: courses, and loops.
+    /// Returns all beds of the round: courses, and loops.
     pub fn beds(&self) -> [&[PastCourse]; 2] {
         [&self.courses, &self.loops]
     }
 }
 
 impl PastCourse {
-    /// Keeps one place in so many, and the last.
+    /// Keeps every `every`-th place, and the last.
     fn thin_out(&mut self, every: usize) {
         let (mut i, last) = (0, self.line.len());
         self.line.retain(|_| {
@@ -121,12 +121,12 @@ mod tests {
     use super::super::super::samples::{river, straight};
     use super::*;
 
-    /// The first half of a network's rivers are great.
+    /// Makes an empty past in which the first half of a network's rivers are great.
     fn half_great(network: &Network) -> PastCourses {
         PastCourses::of((0..network.rivers.len() as u32 / 2).collect())
     }
 
-    /// Keeps the courses before a round of so many if they are to be kept.
+    /// Records the courses before a round if the past wants them.
     fn keep(past: &mut PastCourses, network: &Network, round: u32, of: u32) {
         if past.wants(round, of) {
             past.keep(network, round);

@@ -1,7 +1,7 @@
-//! Even spacing again after a round: long segments are divided, and vertices that have come too close to the one before go.
+//! Even spacing, restored after a round: long segments are divided, and vertices too close to the one before are removed.
 //!
-//! Dividing does not move a line. Taking a vertex out does, by its height over the line that is left: never farther than a share
-//! of the clearance that moving has left over.
+//! Dividing does not move a line. Removing a vertex does, by its height over the line that is left: never farther than
+//! a share of the clearance that moves have left over.
 
 use super::super::evenly::{between, pieces};
 use super::super::settings::NetworkSettings;
@@ -9,7 +9,7 @@ use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
 use crate::base::geometry::{distance, fast_max, fast_min, height};
 
-/// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
+/// The share of the clearance that a removal may use up; with [`super::super::smooth::SHARE_OF_CLEARANCE`] less than a half.
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.15;
 
 /// Spaces vertices between half a step and one and a half, where that is possible.
@@ -30,10 +30,10 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
                 && last + 1 == i as u32
                 && below != NONE
                 && !is_junction[i]
-                // As wide as a tributary's last vertex is, its junction is known to be.
+                // A junction is known to be as wide as the last vertex of its tributary, which stays.
                 && i + 1 < own.end
                 && distance(old[i].at, old[i - 1].at) < 0.5 * settings.step(old[i].width())
-                // Of what stays the clearance is not known.
+                // The clearance of a vertex that does not move is unknown.
                 && step_scale[i] > 0.0
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
                     <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
@@ -48,11 +48,11 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
             last = i as u32;
         }
         if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.junction as usize)) {
-            // Under the water of the other river nobody sees how it runs, and it is not to hold that.
+            // Under the water of the other river a tributary is not seen, and is not to hold that river.
             let far = distance(upper.at, junction.at);
             let share = fast_max(far - fast_min(junction.left, junction.right), 0.0) / fast_max(far, f32::MIN_POSITIVE);
             let at = upper.at.lerp(junction.at, share);
-            // No wider for being near a wider river.
+            // The tributary is no wider for being near a wider river.
             let end =
                 Vertex { at, elevation: upper.elevation + (junction.elevation - upper.elevation) * share, ..*upper };
             divide(&mut vertices, upper, &end, settings);
@@ -65,7 +65,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
     network.vertices = vertices;
 }
 
-/// Puts vertices between two if they are too far apart.
+/// Inserts vertices between two that are too far apart.
 fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, settings: &NetworkSettings) {
     let far = distance(upper.at, lower.at);
     let step = settings.step(upper.width());

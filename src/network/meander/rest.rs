@@ -1,41 +1,41 @@
-//! Where bends rest: a stretch that winds enough stays as it is, so that old rivers keep to their belts and never become knots.
+//! The rest of bends: a stretch that winds enough stays as it is, so that old rivers keep to their belts and never become knots.
 //!
-//! How much a stretch winds is its sinuosity, the way along the river over the straight way, measured over windows that hold two full
-//! meanders. A loop that is nearly closed moves on until its neck is cut, and leaves its stretch room to wind anew. Rivers that
-//! meander but gently rest much earlier, before there are any loops.
+//! The measure is sinuosity, the distance along the river over the straight one, in windows that hold two full
+//! meanders. A loop that is nearly closed moves on until its neck is cut, which leaves its stretch room to wind anew.
+//! Rivers that meander only gently rest much earlier, before there are any loops.
 
 use super::super::settings::NetworkSettings;
 use super::super::{Network, River};
 use crate::base::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::base::work;
 
-/// The sinuosity beyond which nothing moves where a river meanders fully, but for loops that are nearly closed; and they.
+/// The sinuosity beyond which a river that meanders fully rests: where no loop is nearly closed, and where one is.
 const MOST: f32 = 2.6;
 const MOST_WITH_LOOPS: f32 = 3.3;
 
-/// The same where it hardly does.
+/// The sinuosity beyond which a river that hardly meanders rests.
 const MOST_OF_BROOKS: f32 = 1.3;
 
-/// From this mobility on a river meanders fully.
+/// The mobility from which on a river meanders fully.
 const FULLY: f32 = 0.7;
 
-/// From this share of the way there on, bends slow down.
+/// The share of the way to that sinuosity from which on bends slow down.
 const NEARLY: f32 = 0.85;
 
-/// The length of a stretch, in widths: bends are about eleven long as the crow flies.
+/// The length of a stretch, in widths along the river; bends are about eleven widths long as the crow flies.
 const STRETCH: f32 = 48.0;
 
-/// The length of a loop, in widths, and the sinuosities from which on it begins to be nearly closed, and is.
+/// The length of a loop, in widths, and the sinuosities at which it begins to count as nearly closed, and fully does.
 const LOOP: f32 = 16.0;
 const CLOSING: [f32; 2] = [2.1, 2.8];
 
-/// Loops close where rivers meander so freely: not below the first, wholly from the second on.
+/// The mobilities at which loops begin to close, and fully do.
 const ALMOST_FULLY: [f32; 2] = [0.4, FULLY];
 
-/// What moves slower than this does not move at all.
+/// The factor below which a vertex rests.
 const LEAST: f32 = 0.05;
 
-/// Slows down what winds enough: lowers the pace of each vertex, which is how freely it moves.
+/// Slows down stretches that wind enough: lowers the pace of each vertex, the factor for its moves.
 pub(super) fn rest(network: &Network, pace: &mut [f32], settings: &NetworkSettings) {
     let (mut stretches, mut loops) = (Winding::default(), Winding::default());
     for river in &network.rivers {
@@ -53,7 +53,7 @@ pub(super) fn rest(network: &Network, pace: &mut [f32], settings: &NetworkSettin
     }
 }
 
-/// How freely a vertex of some mobility moves in a stretch and in a loop that wind so much, from 0 to 1.
+/// Returns the factor for the pace of a vertex, from 0 to 1, by the sinuosities of its stretch and of its loop and by its mobility.
 fn freedom(stretch: f32, around: f32, mobility: f32) -> f32 {
     let fully = fast_min(mobility / FULLY, 1.0);
     let fully = fully * fully.sqrt();
@@ -62,24 +62,24 @@ fn freedom(stretch: f32, around: f32, mobility: f32) -> f32 {
     fast_max(1.0 - rise(stretch, [1.0 + (most - 1.0) * NEARLY, most]), closing)
 }
 
-/// From 0 to 1 between two values.
+/// Rises smoothly from 0 to 1 as a value goes from one number to another.
 fn rise(value: f32, [from, to]: [f32; 2]) -> f32 {
     smooth_step((value - from) / (to - from))
 }
 
-/// How much a river winds.
+/// The sinuosity along a river.
 #[derive(Default)]
 struct Winding {
-    /// How far each vertex is from the source, along the river.
+    /// The distance of each vertex from the source along the river, in units.
     along: Vec<f32>,
-    /// The sinuosity of the window around each vertex that winds most.
+    /// The greatest sinuosity of the windows that contain each vertex.
     sinuosity: Vec<f32>,
 }
 
 impl Winding {
-    /// Measures windows of a river, so many widths long.
+    /// Measures windows of a river; their length is given in widths.
     fn measure(&mut self, network: &Network, river: &River, widths: f32, settings: &NetworkSettings) {
-        /// Windows begin this share of their length apart.
+        /// The distance between the beginnings of windows, as a share of their length.
         const STRIDE: f32 = 0.0625;
         let own = &network.vertices[river.vertex_range()];
         self.along.clear();
@@ -95,7 +95,7 @@ impl Winding {
             let length = widths * fast_max(own[start].width(), settings.spacing);
             let end = self.reach(start, length);
             let way = self.along[end] - self.along[start];
-            // Where the river ends within the window, it would run straight on.
+            // Where the river ends within the window, it is taken to run straight on.
             let beyond = fast_max(length - way, 0.0);
             let sinuosity = (way + beyond) / (distance(own[start].at, own[end].at) + beyond);
             self.sinuosity[start..=end].iter_mut().for_each(|most| *most = fast_max(*most, sinuosity));
@@ -104,7 +104,7 @@ impl Winding {
         }
     }
 
-    /// The last vertex within some way downstream of another.
+    /// Returns the last vertex within a distance downstream of another.
     fn reach(&self, from: usize, way: f32) -> usize {
         let end = self.along[from] + way;
         from + self.along[from..].partition_point(|&along| along <= end) - 1
@@ -116,7 +116,7 @@ mod tests {
     use super::super::super::samples::{river, settings, sine_generated};
     use super::*;
 
-    /// The pace of the vertices of a sine-generated curve with waves of 22 widths, away from its ends.
+    /// Returns the pace of the vertices of a sine-generated curve with waves of 22 widths, away from its ends.
     fn paces(omega: f32, mobility: f32) -> Vec<f32> {
         let mut network = river(&sine_generated(omega, 44.0, 12, 44), 2.0);
         network.vertices.iter_mut().for_each(|vertex| vertex.mobility = mobility);
