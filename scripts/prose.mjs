@@ -22,7 +22,6 @@ const NOT_YET = [
   "src/base",
   "src/export",
   "src/grow",
-  "src/land",
   "src/map",
   "src/paint",
   "src/picture",

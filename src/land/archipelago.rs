@@ -8,7 +8,8 @@ use super::room::{placed, room, roomier};
 use super::spine::Spine;
 use crate::base::geometry::length;
 
-/// The summits of drowned ranges: short spines in rows along arcs. Areas fall with a power of the rank (Korčak 1940).
+/// Lays out drowned summits as short spines in rows along arcs, on `area` square units. Areas fall with a power of the
+/// rank (Korčak 1940).
 pub(super) fn archipelago(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
     /// The exponent of areas over ranks.
     const FALL: f32 = 0.7;
@@ -28,7 +29,7 @@ pub(super) fn archipelago(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine
     placed(draws, spines, size)
 }
 
-/// Deals the areas of islands out to arcs, most likely to those that have room for more. The largest come first.
+/// Deals the areas of islands, the largest first, out to arcs, most likely to those that have room for more.
 fn dealt(draws: &mut Draws, arcs: &[Curve], areas: &[f32]) -> Vec<Vec<f32>> {
     let mut rows: Vec<(f32, Vec<f32>)> = arcs.iter().map(|arc| (arc.length(), Vec::new())).collect();
     for &area in areas {
@@ -47,12 +48,12 @@ fn dealt(draws: &mut Draws, arcs: &[Curve], areas: &[f32]) -> Vec<Vec<f32>> {
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
-/// The length of an island of some area and of the strait beside it, about.
+/// Estimates the length of an island with an area, together with the strait beside it, in units.
 fn laid(area: f32) -> f32 {
     1.9 * area.sqrt() + 85.0
 }
 
-/// Three or four arcs, the longest first, aslant beside one another.
+/// Draws three or four arcs, the longest first, aslant beside one another.
 fn arcs(draws: &mut Draws, size: Vec2) -> Vec<Curve> {
     let way = roomier(draws, size);
     let (room, span) = (room(size, way), size.min_element());
@@ -92,7 +93,7 @@ fn fitted(mut curves: Vec<Curve>, size: Vec2) -> Vec<Curve> {
     curves
 }
 
-/// Adds a row of islands of these areas along an arc. They are as long as leaves straits between them.
+/// Adds a row of islands with these areas along an arc, short enough to leave straits between them.
 fn row(draws: &mut Draws, arc: &Curve, areas: &[f32], spines: &mut Vec<Spine>) {
     let long = arc.length();
     let lengths: Vec<f32> = areas.iter().map(|area| area.sqrt() * draws.between(1.5, 2.8)).collect();
@@ -110,19 +111,19 @@ fn row(draws: &mut Draws, arc: &Curve, areas: &[f32], spines: &mut Vec<Spine>) {
     }
 }
 
-/// A summit of some half width between two ends, turned by an angle.
+/// Draws a summit of about a half width between two ends, turned by an angle.
 fn summit(draws: &mut Draws, [from, to]: [Vec2; 2], width: f32, lean: f32) -> Spine {
     let middle = (from + to) / 2.0 + (to - from).perp() * draws.either(0.0, 0.2);
     let half = turned((to - from) / 2.0, lean);
     let bend = draws.either(0.02, 0.22);
     let (swollen, end) = (draws.between(0.2, 0.8), draws.between(0.1, 0.5));
-    // A half width counts beyond the ends, too.
+    // The half width extends the summit beyond its ends, too.
     let inner = half * (1.0 - 0.5 * end * width / length(half).max(width)).max(0.1);
     let curve = Curve::bent(middle - inner, middle + inner, [bend, bend]);
     curve.spine(6, &|t| 1.15 * width * swelling(t, swollen, end))
 }
 
-/// A small island beside an arc; `None` if there is no room at the place.
+/// Draws a small island beside an arc; `None` if there is no room at the place.
 fn stray(draws: &mut Draws, arcs: &[Curve], spines: &[Spine], size: Vec2) -> Option<Spine> {
     let arc = arcs.get(draws.count(0, arcs.len() as u32 - 1) as usize)?;
     let t = draws.between(0.0, 1.0);

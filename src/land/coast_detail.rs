@@ -12,7 +12,7 @@ use crate::base::geometry::smooth_step;
 use crate::base::random::{ItemHash, Purpose, Seed};
 use crate::base::work;
 
-/// The farthest from the coast that is shown that anything moves, in units.
+/// The distance from the coast within which detail moves anything, in units.
 pub(crate) const REACH: f32 = 2.8;
 
 /// The wavelength of the broadest octave, in units: half the shortest wave that the lattice of coast distances holds.
@@ -41,8 +41,9 @@ struct Octave {
 }
 
 impl CoastDetail {
-    /// The detail that a coast shows with so many pixels to a unit, on a map of this size. `roughness` is that of the recipe, from 0 to 1; `lines` are those of all rivers,
-    /// place by place with half the width, in units. `None` if pixels are too large for any.
+    /// Makes the detail that a coast shows with `per_unit` pixels to a unit, on a map of a given size. `roughness` is
+    /// the recipe's, from 0 to 1; `lines` are the centerlines of all rivers with half the width at each place, in
+    /// units. `None` if pixels are too large for any detail.
     pub fn of(
         land: &Land,
         size: Vec2,
@@ -61,8 +62,8 @@ impl CoastDetail {
         Some(Self { hash: seed.item_hash(Purpose::CoastDetail), octaves, free })
     }
 
-    /// How far a place is moved inland, given its distance from the coast and how steeply that rises, and the gradient of that, for each
-    /// unit. Between two coasts distances hardly rise, and any move would make specks of land and water.
+    /// Returns the distance by which a place is moved inland, in units, and its gradient; `distance` is the place's distance from the
+    /// coast, `slope` how steeply that rises. Midway between two coasts it hardly rises, and any move would make specks of land and water.
     pub fn shift(&self, at: Vec2, distance: f32, slope: f32) -> (f32, Vec2) {
         let way = (1.0 - distance.abs() / REACH).max(0.0);
         let share = smooth_step(way) * smooth_step(slope) * self.free.at(at);
@@ -77,7 +78,7 @@ impl CoastDetail {
         })
     }
 
-    /// The strength of detail on the rock at a place, from soft to hard: beaches are smooth, cliffs rough.
+    /// Returns the strength of detail at a place, by its rock from soft to hard: beaches are smooth, cliffs rough.
     fn hardness(&self, at: Vec2) -> f32 {
         const SOFT: f32 = 0.25;
         const HARD: f32 = 1.25;
@@ -90,12 +91,12 @@ impl CoastDetail {
 const HARDNESS: u32 = 99;
 const HARD_STRETCHES: f32 = 1.0 / 45.0;
 
-/// The octaves that can be seen.
+/// Returns the octaves that can be seen.
 fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
     /// The amplitude as a share of the wavelength, for smooth and for rough coasts.
     const SMOOTH: f32 = 0.04;
     const ROUGH: f32 = 0.24;
-    /// The share of it that is left with each octave: a coast of steep small waves looks like foam.
+    /// The factor for that share from octave to octave: a coast of steep small waves looks like foam.
     const LESS: f32 = 0.8;
     let share = SMOOTH + (ROUGH - SMOOTH) * roughness.clamp(0.0, 1.0);
     let octave = |number: u32| {
@@ -111,12 +112,12 @@ fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
     (0..OCTAVES).map(octave).map(lessened).filter(|octave| octave.amplitude > 0.0).collect()
 }
 
-/// Returns `true` if a place of a river is so near to the coast that its banks may reach what moves.
+/// Returns `true` if a place on a river is so near the coast that its banks may reach what detail moves.
 fn is_near(land: &Land, (at, half): (Vec2, f32)) -> bool {
     land.coast_distance().height(at).abs() < half + REACH + FAR
 }
 
-/// Gradient noise (Perlin 1985, with the fade of 2002), from about -1 to 1, and its gradient.
+/// Returns gradient noise (Perlin 1985, with the fade of 2002), from about -1 to 1, and its gradient.
 fn noise(hash: ItemHash, octave: u32, at: Vec2) -> (f32, Vec2) {
     let corner = at.floor();
     let within = at - corner;
@@ -157,8 +158,8 @@ const SLOPES: [Vec2; 8] = {
     ]
 };
 
-/// The distance of a bank up to which nothing moves, and the one from which on everything does, in units. The first is more than the
-/// diagonal of a cell, so there is none between four corners that are free.
+/// The distance from a bank up to which nothing moves, and that from which on everything may, in units. The first is
+/// more than the diagonal of a cell, so no bank lies between four free corners.
 const NEAR: f32 = 1.5;
 const FAR: f32 = 4.5;
 
@@ -175,7 +176,7 @@ impl Free {
         Self { columns, shares: vec![u8::MAX; columns * rows] }
     }
 
-    /// Holds the surroundings of a piece of a river.
+    /// Holds the coast around a segment of a river.
     fn keep_off(&mut self, [(from, half_from), (to, half_to)]: [(Vec2, f32); 2]) {
         let along = to - from;
         let reach = half_from.max(half_to) + FAR;
@@ -196,7 +197,7 @@ impl Free {
         }
     }
 
-    /// The share at a place, from 0 to 1. Beyond the map it is that at its border.
+    /// Returns the freedom at a place, from 0 to 1. Beyond the map it is that at the border.
     fn at(&self, at: Vec2) -> f32 {
         let last = Vec2::new(self.columns as f32 - 2.0, (self.shares.len() / self.columns) as f32 - 2.0);
         let at = at.max(Vec2::ZERO).min(last);
@@ -228,7 +229,7 @@ mod tests {
         )
     }
 
-    /// Places all over a square in which nothing is moved by a river.
+    /// Iterates over places all over a square without rivers.
     fn places() -> impl Iterator<Item = Vec2> {
         (0..40_000).map(|i| Vec2::new((i % 200) as f32 * 0.731, (i / 200) as f32 * 0.917) + 300.0)
     }

@@ -1,8 +1,8 @@
 //! Coast distances: the distance of every point of the domain from the coast, a signed distance field.
 //!
 //! Distances are stored at the corners of a coarse lattice and interpolated bilinearly, which is accurate enough for
-//! growth, which uses cells. Pictures show the coast without facets (`smoothed_distance.rs`). To make a field, all that
-//! is needed is a coast as line pieces, and which side of it is land.
+//! growth, which uses cells. Pictures show the coast without facets (`smoothed_distance.rs`). A field is made from a
+//! coast, as line segments, and from the corners that are land.
 
 use std::ops::Range;
 
@@ -19,7 +19,7 @@ use crate::domain::Domain;
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
 
-/// The distance of a point from the coast if there is no coast.
+/// The distance of a point from the coast if there is no coast, in units.
 const FARTHEST: f32 = 1e4;
 
 /// Distances from the coast at lattice corners, in units: positive on land, negative at sea.
@@ -42,8 +42,8 @@ impl CoastDistance {
     /// than the width of a coast line. It divides the other spacings and is a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
-    /// The land where a height function is high, on a lattice with this spacing, without islets and ponds. The sea covers
-    /// the given share of the domain, where the function is lowest. Heights are those of the function until the land is
+    /// Makes the land where a height function is high, on a lattice with a spacing, without islets and ponds. The sea
+    /// covers a share of the domain, where the function is lowest. Heights are those of the function until the land is
     /// [settled](Self::settled).
     pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: &dyn Fn(Vec2) -> f32) -> Self {
         let mut this = Self::sampled(domain, spacing, share, height);
@@ -51,12 +51,12 @@ impl CoastDistance {
         this
     }
 
-    /// The same land with some corners under water, by their numbers. It is to be [settled](Self::settled).
+    /// Puts some corners, given by their indices, under water. The result has yet to be [settled](Self::settled).
     pub(super) fn flooded(mut self, corners: &[usize]) -> Self {
         let depth = self.spacing;
         for &corner in corners {
             self.heights[corner] = -depth;
-            // The coast between a flooded corner and its neighbour shall lie midway, however high that is.
+            // The coast between a flooded corner and its neighbour lies midway, however high the neighbour is.
             let [column, row] = [corner % self.columns, corner / self.columns];
             for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
                 for column in column.saturating_sub(1)..(column + 2).min(self.columns) {
@@ -69,28 +69,28 @@ impl CoastDistance {
         self
     }
 
-    /// The distances from the line of height 0.
+    /// Replaces heights by distances from the line of height 0.
     #[inline(never)] // one copy for all lands
     pub(super) fn settled(self) -> Self {
         let coast = self.contour();
         self.measured(&coast)
     }
 
-    /// The land above height 0 of heights at the corners of a lattice like this one, row by row, with these for distances
-    /// until it is [settled](Self::settled).
+    /// Makes the land where heights at the corners of the same lattice, row by row, are above 0. They stand for
+    /// distances until the land is [settled](Self::settled).
     pub(super) fn with_heights_of(&self, heights: &[f32]) -> Self {
         let &Self { columns, rows, spacing, .. } = self;
         Self { heights: heights.to_vec(), columns, rows, spacing }
     }
 
-    /// Deepens water to so many units at its corners, so that it is connected as they are, however narrow it is.
+    /// Deepens the corners of water to at least a depth, in units, so that water is connected as its corners are, however narrow it is.
     pub(super) fn deepened(mut self, shallowest: f32) -> Self {
         self.heights.iter_mut().filter(|height| **height <= 0.0).for_each(|height| *height = height.min(-shallowest));
         self
     }
 
-    /// The number of lattice squares around each corner whose middles lie in the domain: how much the corner counts for
-    /// its area.
+    /// Counts the lattice squares around each corner whose middles lie in the domain: the weight of the corner in
+    /// areas.
     #[inline(never)] // one copy for all lands
     pub(crate) fn squares_around(&self, domain: &Domain) -> Vec<u32> {
         let mut squares = vec![0; self.heights.len()];
@@ -101,8 +101,8 @@ impl CoastDistance {
         squares
     }
 
-    /// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
-    /// such square, so it counts for the area around it.
+    /// Lists the heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once
+    /// for each such square, so it counts for the area around it.
     fn heights_of_squares(&self, domain: &Domain) -> Vec<f32> {
         let mut of_squares = Vec::with_capacity(4 * self.heights.len());
         for (height, squares) in self.heights.iter().zip(self.squares_around(domain)) {
@@ -111,20 +111,20 @@ impl CoastDistance {
         of_squares
     }
 
-    /// The land within a coast, on a lattice with this spacing; `is_land` lists the corners row by row.
+    /// Makes the land within a coast, on a lattice with a spacing; `is_land` lists the corners row by row.
     pub(super) fn of_coast(domain: &Domain, spacing: f32, coast: &[Piece], is_land: &[bool]) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
         let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();
         Self { heights, columns, rows, spacing }.measured(coast)
     }
 
-    /// The distances from some lines, with land on both sides.
+    /// Measures the distances from some lines, with land on both sides.
     pub(crate) fn from_lines(domain: &Domain, lines: &[Piece]) -> Self {
         let (columns, rows) = Self::corners(domain, Self::COARSE_SPACING);
         Self::of_coast(domain, Self::COARSE_SPACING, lines, &vec![true; columns * rows])
     }
 
-    /// Land everywhere except in a strait of a width between two points.
+    /// Makes land everywhere except in a strait of a given width between two points.
     #[cfg(test)]
     pub(crate) fn of_strait(domain: &Domain, from: Vec2, to: Vec2, width: f32) -> Self {
         let across = (to - from).perp().normalize();
@@ -135,14 +135,14 @@ impl CoastDistance {
         Self::of_coast(domain, Self::SPACING, &coast, &is_land)
     }
 
-    /// A lattice with these heights at its corners, row by row; `None` if their number does not fit a domain of this
-    /// size.
+    /// Makes a lattice with these heights at its corners, row by row; `None` if their number does not fit a domain of
+    /// this size.
     pub(crate) fn of_heights(size: Vec2, spacing: f32, heights: Vec<f32>) -> Option<Self> {
         let [columns, rows] = size.to_array().map(|length| ((length / spacing) as usize).saturating_add(2));
         (columns.checked_mul(rows)? == heights.len()).then_some(Self { heights, columns, rows, spacing })
     }
 
-    /// The number of columns and rows of a lattice's corners: one more than needed to cover the domain.
+    /// Returns the number of columns and rows of a lattice's corners: one more than needed to cover the domain.
     pub(super) fn corners(domain: &Domain, spacing: f32) -> (usize, usize) {
         let corners = |length: f32| (length / spacing) as usize + 2;
         (corners(domain.size.x), corners(domain.size.y))
@@ -165,7 +165,7 @@ impl CoastDistance {
         lattice
     }
 
-    /// A lattice with a height for each place and its column and row.
+    /// Makes a lattice whose heights are a function of the place and of its column and row.
     fn with_heights(domain: &Domain, spacing: f32, height: &dyn Fn(Vec2, [usize; 2]) -> f32) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
         let mut heights = Vec::with_capacity(columns * rows);
@@ -176,8 +176,8 @@ impl CoastDistance {
         Self { heights, columns, rows, spacing }
     }
 
-    /// The height at a corner of the lattice with half the spacing. It is known if this lattice has that corner, and if
-    /// the coast passes far off. Then only its sign counts.
+    /// Returns the height at a corner of the lattice with half the spacing; `None` if the coast may pass near it and
+    /// this lattice does not have it. Far from the coast only the sign is right.
     fn certain(&self, at: [usize; 2]) -> Option<f32> {
         /// The coast may pass where the height differs from the level by less than this, in spacings.
         const NEAR: f32 = 1.1;
@@ -211,19 +211,19 @@ impl CoastDistance {
         }
     }
 
-    /// Connected corners of land, or of water.
+    /// Finds the connected components of corners of land, or of water, the largest first.
     pub(super) fn regions(&self, kind: Cell) -> Vec<Region> {
         let cell = |&height: &f32| if height > 0.0 { Cell::Land } else { Cell::Water };
         regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)
     }
 
-    /// The corners of a region, by their numbers.
+    /// Iterates over the indices of a region's corners.
     pub(super) fn corners_of<'a>(&self, region: &'a Region) -> impl Iterator<Item = usize> + 'a {
         let columns = self.columns;
         region.runs.iter().flat_map(move |run| corners_of_run(run, columns))
     }
 
-    /// The line of height 0, from the squares of the lattice (marching squares).
+    /// Traces the line of height 0 through the squares of the lattice (marching squares).
     fn contour(&self) -> Vec<Piece> {
         let mut pieces = Vec::new();
         for row in 0..self.rows - 1 {
@@ -247,19 +247,19 @@ impl CoastDistance {
         pieces
     }
 
-    /// The point between two corners where the height is 0; `None` if there is none.
+    /// Returns the point between two corners where the height is 0; `None` if there is none.
     fn crossing(&self, a: usize, b: usize) -> Option<Vec2> {
         let (from, to) = (self.heights[a], self.heights[b]);
         let crosses = (from > 0.0) != (to > 0.0);
         crosses.then(|| self.corner(a).lerp(self.corner(b), from / (from - to)))
     }
 
-    /// Where a corner lies.
+    /// Returns the position of a corner, in units.
     pub(crate) fn corner(&self, i: usize) -> Vec2 {
         corner(i, self.columns, self.spacing)
     }
 
-    /// Replaces the heights by distances from a coast and keeps their signs.
+    /// Replaces heights by distances from a coast and keeps their signs.
     #[inline(never)] // one copy for all lands
     fn measured(mut self, coast: &[Piece]) -> Self {
         let nearest = Nearest::of(coast, &self);
@@ -269,22 +269,22 @@ impl CoastDistance {
         self
     }
 
-    /// The distance between corners, in units.
+    /// Returns the distance between corners, in units.
     pub(crate) fn spacing(&self) -> f32 {
         self.spacing
     }
 
-    /// The number of columns and rows of corners.
+    /// Returns the number of columns and rows of corners.
     pub(crate) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// The heights of the corners, row by row.
+    /// Returns the heights of the corners, row by row.
     pub(crate) fn heights(&self) -> &[f32] {
         &self.heights
     }
 
-    /// Interpolates the heights between a row of corners and the next one, from the first column on.
+    /// Interpolates heights at a share of the way from a row of corners to the next one, from the first column on.
     pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
         let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
         for ((height, upper), lower) in heights.iter_mut().zip(corners(row)).zip(corners(row + 1)) {
@@ -292,8 +292,8 @@ impl CoastDistance {
         }
     }
 
-    /// The first of some intervals between a row of corners and the next one, those that a coast may run through, and
-    /// those after them.
+    /// Lists, of the first intervals between a row of corners and the next one, the very first, those that a coast may
+    /// run through, and those after them.
     pub(super) fn coasts_between(&self, row: usize, intervals: usize) -> Vec<u32> {
         let corners = |row: usize| self.heights[row.min(self.rows - 1) * self.columns..][..=intervals].windows(2);
         let mut coasts = Vec::new();
@@ -310,8 +310,8 @@ impl CoastDistance {
         coasts
     }
 
-    /// The distance of a point from the coast, in units; negative at sea. Points outside the domain have the value of
-    /// its border.
+    /// Returns the distance of a point from the coast, in units; negative at sea. Points outside the domain have the
+    /// value of its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
         let at = point / self.spacing;
@@ -323,7 +323,7 @@ impl CoastDistance {
         along(row) * (1.0 - y) + along(row + 1) * y
     }
 
-    /// The gradient of the height: it points inland.
+    /// Returns the gradient of the height, which points inland.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
         let step = self.spacing;
@@ -332,7 +332,7 @@ impl CoastDistance {
     }
 }
 
-/// The corners of a run, by their numbers.
+/// Returns the indices of the corners of a run.
 fn corners_of_run(run: &Run, columns: usize) -> Range<usize> {
     let start = run.row as usize * columns;
     start + run.start as usize..start + run.end as usize
@@ -342,7 +342,7 @@ fn corner(i: usize, columns: usize, spacing: f32) -> Vec2 {
     Vec2::new((i % columns) as f32, (i / columns) as f32) * spacing
 }
 
-/// The lattice interval that contains a coordinate, and the position in it, both in intervals.
+/// Returns the index of the lattice interval that contains a coordinate, and the position in it, in intervals.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
     let x = x.max(0.0).min((corners - 1) as f32);
@@ -350,8 +350,8 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     (index, x - index as f32)
 }
 
-/// The nearest piece of coast for each corner. It is known beside the coast and passed on from corner to corner, as in
-/// a distance transform (Danielsson 1980).
+/// The nearest piece of coast of each corner, known beside the coast and passed on from corner to corner, as in a
+/// distance transform (Danielsson 1980).
 struct Nearest {
     coast: Vec<Side>,
     piece: Vec<u32>,

@@ -6,8 +6,8 @@ use super::trace::{SPECK, rings};
 use super::{CoastDistance, SmoothedDistance};
 
 impl SmoothedDistance {
-    /// The rings around all areas higher than a level, in units. Along the border they run slightly outside the domain.
-    /// Specks are left out; a finer lattice keeps smaller ones.
+    /// Traces the rings around all areas higher than a level, in units. Along the border they run slightly outside the
+    /// domain. Specks are left out; a finer lattice keeps smaller ones.
     pub fn rings_above(&self, level: f32) -> Vec<Vec<Vec2>> {
         // Heights that differ from the level by more than this are clamped; neighbouring corners differ by less.
         let far = 4.0 * self.spacing();

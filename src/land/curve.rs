@@ -11,7 +11,7 @@ use crate::base::trigonometry::sine_and_cosine;
 pub(super) struct Curve(pub [Vec2; 4]);
 
 impl Curve {
-    /// A curve between two points that bends aside by shares of its length, after a third and after two thirds of it.
+    /// Makes a curve between two points that bends aside by shares of its length, after a third and after two thirds of it.
     #[inline(never)] // each copy weighs a hundred bytes
     pub fn bent(from: Vec2, to: Vec2, bends: [f32; 2]) -> Self {
         let (along, aside) = (to - from, (to - from).perp());
@@ -19,7 +19,7 @@ impl Curve {
         Self([from, control(0.333, bends[0]), control(0.667, bends[1]), to])
     }
 
-    /// The point at a share of the curve.
+    /// Returns the point at a share of the curve.
     #[inline(never)] // each copy weighs ninety bytes
     pub fn at(&self, t: f32) -> Vec2 {
         let [a, b, c, d] = self.0;
@@ -27,25 +27,25 @@ impl Curve {
         a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t)
     }
 
-    /// The direction in which the curve runs at a share of it, as a unit vector.
+    /// Returns the direction in which the curve runs at a share of it, as a unit vector.
     #[inline(never)]
     pub fn way(&self, t: f32) -> Vec2 {
         direction(self.at((t + 0.05).min(1.0)) - self.at((t - 0.05).max(0.0)))
     }
 
-    /// The length, about.
+    /// Estimates the length, in units.
     #[inline(never)]
     pub fn length(&self) -> f32 {
         distance(self.at(0.0), self.at(0.5)) + distance(self.at(0.5), self.at(1.0))
     }
 
-    /// The same curve from its end.
+    /// Returns the curve in the opposite direction.
     pub fn reversed(&self) -> Self {
         let [a, b, c, d] = self.0;
         Self([d, c, b, a])
     }
 
-    /// A spine along the curve, with a half width at each place.
+    /// Makes a spine along the curve, in a number of pieces, with a half width for each share of it.
     #[inline(never)]
     pub fn spine(&self, pieces: u32, width: &dyn Fn(f32) -> f32) -> Spine {
         let place = |i: u32| i as f32 / pieces as f32;
@@ -53,7 +53,7 @@ impl Curve {
     }
 }
 
-/// A share that grows from `end` at both ends to 1 at `middle`.
+/// Returns a share that grows from `end` at both ends, 0 and 1, to 1 at `middle`.
 #[inline(never)]
 pub(super) fn swelling(t: f32, middle: f32, end: f32) -> f32 {
     let off = if t < middle { (middle - t) / middle } else { (t - middle) / (1.0 - middle) };

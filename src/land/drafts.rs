@@ -1,4 +1,4 @@
-//! Drafts: of several layouts of an island the first is taken whose shape lies in nature's range.
+//! Drafts: several layouts of an island, of which the first is taken whose shape lies in nature's range.
 //!
 //! The ranges are those of 25 real islands, from Madagascar to Skye, by the same measures on GSHHS shorelines.
 
@@ -10,25 +10,25 @@ use crate::base::sort;
 use crate::base::trigonometry::sine_and_cosine;
 use crate::domain::Domain;
 
-/// The most drafts that are looked at.
+/// The greatest number of drafts that are measured.
 pub(super) const MOST: u32 = 6;
-/// The distance between the points at which a draft is looked at, in units.
+/// The distance between the points at which a draft is sampled, in units.
 const SPACING: f32 = 22.0;
 
-/// The points at which drafts are looked at, row by row.
+/// Lists the points at which drafts are sampled, row by row.
 pub(super) fn points(domain: &Domain) -> Vec<Vec2> {
     let [columns, rows] = extent(domain);
     let at = |i: usize| (Vec2::new((i % columns) as f32, (i / columns) as f32) + 0.5) * SPACING;
     (0..columns * rows).map(at).collect()
 }
 
-/// The number of points in a row and in a column.
+/// Returns the number of points in a row and in a column.
 fn extent(domain: &Domain) -> [usize; 2] {
     [domain.size.x, domain.size.y].map(|length| (length / SPACING) as usize)
 }
 
-/// Returns the number of the first draft without a fault, or of the one with the least. `heights` lists the heights of a
-/// draft at the [`points`].
+/// Returns the number of the first draft without a fault, or of the one with the least. `heights` lists the heights of
+/// a draft at the [`points`].
 pub(super) fn best(domain: &Domain, sea: f32, wanted: &Wanted, heights: impl Fn(u32) -> Vec<f32>) -> u32 {
     let mut best = (f32::INFINITY, 0);
     for number in 0..MOST {
@@ -45,23 +45,23 @@ pub(super) fn best(domain: &Domain, sea: f32, wanted: &Wanted, heights: impl Fn(
 
 /// The shape of a draft's main island.
 struct Look {
-    /// Its area as a share of that of the smallest turned rectangle around it.
+    /// The island's area as a share of that of the smallest turned rectangle around it.
     boxed: f32,
-    /// The length of its coast over that of a circle of the same area.
+    /// The length of the island's coast over that of a circle of the same area.
     coast: f32,
-    /// Its share of all land.
+    /// The island's share of all land.
     share: f32,
     /// The number of islands that are large enough to count.
     count: f32,
-    /// The distance from the nearest side of the domain, in units.
+    /// The distance of the island from the nearest side of the domain, in units.
     gap: f32,
-    /// The greatest share of its width, or of its height, along which its coast runs beside that of the smallest upright
+    /// The greatest share of the island's width, or height, along which its coast runs beside the smallest upright
     /// rectangle around it.
     straight: f32,
 }
 
 impl Look {
-    /// Measures the land above the sea, which covers a share of the domain. Islands count from so many cells on.
+    /// Measures the land above the sea, which covers a share of the domain. Islands count from `counted` cells on.
     fn of(domain: &Domain, sea: f32, heights: &[f32], counted: u32) -> Self {
         let [columns, rows] = extent(domain);
         let level = sort::quantile(heights, sea);
@@ -84,7 +84,7 @@ impl Look {
         }
     }
 
-    /// The sum of the ways in which the measures are out of the ranges that are wanted; 0 if none is.
+    /// Sums up by how much the measures are out of the ranges that are wanted; 0 if none is.
     fn fault(&self, wanted: &Wanted) -> f32 {
         beyond(self.boxed, wanted.boxed)
             + beyond(self.coast, wanted.coast)
@@ -95,7 +95,7 @@ impl Look {
     }
 }
 
-/// The distance of a value from a range, as a share of the range's width if that is more than 1; 0 within it.
+/// Returns the distance of a value from a range, as a share of the range's width if that is more than 1; 0 within it.
 #[inline(never)] // each copy weighs sixty bytes
 fn beyond(value: f32, [least, most]: [f32; 2]) -> f32 {
     (least - value).max(value - most).max(0.0) / (most - least).max(1.0)
@@ -108,13 +108,13 @@ pub(super) struct Wanted {
     pub share: [f32; 2],
     /// The number of islands, or of lakes.
     pub count: [usize; 2],
-    /// So many points at least must lie on one for it to count.
+    /// The least number of points on an island, or on a lake, for it to count.
     pub counted: u32,
     /// The greatest share of a side that may be straight.
     pub straight: f32,
 }
 
-/// The corners of the first and last cells of a region in each row and column, in cells.
+/// Lists the ends of a region in each row and column, in cells.
 fn ends(region: &Region, columns: usize, rows: usize) -> Vec<Vec2> {
     let mut across = vec![[u32::MAX, 0]; rows];
     let mut down = vec![[u32::MAX, 0]; columns];
@@ -137,7 +137,7 @@ fn ends(region: &Region, columns: usize, rows: usize) -> Vec<Vec2> {
     corners
 }
 
-/// The least and the greatest coordinates of points along a direction and across it.
+/// Returns the least and the greatest coordinates of points along a direction and across it.
 fn bounds(points: &[Vec2], way: Vec2) -> [Vec2; 2] {
     points.iter().fold([Vec2::INFINITY, Vec2::NEG_INFINITY], |[low, high], at| {
         let turned = Vec2::new(way.x * at.x + way.y * at.y, way.x * at.y - way.y * at.x);
@@ -145,7 +145,7 @@ fn bounds(points: &[Vec2], way: Vec2) -> [Vec2; 2] {
     })
 }
 
-/// The area of the smallest turned rectangle around points.
+/// Returns the area of the smallest turned rectangle around points.
 fn smallest_box(points: &[Vec2]) -> f32 {
     const TURNS: u32 = 12;
     let area = |turn: u32| {
@@ -157,7 +157,7 @@ fn smallest_box(points: &[Vec2]) -> f32 {
     (0..TURNS).map(area).fold(f32::INFINITY, f32::min).max(1.0)
 }
 
-/// The length of a region's border, in cells, as that of a line that runs in all directions alike: π/4 of its edges.
+/// Estimates the length of a region's border, in cells, as for a line that runs in all directions alike: π/4 of its edges.
 fn rim(region: &Region, columns: usize, rows: usize) -> f32 {
     // A row above the first and one below the last are empty.
     let mut cells = vec![false; columns * (rows + 2)];
@@ -170,10 +170,10 @@ fn rim(region: &Region, columns: usize, rows: usize) -> f32 {
     (upright + level) as f32 * std::f32::consts::FRAC_PI_4
 }
 
-/// The greatest share of the points' width or height along which they lie at the border of the upright rectangle from
-/// `low` to `high`.
+/// Returns the greatest share of the points' width or height along which they lie at the border of the upright
+/// rectangle from `low` to `high`.
 fn straight(points: &[Vec2], low: Vec2, high: Vec2) -> f32 {
-    /// So many cells from the border a point counts.
+    /// The distance from the border within which a point counts, in cells.
     const BESIDE: f32 = 1.1;
     let size = (high - low).max(Vec2::ONE);
     let (mut west, mut east, mut north, mut south) = (0, 0, 0, 0);

@@ -14,8 +14,8 @@ use super::spine::Spines;
 use crate::recipe::LandKind;
 
 impl Shape {
-    /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
-    /// land, which has them from its outline.
+    /// Makes the coast distances of the shape, on a lattice with a spacing. `None` for the plain rectangle and for a
+    /// drawn land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
         Some(Form::of(self)?.with_sea(spacing, self.sea).settled())
     }
@@ -31,9 +31,9 @@ pub(super) struct Form<'a> {
 }
 
 impl<'a> Form<'a> {
-    /// Makes the form of a shape; `None` for the plain rectangle and for a drawn land. Where layouts are drafted, neither
-    /// the share of the sea nor roughness decides which draft is taken: they change a coast a little, but never for
-    /// another one.
+    /// Makes the form of a shape; `None` for the plain rectangle and for a drawn land. Where layouts are drafted,
+    /// neither the share of the sea nor roughness decides which draft is taken: they change a coast a little, but do
+    /// not replace it.
     pub fn of(shape: &'a Shape) -> Option<Self> {
         if matches!(shape.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
@@ -43,7 +43,7 @@ impl<'a> Form<'a> {
         Some(Self::with_draft(shape, draft))
     }
 
-    /// The land where the sea covers a share of the domain, not [settled](CoastDistance::settled) yet.
+    /// Makes the land where the sea covers a share of the domain, not [settled](CoastDistance::settled) yet.
     pub fn with_sea(&self, spacing: f32, sea: f32) -> CoastDistance {
         CoastDistance::with_sea(&self.shape.domain, spacing, sea, &|point| self.height(point))
     }
@@ -67,14 +67,14 @@ impl<'a> Form<'a> {
         })
     }
 
-    /// The height of a point, in units.
+    /// Returns the height of a point, in units.
     pub fn height(&self, point: Vec2) -> f32 {
         self.with(&self.spines, point, &self.rock.at(point, &self.amplitudes))
     }
 
-    /// The height of a point with other spines and the relief at the point.
+    /// Returns the height of a point, in units, by some spines and the relief at the point.
     fn with(&self, spines: &Spines, point: Vec2, relief: &Relief) -> f32 {
-        /// The steepness of the sea bed of an archipelago over that of its land: less, and noise would join islands.
+        /// The steepness of the sea bed of an archipelago over that of its land. With less, noise would join islands.
         const STEEP: f32 = 2.5;
         let moat = || self.moat(point, relief.rise / self.shape.span(), relief.stray);
         let spines = || spines.height(relief.at);
@@ -110,7 +110,7 @@ impl<'a> Form<'a> {
     }
 }
 
-/// The spines of a draft.
+/// Lays out the spines of a draft.
 fn spines(shape: &Shape, draft: u32) -> Spines {
     let mut draws = Draws::new(shape, draft);
     let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
@@ -126,7 +126,7 @@ fn spines(shape: &Shape, draft: u32) -> Spines {
     Spines::new(&spines, size, round * shape.span())
 }
 
-/// The ranges of measures of a kind of land: those of real islands, from Madagascar to Skye.
+/// Returns the ranges of measures of a kind of land, those of real islands, from Madagascar to Skye; `None` if it is not drafted.
 fn wanted(kind: LandKind) -> Option<Wanted> {
     match kind {
         LandKind::Island => Some(Wanted {
@@ -157,7 +157,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
     }
 }
 
-/// The distances by which noise moves the coasts of a kind of land.
+/// Returns the amplitudes with which noise moves the coasts of a kind of land.
 fn amplitudes(kind: LandKind) -> Amplitudes {
     match kind {
         LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },

@@ -27,7 +27,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The cells whose middles lie above water.
+    /// Makes a grid whose cells are land where their middles lie above water.
     pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
         let (columns, rows) = extent(domain.size);
         // The number of cells in an interval of the lattice.
@@ -91,7 +91,7 @@ impl Grid {
         columns * rows
     }
 
-    /// The share of the cells that is land, ridges included.
+    /// Returns the share of the cells that is land, ridges included.
     pub fn share_of_land(&self) -> f32 {
         self.land as f32 / self.cells.len() as f32
     }
@@ -115,7 +115,7 @@ impl Grid {
         raised
     }
 
-    /// The cells that are not land, as obstacles.
+    /// Returns the cells that are not land, as obstacles.
     pub fn borders(&self) -> Obstacles {
         let columns = self.columns as usize;
         let number = |run: &Run, column: u32| run.row as usize * columns + column as usize;
@@ -124,13 +124,13 @@ impl Grid {
         Obstacles::of(columns, self.rows as usize, true, ends.zip(starts).map(|(end, start)| end..start))
     }
 
-    /// Some cells as obstacles.
+    /// Returns some cells, given by their indices, as obstacles.
     pub fn obstacles(&self, cells: &[usize]) -> Obstacles {
         let cells = cells.iter().map(|&cell| cell..cell + 1);
         Obstacles::of(self.columns as usize, self.rows as usize, false, cells)
     }
 
-    /// All cells of a region that are beside the sea.
+    /// Lists the cells of a region that are beside the sea.
     pub fn shores(&self, region: &Region, coast_distance: &CoastDistance) -> Vec<Shore> {
         let mut shores = Vec::new();
         let is_water = |cells: &[Cell], column: usize| cells.get(column) == Some(&Cell::Water);
@@ -156,13 +156,13 @@ impl Grid {
         shores
     }
 
-    /// The cells of a row; none outside.
+    /// Returns the cells of a row; none outside the grid.
     fn row(&self, row: usize) -> &[Cell] {
         let columns = self.columns as usize;
         row.checked_mul(columns).and_then(|start| self.cells.get(start..start + columns)).unwrap_or_default()
     }
 
-    /// The cell at a column and row; water outside the grid.
+    /// Returns the cell at a column and row; water outside the grid.
     #[inline]
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.index(column, row).map_or(Cell::Water, |i| self.cells[i])
@@ -175,7 +175,7 @@ impl Grid {
     }
 }
 
-/// The number of columns and rows of cells that cover a domain.
+/// Returns the number of columns and rows of cells that cover a domain.
 fn extent(size: Vec2) -> (usize, usize) {
     let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
     (count(size.x), count(size.y))

@@ -11,8 +11,8 @@ use crate::base::trigonometry::sine_and_cosine;
 
 use std::f32::consts::PI;
 
-/// The spines of an island with its lesser ones: a bent main spine, branches of it, perhaps one beside it en échelon,
-/// and islets in line with them. They cover about `area` square units within a rectangle of this size.
+/// Lays out the spines of an island and its islets: a bent main spine, branches of it, perhaps one beside it en
+/// échelon, and islets in line with them. They cover about `area` square units within a rectangle of this size.
 pub(super) fn island(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
     let (mut spines, curves) = masses(draws, size, area);
     let widest = spines.first().map_or(0.0, Spine::widest);
@@ -31,13 +31,13 @@ pub(super) fn island(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
     placed(draws, spines, size)
 }
 
-/// The spines of a lake: like those of an island, but without lesser ones.
+/// Lays out the spines of a lake, which are like those of an island without islets.
 pub(super) fn lake(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
     let (spines, _) = masses(draws, size, area);
     placed(draws, spines, size)
 }
 
-/// The spines of the main island, and their curves.
+/// Lays out the spines of the main island, with their curves.
 fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) {
     let way = roomier(draws, size);
     let room = room(size, way);
@@ -63,7 +63,7 @@ fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) 
     (spines, curves)
 }
 
-/// The main spine: widest at one place, with waists and swellings.
+/// Makes the main spine, widest at one place, with waists and swellings.
 fn main_spine(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     let (middle, end) = (draws.between(0.2, 0.8), draws.between(0.05, 0.45));
     let (waves, phase, depth) = (draws.between(1.0, 2.6), draws.between(-0.5, 0.5), draws.between(0.1, 0.5));
@@ -73,12 +73,12 @@ fn main_spine(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     })
 }
 
-/// The angle of a number of turns, from −π to π.
+/// Returns the angle of a number of turns, from −π to π.
 fn wrapped(turns: f32) -> f32 {
     (turns - turns.round()) * (2.0 * PI)
 }
 
-/// A branch from the main spine outward, tapering: a peninsula.
+/// Draws a tapering branch from the main spine outward, a peninsula, with its curve.
 fn branch(draws: &mut Draws, curve: Curve, long: f32) -> (Spine, Curve) {
     let t = draws.between(0.05, 0.95);
     let way = curve.way(t);
@@ -94,7 +94,7 @@ fn branch(draws: &mut Draws, curve: Curve, long: f32) -> (Spine, Curve) {
     (branch.spine(6, &|t| width * (1.0 + (tip - 1.0) * t)), branch)
 }
 
-/// A lesser spine beside the main one, shifted along it: en échelon.
+/// Draws a lesser spine beside the main one, shifted along it: en échelon.
 fn beside(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     let t = draws.between(0.1, 0.9);
     let way = curve.way(t);
@@ -106,7 +106,7 @@ fn beside(draws: &mut Draws, curve: Curve, long: f32) -> Spine {
     Curve::bent(middle - half, middle + half, [bend, bend]).spine(6, &|t| width * swelling(t, highest, 0.2))
 }
 
-/// Islets that go on where a curve ends, from a half width on smaller and smaller.
+/// Adds islets that go on where a curve ends, from a half width on smaller and smaller.
 fn islets(draws: &mut Draws, curve: &Curve, widest: f32, spines: &mut Vec<Spine>) {
     let mut way = curve.way(1.0);
     let (turn, mut width) = (draws.either(0.05, 0.35), widest);
@@ -122,7 +122,7 @@ fn islets(draws: &mut Draws, curve: &Curve, widest: f32, spines: &mut Vec<Spine>
     }
 }
 
-/// The factor by which half widths must grow so that spines cover an area.
+/// Returns the factor by which half widths must grow so that spines cover an area.
 fn widened(spines: &[Spine], area: f32) -> f32 {
     /// The share of the area of spines that lies on no other.
     const APART: f32 = 0.82;

@@ -14,14 +14,14 @@ pub(super) struct Shape {
     pub domain: Domain,
     pub sides: Sides,
     pub seed: Seed,
-    /// The share of water.
+    /// The share of the domain that is water.
     pub sea: f32,
     /// 0 for smooth coasts, 1 for wild ones.
     pub roughness: f32,
 }
 
 impl Shape {
-    /// The shape that a recipe names.
+    /// Reads the shape that a recipe names.
     pub fn of(recipe: &Recipe) -> Self {
         Self {
             kind: recipe.get(),
@@ -33,7 +33,7 @@ impl Shape {
         }
     }
 
-    /// The ridges of the shape, as polylines. A valley has two, from the coast inland. They wander, even on smooth land.
+    /// Makes the ridges of the shape, as polylines. A valley has two, from the coast inland. They wander, even on smooth land.
     pub fn ridges(&self) -> Vec<Vec<Vec2>> {
         if self.kind != LandKind::Valley {
             return Vec::new();
@@ -48,29 +48,29 @@ impl Shape {
         self.ridge_starts().map(ridge).into()
     }
 
-    /// The axis along which a valley runs.
+    /// Returns the axis along which a valley runs, as a unit vector.
     fn inland(&self) -> Vec2 {
         if self.sides.contains('s') || self.sides.contains('n') { Vec2::Y } else { Vec2::X }
     }
 
-    /// The places of a valley's ridges, as shares of the way across it. Each is a random one within a fifth of that way.
+    /// Returns the places of a valley's ridges, as shares of the way across it. Each is a random one within a fifth of that way.
     fn ridge_starts(&self) -> [f32; 2] {
         let place = self.seed.item_hash(Purpose::Land);
         [(0, 0.17), (1, 0.63)].map(|(number, first)| first + 0.2 * place.unit([4, number, 0]))
     }
 
-    /// The places along a side where ridges of a valley reach it, as shares of its length.
+    /// Returns the places along a side where ridges of a valley reach it, as shares of its length; none for other shapes.
     pub fn capes(&self, side: char) -> Vec<f32> {
         let is_across = "ns".contains(side) == (self.inland() == Vec2::Y);
         if self.kind == LandKind::Valley && is_across { self.ridge_starts().into() } else { Vec::new() }
     }
 
-    /// The shorter side of the domain, which sets the scale of all shapes.
+    /// Returns the shorter side of the domain, in units, which sets the scale of all shapes.
     pub fn span(&self) -> f32 {
         self.domain.size.min_element()
     }
 
-    /// Noise with approximately this number of bumps across the domain.
+    /// Returns noise with approximately this number of bumps across the domain. Each index has noise of its own.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
         self.seed.noise(Purpose::Land, index, bumps / self.span(), octaves)
     }

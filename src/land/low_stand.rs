@@ -22,18 +22,19 @@ pub(crate) struct LowStand {
     pub sea: f32,
 }
 
-/// The share of the domain that a risen sea has taken: at least, so that there is some of it although coasts are no more
-/// exact than that, and what a sea risen in full has taken besides.
+/// The share of the domain that a risen sea has taken: the least, so that it shows in spite of inexact coasts, and what
+/// a sea risen in full has taken besides.
 const LEAST_RISE: f32 = 0.03;
 const RISE: f32 = 0.27;
 
-/// The least share of sea at the lowest stand: an island would fill the frame before. A little sea falls to a share of it.
+/// The least share of sea at the lowest stand; more for islands, which would fill the frame; and, for small seas, a
+/// share of today's.
 const LEAST_SEA: f32 = 0.1;
 const LEAST_SEA_AROUND_AN_ISLAND: f32 = 0.3;
 const LEAST_SHARE: f32 = 0.6;
 
 impl LowStand {
-    /// The low stand of a recipe, on a lattice with this spacing; `None` if the recipe drowns nothing.
+    /// Makes the low stand of a recipe, on a lattice with a spacing; `None` if the recipe drowns nothing.
     pub fn of(recipe: &Recipe, spacing: f32) -> Option<Self> {
         if !Self::is_wanted(recipe) {
             return None;
@@ -66,7 +67,7 @@ impl LowStand {
 /// The shares of the wanted drowning that are tried until every part of the land has a coast.
 const LOWERINGS: [f32; 4] = [1.0, 0.6, 0.3, 0.0];
 
-/// The land where the sea covers a share of the domain, with today's straits, and without losing any of today's seas.
+/// Makes the land where the sea covers a share of the domain, which keeps today's straits and loses none of today's seas.
 fn land(shape: &Shape, form: &Form, today: &CoastDistance, sea: f32) -> Land {
     let low = form.with_sea(today.spacing(), sea);
     let mut kept = straits(today);
@@ -76,13 +77,13 @@ fn land(shape: &Shape, form: &Form, today: &CoastDistance, sea: f32) -> Land {
 
 /// Returns `true` if every part of a land that is large enough for rivers has a coast.
 fn has_coasts(land: &Land) -> bool {
-    /// The least number of cells of such a part, and of those beside the sea.
+    /// The least number of cells of such a part, and of its cells beside the sea.
     const PART: u32 = 2_000;
     const COAST: usize = 60;
     land.regions().iter().all(|region| region.cells < PART || region.shores.len() >= COAST)
 }
 
-/// The share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
+/// Returns the share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
 fn low_sea(shape: &Shape, drowning: f32) -> f32 {
     let least = if shape.kind == LandKind::Island { LEAST_SEA_AROUND_AN_ISLAND } else { LEAST_SEA };
     let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea));
@@ -90,7 +91,7 @@ fn low_sea(shape: &Shape, drowning: f32) -> f32 {
     highest + (lowest - highest) * drowning
 }
 
-/// The corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
+/// Lists the corners of today's seas of which nothing is left at the low stand: land around them would have no outlet.
 fn lost_seas(today: &CoastDistance, low: &CoastDistance) -> Vec<usize> {
     let mut seas = today.regions(Cell::Water);
     seas.retain(|sea| today.corners_of(sea).all(|corner| low.heights()[corner] > 0.0));

@@ -67,7 +67,7 @@ impl Obstacles {
         }
     }
 
-    /// A distance from a point of the grid within which there is certainly no obstacle along either axis, in cells.
+    /// Returns a distance, in cells, within which there is certainly no obstacle around a point of the grid, along either axis.
     #[inline]
     pub fn room(&self, at: Vec2) -> f32 {
         let tile = at.y as u32 / TILE as u32 * self.tile_columns as u32 + at.x as u32 / TILE as u32;
@@ -88,7 +88,7 @@ impl Obstacles {
         (is_worth_boxing(to - from) && self.is_box_clear(from, to)) || self.is_way_clear(from, to)
     }
 
-    /// Follows the line cell by cell, up to the first obstacle.
+    /// Returns `true` if a line touches no obstacle, by following it cell by cell up to the first one.
     fn is_way_clear(&self, from: Vec2, to: Vec2) -> bool {
         let mut cells = 0;
         let is_clear = walk(from, to).all(|(column, row)| {
@@ -147,7 +147,7 @@ fn is_worth_boxing(along: Vec2) -> bool {
 /// A bit in every row of a tile.
 const EVERY_ROW: u64 = 0x0101_0101_0101_0101;
 
-/// The bits from `first` to `last`.
+/// Returns a number with the bits from `first` to `last` set.
 #[inline]
 fn bits(first: usize, last: usize) -> u64 {
     u64::MAX << first & u64::MAX >> (63 - last)

@@ -75,7 +75,7 @@ impl Drawing {
         self.edges().into_iter().map(|[a, b]| distance(a, b)).sum()
     }
 
-    /// The edges of all coasts.
+    /// Lists the edges of all coasts.
     fn edges(&self) -> Vec<Piece> {
         let mut edges = Vec::new();
         for ring in &self.coasts {
@@ -85,7 +85,7 @@ impl Drawing {
         edges
     }
 
-    /// The distances from the coasts, on a lattice with this spacing. Land is everything within an odd number of
+    /// Measures the distances from the coasts, on a lattice with a spacing. Land is everything within an odd number of
     /// coasts.
     pub fn coast_distance(&self, domain: &Domain, spacing: f32) -> CoastDistance {
         CoastDistance::of_coast(
@@ -96,9 +96,9 @@ impl Drawing {
         )
     }
 
-    /// Counts the cells that are certainly land and those that are certainly water, without measuring a distance: squares of the lattice
-    /// whose four corners are alike. Such a square of land is water only if coasts pass through all four of its corners, and a coast
-    /// passes through few: one for each spacing of its length, and two more for each edge. As many squares are not counted.
+    /// Counts the cells that are certainly land and those that are certainly water, without measuring a distance: squares of the
+    /// lattice whose four corners are alike. Such a square of land is water only if coasts pass through all four of its corners, and a
+    /// coast passes through few: one for each spacing of its length, and two more for each edge. As many squares are subtracted.
     pub fn certain_cells(&self, domain: &Domain, spacing: f32) -> [usize; 2] {
         let crossings = self.crossings(domain, spacing, Vec2::ZERO);
         let columns = crossings.columns;
@@ -121,14 +121,14 @@ impl Drawing {
         [land.saturating_sub(passed) * cells, water * cells]
     }
 
-    /// The cells whose middles lie within an odd number of coasts. Unlike a coarse lattice, this loses no detail.
+    /// Makes the grid of cells, land where their middles lie within an odd number of coasts. Unlike a coarse lattice, this loses no detail.
     pub fn grid(&self, domain: &Domain) -> Grid {
         let crossings = self.crossings(domain, CELL_SIZE, Vec2::splat(CELL_SIZE / 2.0));
         let columns = crossings.columns;
         Grid::of_cells(domain, &crossings.into_land(), columns)
     }
 
-    /// The crossings of the coasts with a lattice that begins at a corner.
+    /// Finds the crossings of the coasts with a lattice that begins at a corner.
     fn crossings(&self, domain: &Domain, spacing: f32, corner: Vec2) -> Crossings {
         let mut crossings = Crossings::over(domain, spacing);
         self.edges().into_iter().for_each(|[a, b]| crossings.add(a - corner, b - corner));
@@ -141,7 +141,7 @@ pub(crate) fn in_units(lines: &[Vec<GridPoint>], domain: &Domain) -> Vec<Vec<Vec
     lines.iter().map(|line| line.iter().map(|point| point.fraction() * domain.size).collect()).collect()
 }
 
-/// The displacement of each point of the plane on a rough land.
+/// Returns the function that displaces each point of the plane on a rough land.
 fn bend(shape: &Shape) -> impl Fn(Vec2) -> Vec2 {
     let [east, south] = [4, 5].map(|index| shape.noise(index, BUMPS, 2));
     let most = shape.roughness * WILDEST * shape.domain.size.min_element() / BUMPS;
@@ -166,7 +166,7 @@ fn past_border(ring: &[Vec2], size: Vec2) -> Vec<Vec2> {
     taken
 }
 
-/// The border on which a coordinate lies: -1 for the near one, 1 for the far one, 0 for none.
+/// Returns the border on which a coordinate lies: -1 for the near one, 1 for the far one, 0 for none.
 fn side(x: f32, length: f32) -> f32 {
     if x <= 0.0 {
         -1.0
@@ -177,7 +177,7 @@ fn side(x: f32, length: f32) -> f32 {
     }
 }
 
-/// The points of a line with more points between, so that no gap is longer than a piece. Points are computed on demand.
+/// Iterates over the points of a line with more points between, so that no gap is longer than a piece.
 pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Box<dyn Iterator<Item = Vec2> + '_> {
     let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
     let edge = move |i: usize| {
@@ -219,12 +219,12 @@ impl Crossings {
         }
     }
 
-    /// The index of the first lattice line at or beyond a coordinate, or `lines` if there is none.
+    /// Returns the index of the first lattice line at or beyond a coordinate, or `lines` if there is none.
     fn first(&self, x: f32, lines: usize) -> usize {
         ((x / self.spacing).ceil().max(0.0) as usize).min(lines)
     }
 
-    /// Returns for each corner, row by row, whether an odd number of edges lie to the west of it.
+    /// Returns, for each corner, row by row, `true` if an odd number of edges lie to the west of it.
     fn into_land(self) -> Vec<bool> {
         let mut is_land = false;
         let corner = |(i, flips): (usize, bool)| {
@@ -245,7 +245,7 @@ mod tests {
     use crate::recipe::{Key, Recipe, Sides, link};
     use proptest::prelude::*;
 
-    /// A recipe with a smooth drawn land, in fractions.
+    /// Makes a recipe with a smooth drawn land, whose points are given in fractions.
     fn recipe(coasts: &[&[(f32, f32)]], ridges: &[&[(f32, f32)]]) -> Recipe {
         let lines = |lines: &[&[(f32, f32)]]| {
             lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()

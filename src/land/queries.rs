@@ -47,8 +47,8 @@ enum Hides {
 }
 
 impl Land {
-    /// The land of a recipe. `None` for the plain rectangle, which is all land, and for a drawn land without a drawing,
-    /// without water or with hardly any land.
+    /// Makes the land of a recipe. `None` for the plain rectangle, which is all land, and for a drawn land without a
+    /// drawing, without water or with hardly any land.
     pub fn of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
@@ -58,7 +58,7 @@ impl Land {
         Some(Arc::new(Self::new(&shape.domain, shape.coast_distance(CoastDistance::SPACING)?, shape.ridges())))
     }
 
-    /// A coarse preview of [`Land::of`], three times as fast. Drawn lands are exact. `None` as in [`Land::of`].
+    /// Makes a coarse preview of [`Land::of`], three times as fast. Drawn lands are exact. `None` as in [`Land::of`].
     pub(crate) fn draft_of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
@@ -69,7 +69,7 @@ impl Land {
     }
 
     /// Tells which kind of land a recipe gives: the one that it names, or the plain rectangle if it names a drawn land and
-    /// [`Land::of`] finds none. It makes no land, unless a drawn one is next to nothing or next to everything.
+    /// [`Land::of`] finds none. Makes no land to find out, unless a drawn one fills hardly any or nearly all of the map.
     pub fn kind_of(recipe: &Recipe) -> LandKind {
         match recipe.get() {
             LandKind::Drawn if !is_drawn(recipe) => LandKind::Rectangle,
@@ -96,7 +96,7 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
-    /// The lengths of stretches of cells, water first, then land, and so on, row after row. Ridges count as land.
+    /// Returns the lengths of stretches of cells, water first, then land, and so on, row after row. Ridges count as land.
     pub(crate) fn stretches(&self) -> Vec<u32> {
         let is_land = |cell: &Cell| *cell != Cell::Water;
         let cells = &self.grid.cells;
@@ -105,8 +105,8 @@ impl Land {
         starts_dry.into_iter().chain(lengths).collect()
     }
 
-    /// The land of such stretches, with its coast distances, ridges and drawn rivers. `None` if the number of cells
-    /// does not fit the domain.
+    /// Makes land from the lengths of [stretches](Self::stretches), with its coast distances, ridges and drawn rivers.
+    /// `None` if the number of cells does not fit the domain.
     pub(crate) fn of_stretches(
         domain: &Domain,
         coast_distance: CoastDistance,
@@ -117,28 +117,28 @@ impl Land {
         Some(Self { rivers, ..Self::on(grid, coast_distance, ridges) })
     }
 
-    /// The share of the domain that is sea, by cells.
+    /// Returns the share of the domain that is sea, by cells.
     pub(crate) fn share_of_sea(&self) -> f32 {
         1.0 - self.grid.share_of_land()
     }
 
-    /// The distance of every point from the coast.
+    /// Returns the distances of all points from the coast.
     pub fn coast_distance(&self) -> &CoastDistance {
         &self.coast_distance
     }
 
-    /// The width and height of the domain, in units.
+    /// Returns the width and height of the domain, in units.
     pub fn size(&self) -> Vec2 {
         self.grid.size
     }
 
-    /// Connected components of land, the largest first.
+    /// Returns the connected components of land, the largest first.
     pub fn regions(&self) -> &[Region] {
         &self.regions
     }
 
-    /// The north-western and the south-eastern corner of the box around all land, in units; `None` if there is none. Its
-    /// last cells may reach beyond the map.
+    /// Returns the north-western and the south-eastern corner of the box around all land, in units; `None` if there is
+    /// no land. The last cells may reach beyond the map.
     pub fn bounds(&self) -> Option<[Vec2; 2]> {
         let runs = self.regions.iter().flat_map(|region| &region.runs);
         let corners = |run: &Run| [(run.start, run.row), (run.end, run.row + 1)];
@@ -146,7 +146,7 @@ impl Land {
         boxes.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
     }
 
-    /// Connected components of water, the largest first.
+    /// Finds the connected components of water, the largest first.
     #[cfg(feature = "names")]
     pub(crate) fn waters(&self) -> Vec<Region> {
         if self.has_ridges() {
@@ -161,7 +161,7 @@ impl Land {
         !self.ridges.is_empty()
     }
 
-    /// Connected components of all cells but water, ridges included, the largest first.
+    /// Finds the connected components of all cells but water, ridges included, the largest first.
     #[cfg(feature = "names")]
     pub(crate) fn islands(&self) -> Vec<Region> {
         if !self.has_ridges() {
@@ -171,7 +171,7 @@ impl Land {
         regions(&self.grid.cells.iter().map(is_land).collect::<Vec<_>>(), Cell::Land, self.grid.columns as usize)
     }
 
-    /// The amount of land around a place on the coast: 0 on a straight coast, towards 1 in a bay, towards -1 on a cape.
+    /// Returns the amount of land around a place on the coast: 0 on a straight coast, towards 1 in a bay, towards -1 on a cape.
     pub fn shelter(&self, at: Vec2) -> f32 {
         const FAR: f32 = 30.0;
         const AROUND: [(f32, f32); 8] =
@@ -186,17 +186,17 @@ impl Land {
         cell.min_element() >= 0.0 && region.contains(cell.x as u32, cell.y as u32)
     }
 
-    /// The ridges that no river crosses, as polylines.
+    /// Returns the ridges that no river crosses, as polylines.
     pub fn ridges(&self) -> &[Vec<Vec2>] {
         &self.ridges
     }
 
-    /// The drawn courses of rivers, as polylines from their mouths.
+    /// Returns the drawn courses of rivers, as polylines from their mouths.
     pub(crate) fn rivers(&self) -> &[Vec<Vec2>] {
         &self.rivers
     }
 
-    /// The cell at a point; water outside the domain.
+    /// Returns the cell at a point; water outside the domain.
     pub fn at(&self, point: Vec2) -> Cell {
         self.cell((point.x / CELL_SIZE).floor() as i32, (point.y / CELL_SIZE).floor() as i32)
     }
@@ -210,10 +210,10 @@ impl Land {
         (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
     }
 
-    /// The last point on land of the straight way from a point on land towards another. `None` if the way reaches a
-    /// ridge or the border of the domain before water, or no water at all.
+    /// Returns the last point on land on the straight way from a point on land towards another. `None` if the way
+    /// reaches a ridge or the border of the domain before water, or no water at all.
     pub(crate) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
-        /// A share of a cell by which the way is shortened, so that rounding leaves the point on land.
+        /// The distance by which the way is shortened, in cells, so that rounding leaves the point on land.
         const SHORT_OF: f32 = 0.02;
         let (from, to) = (from / CELL_SIZE, to / CELL_SIZE);
         let (column, row) = walk(from, to).find(|&(column, row)| self.cell(column, row) != Cell::Land)?;
@@ -238,7 +238,7 @@ impl Land {
         self.borders.has_room(at / CELL_SIZE, distance / CELL_SIZE)
     }
 
-    /// Returns `true` if a point of the domain certainly sees all land within a distance.
+    /// Returns `true` if a point of the domain certainly [sees](Self::sees) all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
         self.hiding().is_none_or(|hiding| hiding.has_room(at / CELL_SIZE, distance / CELL_SIZE))
@@ -259,31 +259,31 @@ impl Land {
         }
     }
 
-    /// A point of a cell: `within` runs from 0 to 1 in both directions. Points beyond the border of the domain are
-    /// moved to it.
+    /// Returns a point of a cell: `within` runs from 0 to 1 in both directions. Points beyond the border of the domain
+    /// are moved to it.
     pub fn point(&self, column: u32, row: u32, within: Vec2) -> Vec2 {
         ((Vec2::new(column as f32, row as f32) + within) * CELL_SIZE).min(self.grid.size)
     }
 
-    /// The number of columns of cells. The last one may extend beyond the border of the domain.
+    /// Returns the number of columns of cells. The last one may extend beyond the border of the domain.
     pub fn columns(&self) -> i32 {
         self.grid.columns
     }
 
-    /// The number of rows of cells.
+    /// Returns the number of rows of cells. The last one may extend beyond the border of the domain.
     pub fn rows(&self) -> i32 {
         self.grid.rows
     }
 
-    /// The cell at a column and row; water outside the grid.
+    /// Returns the cell at a column and row; water outside the grid.
     #[inline]
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.grid.cell(column, row)
     }
 }
 
-/// Makes the cells and coast distances of a recipe's outline, with its lines; `None` if there is no outline, or it leaves no water or
-/// next to no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
+/// Makes the cells and coast distances of a recipe's outline, with its lines; `None` if there is no outline, or it leaves
+/// no water or hardly any land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
     let (grid, coast_distance) = measured(shape, &drawing)?;
@@ -296,7 +296,7 @@ fn measured(shape: &Shape, drawing: &Drawing) -> Option<(Grid, CoastDistance)> {
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance))
 }
 
-/// Tells whether [`drawn`] finds a land, which mostly shows without measuring one.
+/// Returns `true` if [`drawn`] finds a land, which mostly shows without measuring one.
 fn is_drawn(recipe: &Recipe) -> bool {
     let shape = Shape::of(recipe);
     recipe.outline().is_some_and(|outline| {
@@ -418,8 +418,8 @@ mod tests {
         }
     }
 
-    /// The middle of all water, or of all land, and the direction in which it is longest: the angle from the east, in
-    /// radians.
+    /// Returns the middle of all water, or of all land, and the direction in which it is longest, as the angle from the
+    /// east in radians.
     fn lie(land: &Land, kind: Cell) -> (Vec2, f32) {
         let cells = (0..land.columns()).flat_map(|c| (0..land.rows()).map(move |r| (c, r)));
         let at: Vec<Vec2> =

@@ -15,7 +15,7 @@ pub struct Run {
     pub start: u32,
     /// The column after the last.
     pub end: u32,
-    /// The number of the region's cells before it.
+    /// The number of the region's cells before the run.
     pub before: u32,
 }
 
@@ -48,21 +48,21 @@ impl Region {
     }
 }
 
-/// The cells of some regions, region after region, each row by row. A cell is found directly by its number, without a
-/// search among all runs.
+/// The cells of some regions, region after region, each row by row, found by their numbers without a search among all
+/// runs.
 #[derive(Clone, Debug)]
 pub struct Cells {
     runs: Vec<Run>,
-    /// The run of the first cell of every [`MANY`](Self::MANY).
+    /// The run of every [`MANY`](Self::MANY)-th cell.
     run_of: Vec<u32>,
     count: u32,
 }
 
 impl Cells {
-    /// Far fewer than the cells of a run across the domain.
+    /// The number of cells for each entry of the index: far fewer than a run across the domain has.
     const MANY: u32 = 64;
 
-    /// Counts the cells of regions.
+    /// Numbers the cells of regions.
     pub fn of<'a>(regions: impl Iterator<Item = &'a Region>) -> Self {
         let mut this = Self { runs: Vec::new(), run_of: Vec::new(), count: 0 };
         for run in regions.flat_map(|region| &region.runs) {
@@ -75,12 +75,12 @@ impl Cells {
         this
     }
 
-    /// The number of cells.
+    /// Returns the number of cells.
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// The column and row of a cell.
+    /// Returns the column and row of a cell; `None` if there is no such number.
     pub fn cell(&self, number: u32) -> Option<(u32, u32)> {
         let first = *self.run_of.get((number / Self::MANY) as usize)? as usize;
         let has = |run: &&Run| number < run.before + (run.end - run.start);
@@ -89,12 +89,12 @@ impl Cells {
     }
 }
 
-/// The regions of cells of a kind, the largest first; among equally large ones, the northernmost first.
+/// Finds the regions of cells of a kind, the largest first; among equally large ones, the northernmost first.
 pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region> {
     regions_of(&runs(cells, kind, columns))
 }
 
-/// The regions of runs, in the same order. Runs must come row by row and not touch within a row.
+/// Finds the regions of runs, the largest first; among equals, the northernmost. Runs must come row by row and not touch within a row.
 pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     let mut joined = UnionFind((0..runs.len() as u32).collect());
     let mut above = 0;
@@ -110,7 +110,7 @@ pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     gather(runs, &mut joined)
 }
 
-/// The gaps between runs, row by row. Runs must come row by row and not touch within a row.
+/// Returns the gaps between runs, row by row. Runs must come row by row and not touch within a row.
 #[cfg(feature = "names")]
 pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
     let (mut gaps, mut runs) = (Vec::new(), runs.iter().peekable());
@@ -125,7 +125,7 @@ pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
     gaps
 }
 
-/// The stretches of cells of a kind, row by row.
+/// Returns the runs of cells of a kind, row by row.
 pub(super) fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
     let mut runs = Vec::new();
     for (row, cells) in (0..).zip(cells.chunks(columns.max(1))) {
@@ -201,7 +201,7 @@ mod tests {
     use crate::property::cases;
     use proptest::prelude::*;
 
-    /// Regions by flood fill, cell by cell.
+    /// Finds regions by flood fill, cell by cell.
     fn flooded(cells: &[Cell], columns: usize) -> Vec<Vec<usize>> {
         let mut seen = vec![false; cells.len()];
         let mut regions = Vec::new();

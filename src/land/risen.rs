@@ -7,7 +7,7 @@ use super::queries::Land;
 use super::regions::{Region, regions_of};
 use crate::domain::Domain;
 
-/// The least depth of water at the corners of the lattice, in units: so every channel is some cells wide.
+/// The least depth of water at the corners of the lattice, in units, so that every channel is some cells wide.
 const SHALLOWEST: f32 = 1.0;
 
 /// A sea that has risen to a level, over a low stand.
@@ -28,19 +28,19 @@ impl<'a> RisenSea<'a> {
         this
     }
 
-    /// The share of the domain that is sea, nearly: without the distances that decide where exactly a coast runs.
+    /// Estimates the share of the domain that is sea, without the distances that decide where exactly the coast runs.
     pub fn share(&self) -> f32 {
         self.share
     }
 
-    /// The land that the sea has left.
+    /// Makes the land that the sea has left.
     pub fn into_land(mut self) -> Land {
-        // Where exactly the coast runs, another speck may be left.
+        // The exact coast may leave another speck.
         let (coast, grid) = self.sink_specks(CoastDistance::settled);
         Land::on(grid, coast, self.low.ridges().to_vec())
     }
 
-    /// The same for a picture that is soon gone, in half the time: here and there it may have a speck.
+    /// Makes the land that the sea has left, but for specks, in half the time: for a picture that is soon gone.
     pub fn into_passing_land(self) -> Land {
         let (coast, grid) = self.coast(CoastDistance::settled);
         Land::on(grid, coast, self.low.ridges().to_vec())
@@ -73,8 +73,8 @@ impl<'a> RisenSea<'a> {
     }
 }
 
-/// Takes the corners of some regions under water: those that touch one of their cells or, where a region has none, all
-/// around it.
+/// Sinks the corners of some regions: those that touch one of a region's cells or, if none of them is land, all around
+/// it.
 fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
     for region in regions {
         let touching = corners_around(region, coast, true);
@@ -86,7 +86,7 @@ fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
     }
 }
 
-/// The corners of parts of the land without a single cell. There would still be a coast around them, and water lines.
+/// Lists the corners of parts of the land without a single cell. There would still be a coast around them, and water lines.
 fn corners_without_cells(coast: &CoastDistance, grid: &Grid) -> Vec<usize> {
     let (columns, _) = coast.size();
     let apart = (coast.spacing() / CELL_SIZE) as i32;
@@ -100,7 +100,7 @@ fn corners_without_cells(coast: &CoastDistance, grid: &Grid) -> Vec<usize> {
     parts.iter().flat_map(|part| coast.corners_of(part)).collect()
 }
 
-/// The corners of all lattice squares that a region has cells in, or only those that touch a cell.
+/// Lists the corners of all lattice squares that a region has cells in, or only those that touch a cell.
 fn corners_around(region: &Region, coast: &CoastDistance, is_touching: bool) -> Vec<usize> {
     let (columns, rows) = coast.size();
     let apart = (coast.spacing() / CELL_SIZE) as u32;

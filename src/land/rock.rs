@@ -25,7 +25,7 @@ pub(super) struct Rock {
     roughness: f32,
 }
 
-/// The effect of rock at a point.
+/// The effect of rock on the height at a point.
 pub(super) struct Relief {
     /// The point from which land is taken there.
     pub at: Vec2,
@@ -62,10 +62,10 @@ impl Rock {
         }
     }
 
-    /// The relief at a point.
+    /// Returns the relief at a point.
     pub fn at(&self, point: Vec2, amplitudes: &Amplitudes) -> Relief {
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(point.x, point.y));
-        // Smooth coasts bend, too.
+        // Smooth coasts are bent, too.
         let (bent, rough) = (self.scale * (0.5 + 0.5 * self.roughness), self.scale * self.roughness);
         let at = point + Vec2::from(strays) * (amplitudes.warp * bent);
         let hard = smooth_step(0.5 + 1.3 * strays[1]);
@@ -76,8 +76,8 @@ impl Rock {
         Relief { at, rise: broad * bent + (spurs + fine) * rough, stray: strays[0] }
     }
 
-    /// Spurs with valleys between them: ridged noise (Musgrave 1994), since spurs are narrow and long and so are
-    /// peninsulas.
+    /// Returns spurs with valleys between them: ridged noise (Musgrave 1994), since spurs are narrow and long and so
+    /// are peninsulas.
     fn spurs(&self, at: Vec2) -> f32 {
         let first = self.spurs.get_noise_2d(at.x, at.y);
         let second = self.spurs.get_noise_2d(2.03 * at.x + 311.0, 2.03 * at.y - 173.0);
@@ -85,7 +85,7 @@ impl Rock {
         ridge(first) + 0.4 * ridge(second)
     }
 
-    /// Detail, whose finer octaves are strong on hard rock and weak on soft rock.
+    /// Returns detail, whose finer octaves are strong on hard rock and weak on soft rock.
     fn fine(&self, at: Vec2, hard: f32) -> f32 {
         let gain = 0.45 + 0.33 * hard;
         let (mut sum, mut strength, mut at) = (0.0, 0.3 + 0.95 * hard, at * 17.0);

@@ -6,15 +6,15 @@ use super::draws::Draws;
 use super::spine::Spine;
 use crate::base::geometry::direction;
 
-/// The length of a line of a direction through the middle of a rectangle, within a border.
+/// Returns the length of a line with a direction through the middle of a rectangle, up to a border.
 pub(super) fn room(size: Vec2, way: Vec2) -> f32 {
     let inner = (size - 0.12 * size.min_element()) / way.abs().max(Vec2::splat(1e-3));
     inner.min_element()
 }
 
-/// One of two directions, mostly the one in which there is more room.
+/// Draws two directions, and returns one, mostly that in which there is more room.
 pub(super) fn roomier(draws: &mut Draws, size: Vec2) -> Vec2 {
-    // Most directions of a long rectangle lead across it at once.
+    // Most directions lead straight across a long rectangle.
     let slender = (size / size.min_element()).map(f32::sqrt);
     let ways = [draws.direction(), draws.direction()].map(|way| direction(way * slender));
     let first_is_roomier = room(size, ways[0]) > room(size, ways[1]);

@@ -11,12 +11,12 @@ use crate::recipe::LandKind;
 /// The coasts of a land that runs off the map.
 pub(super) struct Coasts {
     domain: Domain,
-    /// The sides with the sea, as the numbers of `sides`, and the slants of their coasts from end to end as shares of
-    /// the domain.
+    /// The sides with the sea, as indices of `SIDES`, and the slants of their coasts from end to end as shares of the
+    /// domain.
     slants: Vec<(usize, f32)>,
     /// The mean distance of the coast from its side, in units.
     depth: f32,
-    /// The difference of heights up to which coasts of two sides pass into one another, in units.
+    /// The difference of heights up to which the coasts of two sides blend, in units.
     round: f32,
     /// Peninsulas and islands.
     land: Spines,
@@ -45,7 +45,7 @@ impl Coasts {
         Self { domain: shape.domain, slants, depth, round: 0.5 * shape.span(), land, gulfs }
     }
 
-    /// The height of a point, in units.
+    /// Returns the height of a point, in units.
     pub fn height(&self, at: Vec2) -> f32 {
         let size = self.domain.size;
         let off = (at / size - 0.5) * size.yx();
@@ -59,21 +59,21 @@ impl Coasts {
     }
 }
 
-/// A side with the sea, to be furnished.
+/// A side with the sea, to which peninsulas, islands and gulfs are added.
 struct Side {
-    /// Clockwise from the north.
+    /// The index of the side, clockwise from the north.
     number: usize,
     size: Vec2,
     /// The shorter side of the domain, in units.
     span: f32,
-    /// The mean distance of the coast, in units.
+    /// The mean distance of the coast from the side, in units.
     depth: f32,
     /// The places along the side where ridges reach it, as shares of its length.
     capes: Vec<f32>,
 }
 
 impl Side {
-    /// The place so far along the side, as a share of it, and so far from it, in units.
+    /// Returns the place at a distance along the side, as a share of it, and at a distance from it, in units.
     fn place(&self, along: f32, off: f32) -> Vec2 {
         let size = self.size;
         match self.number {
@@ -84,7 +84,7 @@ impl Side {
         }
     }
 
-    /// The distance from the side up to which land lies off the coast, in units.
+    /// Returns the distance from the side up to which land lies off the coast, in units.
     fn reach(&self) -> f32 {
         self.depth.min(0.4 * self.span)
     }
@@ -127,13 +127,13 @@ impl Side {
     }
 }
 
-/// The difference of heights up to which a spine and the coast pass into one another, in units.
+/// The difference of heights up to which a spine and the coast blend, in units.
 const ROUND: f32 = 40.0;
 
 /// The initials of sides, clockwise from the north.
 const SIDES: [char; 4] = ['n', 'e', 's', 'w'];
 
-/// A spine with a bend, from its full width to a share of it.
+/// Makes a spine with a bend, whose half width goes from `width` to a share of it at the tip.
 fn bent(draws: &mut Draws, from: Vec2, to: Vec2, width: f32, tip: f32) -> Spine {
     let bend = (to - from).perp() * draws.either(0.0, 0.3);
     let at = |t: f32| from.lerp(to, t) + bend * (4.0 * t * (1.0 - t));

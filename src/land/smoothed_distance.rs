@@ -16,11 +16,11 @@ pub struct SmoothedDistance {
     rows: usize,
     /// The distance between control points, in units.
     spacing: f32,
-    /// The number of columns and rows before those of the domain.
+    /// The number of columns, and of rows, before those of the domain.
     margin: usize,
 }
 
-/// The greatest distance over which distances are smoothed at a time, in units.
+/// The greatest stride of a smoothing pass, in units.
 const FARTHEST_STRIDE: f32 = 32.0;
 
 impl SmoothedDistance {
@@ -55,7 +55,7 @@ impl SmoothedDistance {
     /// Moves each corner towards the mean of those a stride to the west, east, north and south: halfway if the coast is
     /// far away compared with the stride, not at all if it is near. Next to the coast, moves it away from the mean.
     fn soften(&mut self, stride: usize) {
-        /// Undoes nearly all the smoothing of the surface.
+        /// The share of a move away from the mean that undoes nearly all the smoothing of the surface.
         const SHARPEN: f32 = -0.25;
         let least = if stride == 1 { SHARPEN } else { 0.0 };
         let per_far = 1.0 / (4.0 * self.spacing * stride as f32);
@@ -72,22 +72,22 @@ impl SmoothedDistance {
         }
     }
 
-    /// The distance between control points, in units.
+    /// Returns the distance between control points, in units.
     pub(crate) fn spacing(&self) -> f32 {
         self.spacing
     }
 
-    /// The number of columns and rows of control points.
+    /// Returns the number of columns and rows of control points.
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// The control point at a column and row.
+    /// Returns the control point at a column and row.
     pub(super) fn control(&self, column: usize, row: usize) -> f32 {
         self.heights[row * self.columns + column]
     }
 
-    /// The control points around a row and a column.
+    /// Iterates over the three by three control points around a row and a column.
     pub(crate) fn around(&self, row: usize, column: usize) -> impl Iterator<Item = f32> + Clone {
         let columns = beside(column, self.columns);
         beside(row, self.rows)
@@ -95,7 +95,7 @@ impl SmoothedDistance {
             .flat_map(move |row| columns.map(|column| self.heights[row * self.columns + column]))
     }
 
-    /// The distance of a point from the coast, in units, and its gradient, which points inland.
+    /// Returns the distance of a point from the coast, in units, and its gradient, which points inland.
     pub(crate) fn at(&self, point: Vec2) -> (f32, Vec2) {
         let ((column, along), (row, down)) =
             (self.column(point.x), nearest(point.y / self.spacing + self.margin as f32, self.rows));
@@ -107,7 +107,7 @@ impl SmoothedDistance {
         (heights.at(down), Vec2::new(east, heights.rise(down)) / self.spacing)
     }
 
-    /// The distances along one y.
+    /// Evaluates the distances along one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
         let (row, t) = nearest(y / self.spacing + self.margin as f32, self.rows);
         let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
@@ -116,18 +116,18 @@ impl SmoothedDistance {
         Across { row, t, rows, heights }
     }
 
-    /// The x of a place at a distance beyond a column, in intervals.
+    /// Returns the x, in units, of a place at a distance beyond a column, in intervals.
     pub(crate) fn x_of(&self, column: usize, beyond: f32) -> f32 {
         (column as f32 - self.margin as f32 + beyond) * self.spacing
     }
 
-    /// The nearest column to an x, and the distance beyond it in intervals, from -0.5 to 0.5.
+    /// Returns the nearest column to an x, and the distance beyond it in intervals, from -0.5 to 0.5.
     pub(crate) fn column(&self, x: f32) -> (usize, f32) {
         nearest(x / self.spacing + self.margin as f32, self.columns)
     }
 }
 
-/// The distances along one y.
+/// The distances from the coast along one y.
 pub(crate) struct Across<'a> {
     /// The nearest row of corners.
     pub row: usize,
@@ -138,12 +138,12 @@ pub(crate) struct Across<'a> {
 }
 
 impl Across<'_> {
-    /// The control points of the heights around a column, in units.
+    /// Returns the control points of the heights around a column, in units.
     pub fn around(&self, column: usize) -> [f32; 3] {
         beside(column, self.heights.len()).map(|column| self.heights[column])
     }
 
-    /// The rise of the heights over an interval to the south, around a column.
+    /// Returns the rise of the heights over an interval to the south, around a column.
     pub fn rise(&self, column: usize) -> Parabola {
         let rise = |column: usize| Parabola::of(self.rows.map(|row| row[column])).rise(self.t);
         Parabola::of(beside(column, self.heights.len()).map(rise))
@@ -161,35 +161,35 @@ impl Parabola {
         Self([here + (mean - here) * 0.25, (after - before) * 0.5, mean - here])
     }
 
-    /// The value at a distance from the middle, in intervals.
+    /// Returns the value at a distance from the middle, in intervals.
     #[inline]
     pub fn at(self, t: f32) -> f32 {
         self.0[0] + t * (self.0[1] + t * self.0[2])
     }
 
-    /// The value at a place, its difference to the value a step farther, and the growth of that difference with each
-    /// step.
+    /// Returns the value at a place, its difference to the value a step farther, and the growth of that difference with
+    /// each step.
     #[inline]
     pub fn steps(self, t: f32, step: f32) -> [f32; 3] {
         let bend = self.0[2] * step * step;
         [self.at(t), self.rise(t) * step + bend, bend * 2.0]
     }
 
-    /// The slope at a distance from the middle, for each interval.
+    /// Returns the slope per interval at a distance from the middle, in intervals.
     #[inline]
     pub fn rise(self, t: f32) -> f32 {
         self.0[1] + 2.0 * t * self.0[2]
     }
 }
 
-/// The corner nearest to a coordinate, and the distance beyond it, all in intervals.
+/// Returns the index of the corner nearest to a coordinate, and the distance beyond it, both in intervals.
 pub(crate) fn nearest(x: f32, corners: usize) -> (usize, f32) {
     // A conversion turns negative numbers into 0.
     let index = ((x + 0.5) as usize).min(corners - 1);
     (index, (x - index as f32).clamp(-0.5, 0.5))
 }
 
-/// A corner with its two neighbours. At the border, the corner itself replaces the missing one.
+/// Returns a corner with its two neighbours. At the border, the corner itself replaces the missing one.
 pub(crate) fn beside(i: usize, corners: usize) -> [usize; 3] {
     [i.saturating_sub(1), i, (i + 1).min(corners - 1)]
 }
@@ -211,7 +211,7 @@ mod tests {
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }
 
-    /// The height of a point and its rise to the east and to the south, for each unit.
+    /// Returns the height of a point and its rise per unit to the east and to the south.
     fn at(shown: &SmoothedDistance, point: Vec2) -> (f32, Vec2) {
         let ((column, x), across) = (shown.column(point.x), shown.across(point.y));
         let heights = Parabola::of(across.around(column));

@@ -16,23 +16,23 @@ impl Spine {
         Self(points)
     }
 
-    /// The points and half widths.
+    /// Returns the points and half widths.
     pub fn points(&self) -> &[(Vec2, f32)] {
         &self.0
     }
 
-    /// The greatest half width.
+    /// Returns the greatest half width, in units.
     pub fn widest(&self) -> f32 {
         self.0.iter().map(|(_, width)| *width).fold(0.0, f32::max)
     }
 
-    /// The points and half widths, to be changed.
+    /// Returns the points and half widths, to be changed.
     pub fn points_mut(&mut self) -> &mut [(Vec2, f32)] {
         &mut self.0
     }
 
-    /// The height of the spine at a point: the half width at the nearest place less the distance from it, in units,
-    /// positive within the spine.
+    /// Returns the height of the spine at a point, in units: the half width at the nearest place less the distance from
+    /// it, positive within the spine.
     pub fn height(&self, at: Vec2) -> f32 {
         self.pieces(0).map(|piece| piece.height(at)).fold(LOWEST, f32::max)
     }
@@ -51,7 +51,7 @@ struct Piece {
     along: Vec2,
     /// One over the square of the length.
     shortness: f32,
-    /// The half width at its beginning, and how much greater it is at its end.
+    /// The half width at the beginning of the piece, and how much greater it is at its end.
     width: f32,
     swelling: f32,
     /// The greatest change of the height with distance.
@@ -75,8 +75,8 @@ impl Piece {
     }
 }
 
-/// The heights of several spines together over a domain. For each tile it knows the few pieces that are the highest
-/// anywhere in it.
+/// The heights of several spines together over a domain, with the few pieces that are the highest anywhere in each
+/// tile.
 #[derive(Clone, Debug)]
 pub(super) struct Spines {
     pieces: Vec<Piece>,
@@ -95,8 +95,8 @@ impl Spines {
     /// The width of the tiles around the domain, in units: points stray from it.
     const AROUND: f32 = 160.0;
 
-    /// Makes the field of some spines. Two that are about as high, nearer than `round` units, meet in a rounded slope,
-    /// as at the foot of a spur.
+    /// Combines some spines. Where the heights of two differ by less than `round` units, they blend into a rounded
+    /// slope, as at the foot of a spur.
     pub fn new(spines: &[Spine], size: Vec2, round: f32) -> Self {
         let mut pieces = Vec::new();
         for (number, spine) in (0..).zip(spines) {
@@ -112,8 +112,8 @@ impl Spines {
         this
     }
 
-    /// Adds the pieces that may matter in the tile around a point: those that may be higher somewhere than what is
-    /// certainly the greatest height, or little less high.
+    /// Adds the pieces that may matter in the tile around a point: those that may somewhere exceed the height that is
+    /// certainly reached, or come close to it.
     fn add_tile(&mut self, middle: Vec2) {
         let corner = Self::TILE * std::f32::consts::FRAC_1_SQRT_2;
         let mut certain = LOWEST;
@@ -129,7 +129,7 @@ impl Spines {
         self.ends.push(self.of_tiles.len() as u32);
     }
 
-    /// The greatest height of a spine at a point, in units.
+    /// Returns the height of all spines together at a point, in units.
     pub fn height(&self, at: Vec2) -> f32 {
         let (mut whole, mut spine, mut highest) = (LOWEST, 0, LOWEST);
         for &number in self.tile(at) {
@@ -143,7 +143,7 @@ impl Spines {
         smooth_max(whole, highest, self.round)
     }
 
-    /// The pieces that matter at a point; those of the nearest tile if it lies in none.
+    /// Returns the pieces that matter at a point; those of the nearest tile if it lies in none.
     #[inline]
     fn tile(&self, at: Vec2) -> &[u32] {
         let place = (at + Self::AROUND) / Self::TILE;
@@ -156,10 +156,10 @@ impl Spines {
     }
 }
 
-/// Lower than all spines of a domain at any of its points, in units.
+/// A height below that of all spines of a domain at any of its points, in units.
 const LOWEST: f32 = -1e4;
 
-/// The greater of two numbers, and more where they differ by less than `round` (a quadratic blend: Quilez 2013).
+/// Returns the greater of two numbers, or more where they differ by less than `round` (a quadratic blend: Quilez 2013).
 pub(super) fn smooth_max(a: f32, b: f32, round: f32) -> f32 {
     let near = (1.0 - (a - b).abs() / round).max(0.0);
     a.max(b) + near * near * round * 0.25

@@ -7,7 +7,7 @@ use crate::base::work;
 /// The least area of an island that stays apart, in square units.
 const ISLAND: f32 = 500.0;
 
-/// The corners about midway between two islands of today: those beside a corner that is nearer to another island.
+/// Lists the corners about midway between two islands of today: those beside a corner that is nearer to another island.
 pub(super) fn straits(today: &CoastDistance) -> Vec<usize> {
     let (columns, rows) = today.size();
     let nearest = nearest_island(today);
@@ -21,7 +21,7 @@ pub(super) fn straits(today: &CoastDistance) -> Vec<usize> {
     (0..nearest.len()).filter(is_sea).filter(is_between).collect()
 }
 
-/// The number of the island that each corner is nearest to by a way along the lattice; 0 everywhere if there are fewer
+/// Returns the number of the island nearest to each corner along the lattice; the same everywhere if there are fewer
 /// than two.
 fn nearest_island(today: &CoastDistance) -> Vec<u16> {
     let (columns, rows) = today.size();
@@ -56,5 +56,5 @@ fn nearest_island(today: &CoastDistance) -> Vec<u16> {
     nearest
 }
 
-/// The ways to neighbouring corners: those that share a side, then the diagonal ones.
+/// The steps to neighbouring corners: along the sides, then along the diagonals.
 const AROUND: [(isize, isize); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];

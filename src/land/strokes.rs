@@ -9,9 +9,9 @@ use crate::base::sort;
 use crate::domain::AREA;
 use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 
-/// Points with a smaller triangle than this are left out, in square units: the width of a drawn coast hides them.
+/// The area of a point's triangle up to which it is left out, in square units: the width of a drawn coast hides it.
 const LEAST_AREA: f32 = 8.0;
-/// Lines with a smaller bounding box than this are left out, in square units.
+/// The area of a line's bounding box below which it is left out, in square units.
 const SPECK: f32 = 120.0;
 
 /// The reason why a drawing is not a land.
@@ -82,7 +82,7 @@ struct Line {
 }
 
 impl Line {
-    /// Returns `None` for specks.
+    /// Measures the importance of a line's points; `None` if the line is a speck.
     fn new(kind: LineKind, points: Vec<Vec2>) -> Option<Self> {
         let mut points: Vec<Vec2> = points.into_iter().map(|point| point.clamp(Vec2::ZERO, Vec2::ONE)).collect();
         points.dedup();
@@ -103,7 +103,7 @@ impl Line {
         (points.len() >= kind.fewest() && size >= SPECK).then_some(Self { kind, points, areas, size })
     }
 
-    /// The points with a greater area.
+    /// Returns the points whose triangles have more than the least area.
     fn simplified(&self, least: f32) -> Vec<GridPoint> {
         let kept = self.points.iter().zip(&self.areas).filter(|(_, area)| **area > least);
         kept.map(|(point, _)| GridPoint::nearest(*point)).collect()
@@ -123,7 +123,7 @@ fn keep_largest(lines: &mut Vec<Line>) {
     lines.retain(|_| is_kept.next().unwrap_or(false));
 }
 
-/// The area above which points are kept, so that all of them fit.
+/// Returns the area of their triangles above which points are kept, so that all of these fit.
 fn least_area(lines: &[Line]) -> f32 {
     let fewest: usize = lines.iter().map(|line| line.kind.length_of(line.kind.fewest())).sum();
     let room = LONGEST_OUTLINE.saturating_sub(fewest) / 4;
@@ -143,7 +143,7 @@ fn check_land(coasts: &[Vec<GridPoint>]) -> Result<(), DrawError> {
     if share > 0.998 { Err(DrawError::NoWater) } else { Ok(()) }
 }
 
-/// The share of a row that lies within an odd number of coasts.
+/// Returns the share of a row that lies within an odd number of coasts.
 fn land_on_row(coasts: &[Vec<GridPoint>], y: f32) -> f32 {
     let fractions = |ring: &[GridPoint]| ring.iter().map(|point| point.fraction()).collect::<Vec<_>>();
     let mut crossings = Vec::new();

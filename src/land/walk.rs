@@ -35,7 +35,7 @@ pub(crate) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
     })
 }
 
-/// The whole number below. On processors from before 2008, for which we compile, `f32::floor` is a function call.
+/// Rounds down to a whole number. On processors from before 2008, for which we compile, `f32::floor` is a function call.
 #[inline]
 pub(super) fn floor(x: f32) -> i32 {
     let whole = x as i32;

@@ -1,12 +1,12 @@
-//! Areas of the third colour. Those that are too wide to be lines are traced around, and nothing grows within.
+//! Areas of the third colour that are too wide to be lines: they are traced around, and nothing grows within.
 
 use super::contour;
 use super::ground::Ground;
 use glam::Vec2;
 
-/// The greatest width of a line is the longer side of the picture, in blocks, divided by this;
+/// The longer side of a picture over the greatest width of a line.
 const OF_THE_PICTURE: usize = 32;
-/// in small pictures it is this number of blocks.
+/// The greatest width of a line in small pictures, in blocks.
 const WIDEST_LINE: usize = 6;
 
 /// Removes everything connected with a wide place from the ridges. Returns the closed lines around it, whose last point
@@ -46,7 +46,7 @@ fn erode(mask: &mut [u8], columns: usize, by_corners: bool) {
     }
 }
 
-/// The blocks around one, within the picture.
+/// Iterates over the blocks around one, within the picture.
 fn around(i: usize, columns: usize, count: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (i % columns, i / columns);
     let rows = y.saturating_sub(1)..(y + 2).min(count / columns);

@@ -9,8 +9,8 @@ use super::ground::Ground;
 const LEVEL: f32 = 0.5;
 const NONE: u32 = u32::MAX;
 
-/// The closed lines between land and water, in fractions of width and height. Land at the border of the picture is
-/// closed along it, at exactly 0 or 1.
+/// Traces the closed lines between land and water, in fractions of width and height. Land at the border of the picture
+/// is closed along it, at exactly 0 or 1.
 pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
     let squares = Squares { ground, columns: ground.columns as i32 + 2, rows: ground.rows as i32 + 2 };
     let mut next = squares.segments();
@@ -60,8 +60,8 @@ struct Squares<'a> {
 }
 
 /// The sides by which a coast enters and leaves a square, by the land at its corners (north-west 1, north-east 2,
-/// south-east 4, south-west 8). Land lies to its left. Land that meets only at a corner is separate. Sides: 0 north, 1
-/// east, 2 south, 3 west.
+/// south-east 4, south-west 8). Land lies to the coast's left. Land that meets only at a corner is separate. Sides: 0
+/// north, 1 east, 2 south, 3 west.
 const WAYS: [&[(usize, usize)]; 16] = [
     &[],
     &[(3, 0)],
@@ -82,7 +82,7 @@ const WAYS: [&[(usize, usize)]; 16] = [
 ];
 
 impl Squares<'_> {
-    /// The next crossing along the coast for each crossing, or `NONE` where the coast does not cross.
+    /// Returns the next crossing along the coast for each crossing, or `NONE` where the coast does not cross.
     fn segments(&self) -> Vec<u32> {
         let mut next = vec![NONE; (self.columns * self.rows * 2) as usize];
         for row in 0..self.rows - 1 {
@@ -103,8 +103,8 @@ impl Squares<'_> {
         corners.iter().enumerate().map(|(bit, corner)| usize::from(is_land(corner)) << bit).sum()
     }
 
-    /// The share of land at a corner. Beyond the border it is the opposite of land within, so that the coast runs
-    /// halfway between, along the border.
+    /// Returns the share of land at a corner. Beyond the border it is the opposite of land within, so that the coast
+    /// runs halfway between, along the border.
     fn land(&self, column: i32, row: i32) -> f32 {
         let (x, y) = (column - 1, row - 1);
         let (columns, rows) = (self.ground.columns as i32, self.ground.rows as i32);
@@ -114,7 +114,7 @@ impl Squares<'_> {
         if is_inside { land } else { (1.0 - land).min(LEVEL) }
     }
 
-    /// The point at which the coast crosses, in fractions of the picture.
+    /// Returns the point at which the coast crosses, in fractions of the picture.
     fn place(&self, crossing: usize) -> Vec2 {
         let corner = crossing as i32 / 2;
         let (column, row) = (corner % self.columns, corner / self.columns);

@@ -44,7 +44,7 @@ impl Frame {
     }
 }
 
-/// The nearest aspect that a recipe can have.
+/// Returns the nearest aspect that a recipe can have.
 fn nearest(aspect: f32) -> f32 {
     match Key::Aspect.parameter().kind {
         Kind::Number { min, max, .. } => aspect.clamp(min.to_f64() as f32, max.to_f64() as f32),

@@ -91,18 +91,18 @@ impl Ground {
         Self { land: softened(land, self.columns), ridges: Vec::new(), speck: SPECK, ..*self }
     }
 
-    /// The picture's width divided by its height.
+    /// Returns the picture's width divided by its height.
     pub fn aspect(&self) -> f32 {
         self.width / self.height
     }
 
-    /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on
-    /// either side are mirrored, so that its border lies half-way between.
+    /// Returns the middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture
+    /// on either side are mirrored, so that its border lies half-way between.
     pub fn across(&self, column: i32) -> f32 {
         middle(column, self.columns as i32, self.block, self.width)
     }
 
-    /// The middle of a row of blocks, as a fraction of the picture's height.
+    /// Returns the middle of a row of blocks, as a fraction of the picture's height.
     pub fn down(&self, row: i32) -> f32 {
         middle(row, self.rows as i32, self.block, self.height)
     }
@@ -167,7 +167,7 @@ impl Picture<'_> {
         }
     }
 
-    /// The lightness of a pixel and the difference between its channels, over black.
+    /// Returns the lightness of a pixel and the difference between its channels, over black.
     fn light_and_colour(&self, x: usize, y: usize) -> [u8; 2] {
         let i = (y * self.width + x) * 4;
         let [r, g, b, a] = [0, 1, 2, 3].map(|channel| u32::from(self.rgba[i + channel]));

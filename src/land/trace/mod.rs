@@ -143,7 +143,7 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError>
     })
 }
 
-/// The coasts and ridges of a picture, placed on its map.
+/// Traces the coasts and ridges of a picture, placed on its map.
 fn lines(ground: &Ground, place: impl Fn(Vec2) -> Vec2) -> Result<(Lines, Lines), TraceError> {
     let (mut coasts, mut ridges) = (contour::rings(ground), ridges::lines(ground));
     // A ring with all points on the border is that border.
@@ -165,8 +165,8 @@ fn too_thin(ground: &Ground, what: &'static str) -> TraceError {
     TraceError::TooThin { what, pixels: 2 * ground.block as u32 }
 }
 
-/// The closed lines around blocks that are more land than water, without specks, in fractions of the blocks' width and
-/// height.
+/// Traces the closed lines around blocks that are more land than water, without specks, in fractions of the width and
+/// height of all blocks.
 pub(crate) fn rings(columns: usize, land: Vec<f32>, speck: f32) -> Lines {
     contour::rings(&Ground::of_blocks(columns, land, speck))
 }
@@ -190,13 +190,13 @@ fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
     ask(width as usize * height as usize)
 }
 
-/// Asks for the memory that a picture of so many pixels takes until it is a land.
+/// Asks for the memory that a picture with a number of pixels takes until it is land.
 fn ask(pixels: usize) -> Result<(), TraceError> {
-    /// Of a mask's colours.
+    /// The colours of a mask.
     const BYTES_A_PIXEL: usize = 4;
-    /// Of sums and shares, and of the lines around a land.
+    /// Sums and shares, and the lines around land.
     const BYTES_A_BLOCK: usize = 32;
-    /// Of distances from the coast, the grid of land, and lists that are short.
+    /// Distances from the coast, the grid of land, and short lists.
     const BYTES: usize = 16_000_000;
     let bytes = pixels * BYTES_A_PIXEL + pixels.min(Detail::MOST_BLOCKS) * BYTES_A_BLOCK + BYTES;
     memory::ask(bytes).map_err(|_| TraceError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 })
@@ -233,7 +233,7 @@ mod tests {
         is_land
     }
 
-    /// The share of pixels on which the outline agrees with the picture.
+    /// Returns the share of pixels on which the outline agrees with the picture.
     fn agreement(width: u32, height: u32, rgba: &[u8], outline: &Outline) -> f32 {
         let size = Vec2::new(width as f32, height as f32);
         let at = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) / size;

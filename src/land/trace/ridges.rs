@@ -9,7 +9,7 @@ use crate::base::skeletonize::thin;
 /// The smallest number of blocks of a line. Shorter ones are specks, or hairs left by thinning.
 const FEWEST: usize = 6;
 
-/// The ridges, in fractions of width and height: lines along the middle of narrow areas, and around wide ones.
+/// Traces the ridges, in fractions of width and height: lines along the middle of narrow areas, and around wide ones.
 pub(super) fn lines(ground: &Ground) -> Vec<Vec<Vec2>> {
     let mut mask: Vec<u8> = ground.ridges.iter().map(|&ridge| if ridge == 0 { 0 } else { 255 }).collect();
     let mut lines = areas::take_out(ground, &mut mask);
@@ -67,7 +67,7 @@ impl Walker<'_> {
         line
     }
 
-    /// The set neighbours of a pixel, first those that share a side, then those that share a corner.
+    /// Iterates over the set neighbours of a pixel, first those that share a side, then those that share a corner.
     fn beside(&self, i: usize) -> impl Iterator<Item = usize> + use<'_> {
         const AROUND: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
         let (columns, rows) = (self.ground.columns as i32, self.ground.rows as i32);
