@@ -21,7 +21,6 @@ const NOT_YET = [
   "src/annotate",
   "src/base",
   "src/export",
-  "src/grow",
   "src/map",
   "src/paint",
   "src/picture",

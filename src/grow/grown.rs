@@ -1,8 +1,8 @@
-//! What growth came to, in numbers.
+//! The result of growth, in numbers.
 
 use super::{Ending, Growth};
 
-/// What growth came to, in numbers: how much its tree reached, and the lengths by which it grew, in units.
+/// The result of growth, in numbers: how much its tree reached, and the lengths by which it grew, in units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Grown {
@@ -10,24 +10,24 @@ pub struct Grown {
     pub attractors: u32,
     /// Attractors that no river came near enough to, or parcels from which no way leads to the sea.
     pub unreached: u32,
-    /// The discharge of a river that drains everything; for a Brownian tree nearly.
+    /// The discharge of a river that would drain the whole map; for a Brownian tree an estimate.
     pub total_discharge: u32,
     /// The mean distance between attractors: the unit of the three lengths below in a recipe.
     pub spacing: f32,
-    /// How far an attractor pulls.
+    /// The distance from which an attractor pulls.
     pub reach: f32,
-    /// How near a river has to come for an attractor to be done with.
+    /// The distance from a river at which an attractor is used up.
     pub kill: f32,
-    /// How far a river grows in a tick.
+    /// The length by which a river grows in a tick.
     pub step: f32,
-    /// About how far apart streams lie: the distance between attractors, or the sensitivity.
+    /// The approximate distance between streams: that between attractors, or the sensitivity.
     pub stream_spacing: f32,
-    /// Why growth ended.
+    /// The way growth ended.
     pub ending: Ending,
 }
 
 impl Growth {
-    /// What growth came to; `None` while it goes on.
+    /// Returns the result of growth; `None` while growth goes on.
     pub fn grown(&self) -> Option<Grown> {
         let settings = self.settings();
         Some(Grown {

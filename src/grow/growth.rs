@@ -51,8 +51,8 @@ impl Growth {
         }
     }
 
-    /// Cuts the finished tree of drainage where it meets the coast of a smaller land, after the sea has risen. Nodes in the
-    /// sea go, and every edge that crosses the coast gets a mouth there.
+    /// Cuts the finished tree of drainage where it meets the coast of a smaller land, after the sea has risen. Nodes in
+    /// the sea are removed, and every edge that crosses the coast gets a mouth there.
     pub(crate) fn cut(&mut self, land: &Land) -> Result<(), GrowError> {
         match &mut self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => Ok(()),
@@ -60,7 +60,7 @@ impl Growth {
         }
     }
 
-    /// The tree so far.
+    /// Returns the tree so far.
     pub fn tree(&self) -> &Arc<Tree> {
         match &self.grower {
             Grower::Colonize(growth) => growth.tree(),
@@ -69,7 +69,7 @@ impl Growth {
         }
     }
 
-    /// Makes the tree this growth's own, by a copy if it is shared.
+    /// Makes sure that the tree is not shared: copies it if need be.
     pub(crate) fn unshare(&mut self) {
         match &mut self.grower {
             Grower::Colonize(growth) => growth.unshare(),
@@ -78,8 +78,8 @@ impl Growth {
         }
     }
 
-    /// The number of trees before this one. While it stays the same the tree only grows; when it changes, the tree is
-    /// another one for the same recipe. Only drainage has several trees, one for each round.
+    /// Returns the number of trees before the current one. While it stays the same the tree only grows; when it
+    /// changes, the tree is another one for the same recipe. Only drainage has several trees, one for each round.
     pub fn trees(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => 0,
@@ -87,8 +87,8 @@ impl Growth {
         }
     }
 
-    /// The captures so far: in drainage, the parcels that drain differently after a round than before it. Undone from
-    /// last to first, they lead back from the finished tree to the earlier ones ([`Growth::trees`]).
+    /// Returns the captures so far: in drainage, the parcels that drain differently after a round than before it.
+    /// Undone from last to first, they lead back from the finished tree to the earlier ones ([`Growth::trees`]).
     pub fn captures(&self) -> &[Capture] {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => &[],
@@ -96,8 +96,8 @@ impl Growth {
         }
     }
 
-    /// The node of each parcel of drainage, in the order of [`Growth::scattered`]; `u32::MAX` for parcels that have
-    /// none yet.
+    /// Returns the node of each parcel of drainage, in the order of [`Growth::scattered`]; `u32::MAX` for parcels that
+    /// have none yet.
     pub fn nodes_of_parcels(&self) -> &[u32] {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => &[],
@@ -105,12 +105,12 @@ impl Growth {
         }
     }
 
-    /// The settings of this growth.
+    /// Returns the settings of this growth.
     pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 
-    /// The way growth ended; `None` while it goes on.
+    /// Returns the way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         match &self.grower {
             Grower::Colonize(growth) => growth.ending(),
@@ -119,7 +119,7 @@ impl Growth {
         }
     }
 
-    /// The error that stopped growth before its end: not enough memory for more nodes.
+    /// Returns the error that stopped growth before its end: not enough memory for more nodes.
     pub fn failure(&self) -> Option<GrowError> {
         (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
             Grower::Colonize(_) | Grower::Drainage(_) => GrowError::out_of_memory(&self.settings),
@@ -127,7 +127,7 @@ impl Growth {
         })
     }
 
-    /// The number of river mouths; for a growing Brownian tree, so far.
+    /// Returns the number of river mouths; for a growing Brownian tree, so far.
     pub fn mouths(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.mouths(),
@@ -136,7 +136,7 @@ impl Growth {
         }
     }
 
-    /// The number of scattered attractors; 0 for a Brownian tree.
+    /// Returns the number of scattered attractors, or of parcels; 0 for a Brownian tree.
     pub fn attractors(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
@@ -145,7 +145,7 @@ impl Growth {
         }
     }
 
-    /// The positions of scattered attractors, in the order in which they were drawn.
+    /// Returns the positions of scattered attractors, in the order in which they were drawn, or of parcels.
     pub fn scattered(&self) -> Vec<Vec2> {
         match &self.grower {
             Grower::Colonize(_) => scatter(&self.settings),
@@ -154,8 +154,8 @@ impl Growth {
         }
     }
 
-    /// The positions of attractors that still pull because no river has come near enough, in no particular order; in
-    /// drainage, of parcels without a way to the sea so far.
+    /// Returns the positions of attractors that still pull because no river has come near enough, in no particular
+    /// order; in drainage, of parcels without a way to the sea so far.
     pub fn left(&self) -> Vec<Vec2> {
         match &self.grower {
             Grower::Colonize(growth) => growth.left(),
@@ -164,7 +164,7 @@ impl Growth {
         }
     }
 
-    /// The number of attractors that no river has come near enough to.
+    /// Returns the number of attractors that no river has come near enough to, or of parcels without a way to the sea.
     pub fn unreached(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.unreached(),
@@ -173,8 +173,8 @@ impl Growth {
         }
     }
 
-    /// The discharge of a river that would drain the whole map. It is known before growth begins; for a Brownian tree
-    /// it is an estimate.
+    /// Returns the discharge of a river that would drain the whole map. It is known before growth begins; for a
+    /// Brownian tree it is an estimate.
     pub fn total_discharge(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
@@ -183,7 +183,7 @@ impl Growth {
         }
     }
 
-    /// The approximate distance between streams, in units: that between attractors, or the sensitivity.
+    /// Returns the approximate distance between streams, in units: that between attractors, or the sensitivity.
     pub fn stream_spacing(&self) -> f32 {
         match self.settings.method {
             GrowthMethod::Colonize => self.settings.spacing,
@@ -192,7 +192,7 @@ impl Growth {
         }
     }
 
-    /// The mean distance between a node and its parent, in units.
+    /// Returns the mean distance between a node and its parent, in units.
     pub fn node_length(&self) -> f32 {
         match &self.grower {
             Grower::Colonize(_) => self.settings.step,
@@ -220,7 +220,7 @@ impl Growth {
         }
     }
 
-    /// The discharge of the largest river, once growth has ended. Only drainage knows it.
+    /// Returns the discharge of the largest river, once growth has ended. Only drainage knows it.
     pub fn largest_basin(&self) -> Option<u32> {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => None,
@@ -244,7 +244,7 @@ impl Growth {
         }
     }
 
-    /// The amount that is drained so far, out of [`Growth::total_discharge`].
+    /// Returns the amount that is drained so far, out of [`Growth::total_discharge`].
     pub fn drained(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors() - growth.unreached(),
@@ -253,7 +253,7 @@ impl Growth {
         }
     }
 
-    /// The share that is drained so far, from 0 to 1; for a Brownian tree, an estimate.
+    /// Returns the share that is drained so far, from 0 to 1; for a Brownian tree, an estimate.
     pub fn progress(&self) -> f32 {
         (self.drained() as f32 / self.total_discharge().max(1) as f32).min(1.0)
     }

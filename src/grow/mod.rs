@@ -70,20 +70,20 @@ pub enum GrowError {
 const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
-    /// The error for settings that need too much memory.
+    /// Makes the error for settings that need too much memory.
     fn out_of_memory(settings: &GrowthSettings) -> Self {
         let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 
-    /// The error for a raster with too many cells, at about 10 bytes a cell.
+    /// Makes the error for a raster with too many cells, at about 10 bytes a cell.
     fn no_room_for(cells: usize) -> Self {
         Self::NoRoomForRaster { megabytes: cells as u32 / 100_000 + 1 }
     }
 }
 
-/// The number of parcels or attractors that a front along valleys gains in a tick: about as many as lie along one side
-/// of the map.
+/// Returns the number of parcels or attractors that a front along valleys gains in a tick: about as many as lie along
+/// one side of the map.
 fn front(count: usize) -> usize {
     ((count as f32).sqrt() as usize).max(8)
 }

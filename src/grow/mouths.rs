@@ -42,8 +42,8 @@ pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     mouths
 }
 
-/// The places where further rivers may reach the sea. Empty where mouths are drawn, and on a plain rectangle, which has
-/// a border but no coast.
+/// Lists the places where further rivers may reach the sea. Empty where mouths are drawn, and on a plain rectangle,
+/// which has a border but no coast.
 pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
     let mut shores = Vec::new();
     if settings.starts.is_empty() {
@@ -52,8 +52,8 @@ pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
     shores
 }
 
-/// The shores of a region that lie on some sides, seen from the middle of its coast: the north shore of an island faces
-/// north, that of a lake south. Returns all shores if none lies on these sides, because no land is left dry.
+/// Lists the shores of a region that lie on some sides, seen from the middle of its coast: the north shore of an island
+/// faces north, that of a lake south. All shores if none lies on these sides, because no land is left dry.
 fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
     on_chosen_sides(region, sides, region.shores.clone(), |shore| shore.at)
 }
@@ -132,7 +132,7 @@ fn steadily_on_coast(settings: &GrowthSettings, land: &Land, coast: &[Shore], co
 /// A place on a coast: its fitness for a mouth, its cell of the plane, and the shore.
 type Place = (f32, [u32; 2], Shore);
 
-/// The fittest place in each cell of the plane: in a bay, and near a random point of the cell, so that it hardly moves.
+/// Finds the fittest place in each cell of the plane: in a bay, and near a random point of the cell, so that it hardly moves.
 fn places_by_cell(settings: &GrowthSettings, land: &Land, coast: &[Shore], side: f32) -> Vec<Place> {
     let chance = settings.seed.item_hash(Purpose::Mouths);
     let (columns, rows) = ((settings.domain.size.x / side) as usize + 1, (settings.domain.size.y / side) as usize + 1);
@@ -188,7 +188,7 @@ fn coast(settings: &GrowthSettings) -> Vec<Side> {
     .collect()
 }
 
-/// The mouth at a distance along the coast.
+/// Returns the mouth at a distance along the coast.
 fn along(coast: &[Side], mut way: f32) -> Mouth {
     let mut sides = coast.iter().peekable();
     while let Some(side) = sides.next() {
@@ -250,7 +250,7 @@ mod tests {
         }
     }
 
-    /// The mouths of a grown tree's rivers, region by region.
+    /// Returns the mouths of a grown tree's rivers, region by region.
     fn grown_mouths(link: &str) -> Vec<Vec<Vec2>> {
         let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
         while growth.tick() {}

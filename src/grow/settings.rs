@@ -17,7 +17,7 @@ use crate::recipe::{GrowthMethod, IntegerKey, LandKind, NumberKey, Recipe, Scatt
 pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
-    /// The rectangle.
+    /// The rectangle of the map.
     pub domain: Domain,
     /// The land; `None` if the whole domain is land.
     pub(in crate::grow) land: Option<Arc<Land>>,
@@ -126,7 +126,7 @@ impl GrowthSettings {
 }
 
 impl GrowthSettings {
-    /// The land, for tests.
+    /// Returns the land, for tests.
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
@@ -137,7 +137,7 @@ impl GrowthSettings {
         self.method == GrowthMethod::Colonize && self.drainage.valleys > 0.0
     }
 
-    /// The regions of the land that have a mouth; the plain rectangle has no regions.
+    /// Returns the regions of the land that have a mouth; the plain rectangle has no regions.
     pub fn watered(&self) -> impl Iterator<Item = &Region> {
         watered(self.land.as_deref(), &self.basins)
     }
@@ -151,8 +151,8 @@ impl GrowthSettings {
         }
     }
 
-    /// The point at which the straight way from a point on land to another reaches the sea; `None` if it does not, or
-    /// reaches something else first. A plain rectangle has the sea beyond its chosen sides.
+    /// Returns the point at which the straight way from a point on land to another reaches the sea; `None` if it does
+    /// not, or reaches something else first. A plain rectangle has the sea beyond its chosen sides.
     pub(in crate::grow) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
         match &self.land {
             None => self.side_toward(from, to),
@@ -184,7 +184,7 @@ impl GrowthSettings {
         land.regions().iter().any(|region| land.is_in(region, a) && land.is_in(region, b))
     }
 
-    /// The land, if it may hide attractors within reach of a node.
+    /// Returns the land if it may hide attractors within reach of a node.
     #[inline]
     pub fn hidden_from(&self, node: Vec2) -> Option<&Land> {
         self.land.as_deref().filter(|land| !land.sees_all(node, self.reach))
@@ -196,7 +196,7 @@ impl GrowthSettings {
     }
 }
 
-/// The requested number of mouths. In drainage, 0 means all along the coast.
+/// Returns the requested number of mouths. In drainage, 0 means all along the coast.
 fn mouths_of(recipe: &Recipe) -> u32 {
     const USUAL: u32 = 8;
     match recipe.integer(IntegerKey::Mouths) {
@@ -205,7 +205,7 @@ fn mouths_of(recipe: &Recipe) -> u32 {
     }
 }
 
-/// The number of starts in each region.
+/// Counts the starts in each region.
 fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
     let count = |region| starts.iter().filter(|start| land.is_in(region, start.mouth.at)).count() as u32;
     land.regions().iter().map(count).collect()

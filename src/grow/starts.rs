@@ -37,7 +37,7 @@ const ASHORE: usize = 6;
 /// Mouths that are closer together than this, in units, count as one.
 const APART: f32 = 4.0;
 
-/// The starts of a recipe, in the order in which they are drawn.
+/// Makes the starts of a recipe, in the order in which they are drawn.
 pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&Land>) -> Arc<[Start]> {
     let of_rectangle = || in_units(recipe.rivers(), domain);
     let mut starts: Vec<Start> = Vec::new();
@@ -54,7 +54,7 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
     starts.into()
 }
 
-/// The start from a line, with a course of up to `most` points; `None` if there is no coast at all.
+/// Makes a start from a line, with a course of up to `most` points; `None` if there is no coast at all.
 fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
     let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
     let mut pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
@@ -68,8 +68,8 @@ fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Op
     Some(Start { mouth, course: course.unwrap_or_default() })
 }
 
-/// The course from a mouth to a point ashore and along the points after it, up to `most` of them, until water or a
-/// ridge is in the way.
+/// Returns the course from a mouth to a point ashore and along the points after it, up to `most` of them, until water
+/// or a ridge is in the way.
 fn course(
     mouth: Vec2,
     ashore: Vec2,
@@ -94,7 +94,7 @@ fn allows(land: Option<&Land>, from: Vec2, to: Vec2) -> bool {
     land.is_none_or(|land| land.allows(from, to))
 }
 
-/// The mouth on a coast that is nearest to a point.
+/// Returns the mouth on a coast that is nearest to a point; `None` if there is no coast.
 fn on_coast(land: &Land, point: Vec2) -> Option<Mouth> {
     let (mut nearest, mut least) = (None, f32::INFINITY);
     for region in land.regions() {
@@ -108,7 +108,7 @@ fn on_coast(land: &Land, point: Vec2) -> Option<Mouth> {
     nearest
 }
 
-/// The mouth on the border of a rectangle that is nearest to a point in it.
+/// Returns the mouth on the border of a rectangle that is nearest to a point in it.
 fn on_border(domain: &Domain, point: Vec2) -> Mouth {
     let sides = domain.sides(point).into_iter().zip([Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y, Vec2::X]);
     let nearest = sides.map(|((_, away), inland)| (away, inland));
@@ -121,7 +121,7 @@ mod tests {
     use super::*;
     use crate::recipe::{Key, link};
 
-    /// The starts of a smooth drawing on a square: a land from 200 to 800, with a lake from 440 to 560, and rivers.
+    /// Makes the starts of a smooth drawing on a square: a land from 200 to 800, with a lake from 440 to 560, and rivers.
     fn of(ridges: &[&[(f32, f32)]], rivers: &[&[(f32, f32)]]) -> (Arc<[Start]>, Option<Arc<Land>>) {
         let square = |near: f32, far: f32| vec![(near, near), (far, near), (far, far), (near, far)];
         on(&[&square(0.2, 0.8), &square(0.44, 0.56)], ridges, rivers)

@@ -23,7 +23,7 @@ impl Watered {
         Self { cells, columns }
     }
 
-    /// Returns `true` if a point of the domain lies in such a cell; never on its far borders.
+    /// Returns `true` if a point of the domain lies on land with a river mouth; never on the far borders of the domain.
     pub fn holds(&self, place: Vec2) -> bool {
         let (column, row) = ((place.x / CELL_SIZE) as usize, (place.y / CELL_SIZE) as usize);
         column < self.columns && self.cells.get(row * self.columns + column) == Some(&true)

@@ -177,12 +177,12 @@ impl Brownian {
         }
     }
 
-    /// The error for a tree without enough memory.
+    /// Makes the error for a tree without enough memory.
     pub(super) fn out_of_memory(&self) -> GrowError {
         GrowError::no_room_for(self.strands.water.raster.cells().len())
     }
 
-    /// The tree so far. A node is a cell of river, or a cell of sea in which a river ends.
+    /// Returns the tree so far. A node is a cell of river, or a cell of sea in which a river ends.
     pub fn tree(&self) -> &Arc<Tree> {
         &self.strands.tree
     }
@@ -191,28 +191,29 @@ impl Brownian {
         Arc::make_mut(&mut self.strands.tree);
     }
 
-    /// The number of rivers that have reached the sea.
+    /// Returns the number of rivers that have reached the sea.
     pub fn mouths(&self) -> u32 {
         self.strands.mouths
     }
 
-    /// The approximate final number of river cells: the discharge of a river that would drain all land.
+    /// Estimates the final number of river cells: the discharge of a river that would drain all land.
     pub fn total_discharge(&self) -> u32 {
         self.total_discharge
     }
 
-    /// The mean distance between a node and its parent, in units.
+    /// Returns the mean distance between a node and its parent, in units.
     pub fn node_length(&self) -> f32 {
         NODE_LENGTH * self.strands.water.raster.side()
     }
 
-    /// The way growth ended; `None` while it goes on.
+    /// Returns the way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 }
 
-/// The step of the next pass: the same as long as it is worthwhile, then half, but not less than the sensitivity.
+/// Returns the step of the next pass: the same as long as it is worthwhile, then half, but not less than the
+/// sensitivity; `None` after the last pass.
 fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
     match step {
         _ if impact >= LEAST_IMPACT => Some(step),
@@ -231,7 +232,7 @@ impl Pass {
         Self { step: Step::of(size, is_gap_filling), is_gap_filling, particles, taken: 0, on_land: 0, fruitful: 0 }
     }
 
-    /// The share of particles born on land that made a river.
+    /// Returns the share of particles born on land that made a river.
     fn impact(&self) -> f32 {
         self.fruitful as f32 / self.on_land.max(1) as f32
     }

@@ -143,13 +143,13 @@ fn rank(number: u32) -> u32 {
     (half ^ (half >> 16)).wrapping_mul(0x85eb_ca77)
 }
 
-/// The number of a rank.
+/// Returns the number of a rank.
 fn number(rank: u32) -> u32 {
     let half = rank.wrapping_mul(0xb6c9_2f47);
     (half ^ (half >> 16)).wrapping_mul(0x0e8b_2f51)
 }
 
-/// The squared distance out of the block of side 2ᵇⁱᵗˢ that contains a cell, in the form of a found cell.
+/// Returns the squared distance out of the block of side 2ᵇⁱᵗˢ that contains a cell, in the form of a found cell.
 #[inline]
 fn squared_way_out(at: Place, bits: i32) -> Found {
     let last = (1 << bits) - 1;
@@ -158,7 +158,7 @@ fn squared_way_out(at: Place, bits: i32) -> Found {
     ((way * way) as u64) << 32
 }
 
-/// The squared distance to a block of side 2ᵇⁱᵗˢ.
+/// Returns the squared distance to a block of side 2ᵇⁱᵗˢ.
 #[inline]
 fn squared_gap(at: Place, bits: i32, column: i32, row: i32) -> Found {
     let gap = |at: i32, block: i32| {

@@ -18,10 +18,10 @@ pub struct Raster {
     /// The size of the domain, in units. The last cells may extend beyond it.
     size: Vec2,
     cells: Vec<Cell>,
-    /// The drawn mouths, the only places where rivers begin. If there are none, rivers begin wherever there is water
-    /// beside land.
+    /// The drawn mouths, the only places where rivers begin; if empty, rivers begin wherever there is water beside
+    /// land.
     pub(super) starts: Arc<[Start]>,
-    /// The cell of each of them: water beside land.
+    /// The cell of each drawn mouth: water beside land.
     pub(super) mouths: Vec<Place>,
 }
 
@@ -66,7 +66,7 @@ impl Raster {
         raster
     }
 
-    /// The cell of a mouth: water beside it or, on a rectangle, its own cell.
+    /// Returns the cell of a mouth: water beside it or, on a rectangle, its own cell.
     fn mouth_cell(&self, mouth: Vec2) -> Place {
         let cell = |x: f32, cells: i32| ((x / self.side) as i32).min(cells - 1);
         let shore = Place { column: cell(mouth.x, self.columns), row: cell(mouth.y, self.rows) };
@@ -106,32 +106,32 @@ impl Raster {
         })
     }
 
-    /// The number of columns of cells.
+    /// Returns the number of columns of cells.
     pub fn columns(&self) -> i32 {
         self.columns
     }
 
-    /// The number of rows of cells.
+    /// Returns the number of rows of cells.
     pub fn rows(&self) -> i32 {
         self.rows
     }
 
-    /// The side of a cell, in units.
+    /// Returns the side of a cell, in units.
     pub fn side(&self) -> f32 {
         self.side
     }
 
-    /// All cells, row by row.
+    /// Returns all cells, row by row.
     pub fn cells(&self) -> &[Cell] {
         &self.cells
     }
 
-    /// The number of cells of land.
+    /// Returns the number of cells of land.
     pub fn available(&self) -> u32 {
         self.cells.iter().filter(|&&cell| cell == Cell::Land).count() as u32
     }
 
-    /// The cell at a place; `None` outside the raster.
+    /// Returns the cell at a place; `None` outside the raster.
     #[inline]
     pub(super) fn cell(&self, at: Place) -> Option<Cell> {
         self.holds(at).then(|| self.cells[self.index(at)])
@@ -143,13 +143,13 @@ impl Raster {
         (at.column as u32) < self.columns as u32 && (at.row as u32) < self.rows as u32
     }
 
-    /// The index of a cell of the raster, row by row.
+    /// Returns the index of a cell of the raster, row by row.
     #[inline]
     pub(super) fn index(&self, at: Place) -> usize {
         (at.row * self.columns + at.column) as usize
     }
 
-    /// The cell with an index.
+    /// Returns the cell with an index.
     #[inline]
     pub(super) fn place(&self, index: u32) -> Place {
         let index = index as i32;
@@ -167,8 +167,8 @@ impl Raster {
         (cells * self.side).min(self.size)
     }
 
-    /// The point where a river that ends in a water cell reaches the sea: the middle of the cell or, for a cell on the
-    /// border, a point of the border.
+    /// Returns the point where a river that ends in a water cell reaches the sea: the middle of the cell or, for a cell
+    /// on the border, a point of the border.
     pub(super) fn mouth(&self, at: Place) -> Vec2 {
         let along = |cell: i32, cells: i32| match cell {
             0 => 0.0,
@@ -187,13 +187,13 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The eight cells around it.
+    /// Returns the eight cells around the cell.
     pub fn around(self) -> [Self; 8] {
         [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]
             .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
     }
 
-    /// The four cells that share a side with it.
+    /// Returns the four cells that share a side with the cell.
     pub fn beside(self) -> [Self; 4] {
         [(0, -1), (-1, 0), (1, 0), (0, 1)]
             .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
@@ -204,7 +204,7 @@ impl Place {
         self.column.abs_diff(other.column) <= 1 && self.row.abs_diff(other.row) <= 1
     }
 
-    /// The squared distance between the middles of two cells.
+    /// Returns the squared distance between the middles of two cells.
     #[inline]
     pub fn squared_distance(self, other: Self) -> i32 {
         let (x, y) = (self.column - other.column, self.row - other.row);

@@ -186,8 +186,8 @@ fn place_of(exact: IVec2) -> Place {
     Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) }
 }
 
-/// The points on a straight line, one cell apart along its longer axis, from after its start to the cell of its end,
-/// but not more than `most`. Each lies in another cell, which touches the previous one.
+/// Iterates over points on a straight line, one cell apart along its longer axis, from after its start to the cell of
+/// its end, but not more than `most`. Each lies in another cell, which touches the previous one.
 fn line(from: IVec2, to: IVec2, most: i32) -> impl Iterator<Item = IVec2> {
     let way = to - from;
     let length = way.abs().max_element().max(1);
@@ -196,9 +196,9 @@ fn line(from: IVec2, to: IVec2, most: i32) -> impl Iterator<Item = IVec2> {
     (1..=cells).map(move |i| from + way * (i * PARTS) / length)
 }
 
-/// The greatest number of cells of a strand toward a particle. Cells lie farther apart the closer the direction is to a
-/// diagonal. The remainder after a whole number of cells becomes a further cell with such a probability that strands
-/// are equally long in every direction, on average.
+/// Returns the greatest number of cells of a strand toward a particle. Cells lie farther apart the closer the direction
+/// is to a diagonal. The remainder after a whole number of cells becomes a further cell with such a probability that
+/// strands are equally long in every direction, on average.
 fn most_cells(way: IVec2, chance: &mut Stream) -> i32 {
     let squared = |length: i32| i64::from(length) * i64::from(length);
     let longest = squared(LONGEST * PARTS * way.abs().max_element()) / (squared(way.x) + squared(way.y)).max(1);

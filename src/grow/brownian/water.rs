@@ -37,7 +37,7 @@ impl Step {
         Place { column: at.column + along(bits & 0xffff), row: at.row + along(bits >> 16) }
     }
 
-    /// The distance that a particle may stray until something at a squared distance can be near.
+    /// Returns the distance that a particle may stray, in cells, until something at a squared distance can be near.
     fn clearance(&self, squared: i32) -> i32 {
         // Shortened by a thousandth, as a margin for rounding.
         let way = ((squared as f32).sqrt() - self.size / 2.0 - 1e-3) as i32;

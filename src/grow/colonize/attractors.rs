@@ -51,7 +51,7 @@ impl Block {
         })
     }
 
-    /// Owner, squared distance and place of all attractors that are not used up.
+    /// Iterates over the owner, squared distance and place of all attractors of the block that are not used up.
     fn left(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
         let owner = self.owner;
@@ -59,7 +59,7 @@ impl Block {
         lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
     }
 
-    /// Owner, squared distance and place of those that have an owner.
+    /// Iterates over the owner, squared distance and place of all attractors of the block that have an owner and are not used up.
     fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         self.left().filter(|(owner, ..)| *owner != NO_NODE)
     }
@@ -125,7 +125,7 @@ impl Attractors {
         Ok((this, places))
     }
 
-    /// The number of attractors, used up or not.
+    /// Returns the number of attractors, used up or not.
     pub fn count(&self) -> u32 {
         self.count
     }
@@ -210,7 +210,7 @@ impl Attractors {
         found
     }
 
-    /// The range of columns (or rows) that the reach around a coordinate may touch.
+    /// Returns the range of columns (or rows) that the reach around a coordinate may touch.
     fn cells_within(&self, centre: f32, count: i32) -> std::ops::Range<i32> {
         let middle = (centre / self.cell) as i32;
         (middle - self.cells_a_reach).max(0)..(middle + self.cells_a_reach + 1).min(count)
@@ -258,7 +258,7 @@ impl Attractors {
         }
     }
 
-    /// Owner, squared distance and place of the attractor at a place of the index; `None` if it is used up.
+    /// Returns the owner, squared distance and place of the attractor at a place of the index; `None` if it is used up.
     pub fn remaining_at(&self, place: u32) -> Option<(u32, f32, Vec2)> {
         let (block, lane) = (&self.blocks[place as usize / 4], place as usize % 4);
         let near = block.near.as_array()[lane];
@@ -266,7 +266,7 @@ impl Attractors {
         (near != USED_UP).then_some((block.owner[lane], near, at))
     }
 
-    /// The attractors within reach of a point that are not used up, with their owners.
+    /// Iterates over the attractors within reach of a point that are not used up, with their owners.
     pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
@@ -284,13 +284,13 @@ impl Attractors {
             .map(|(owner, _, place)| (owner, place))
     }
 
-    /// The owners and places of all attractors that have an owner and are not used up, in no particular order.
+    /// Iterates over the owners and places of all attractors that have an owner and are not used up, in no particular order.
     pub fn remaining(&self) -> impl Iterator<Item = (u32, Vec2)> + '_ {
         work::count(self.blocks.len());
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
-    /// The places of all attractors that are not used up, in no particular order.
+    /// Returns the places of all attractors that are not used up, in no particular order.
     pub fn left(&self) -> Vec<Vec2> {
         let mut left = Vec::new();
         for place in 0..4 * self.blocks.len() as u32 {
@@ -301,8 +301,8 @@ impl Attractors {
         left
     }
 
-    /// The nearest attractor of each owner, in ascending order of owners. Among equally near ones, the western, then
-    /// the northern.
+    /// Returns the nearest attractor of each owner, in ascending order of owners. Among equally near ones, the western,
+    /// then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
         work::count(self.blocks.len());
         let mut nearest: Vec<Option<(f32, Vec2)>> = Vec::new();
@@ -359,15 +359,15 @@ fn next(lanes: &mut u32) -> usize {
     lane as usize
 }
 
-/// The number of cells along the reach, so that a cell is nearly three spacings wide. Nine attractors a cell are enough
-/// to share the cost of looking at it, and not so many that most are out of reach.
+/// Returns the number of cells along the reach, so that a cell is nearly three spacings wide. Nine attractors a cell
+/// are enough to share the cost of looking at it, and not so many that most are out of reach.
 fn cells_a_reach(settings: &GrowthSettings) -> i32 {
     const SPACINGS: f32 = 4.0;
     (settings.reach / (SPACINGS * settings.spacing)).ceil().max(1.0) as i32
 }
 
-/// The squared distance of 0 from intervals around some middles. `max(distance, 0)` is written like this because wasm
-/// has no such instruction and would jump.
+/// Returns the squared distance of 0 from intervals around some middles. `max(distance, 0)` is written like this
+/// because wasm has no such instruction and would jump.
 #[inline]
 fn squared_gap(middle: f32x4, half: f32x4) -> f32x4 {
     let distance = middle.abs() - half;
@@ -375,7 +375,7 @@ fn squared_gap(middle: f32x4, half: f32x4) -> f32x4 {
     gap * gap
 }
 
-/// The largest lane.
+/// Returns the largest lane.
 #[inline]
 fn largest(lanes: f32x4) -> f32 {
     let pairs = lanes.unpack_lo(lanes).fast_max(lanes.unpack_hi(lanes));

@@ -39,7 +39,7 @@ impl Changed {
     }
 }
 
-/// The positions of the bits that are set, in ascending order.
+/// Iterates over the positions of the bits that are set, in ascending order.
 fn bits(mut word: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = word.trailing_zeros();

@@ -35,7 +35,7 @@ impl Everywhere {
         Ok(())
     }
 
-    /// Steps 3 and 4 of the paper: lets every node whose attractors have changed try to grow.
+    /// Lets every node whose attractors have changed try to grow (steps 3 and 4 of the paper).
     fn try_all(&mut self, rivers: &mut Rivers) -> Result<(), Ending> {
         self.changed.drain_into(&mut self.trying);
         rivers.make_room(self.trying.len())?;

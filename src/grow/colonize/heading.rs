@@ -58,7 +58,7 @@ pub fn is_duplicate(child: Vec2, sibling: Vec2, step: f32) -> bool {
     gap.x * gap.x + gap.y * gap.y < (NEAR * step) * (NEAR * step)
 }
 
-/// u = v₂ − k·v₁, normalised; v₂ itself where that vanishes.
+/// Returns u = v₂ − k·v₁, normalised; v₂ itself where that vanishes.
 fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
     /// The length below which the direction of the difference is rounding error.
     const VANISHING: f32 = 1e-6;
@@ -87,7 +87,7 @@ mod tests {
         GrowthSettings::of(&link::read(link).unwrap())
     }
 
-    /// The angle of the child of a node at the origin that came straight east and is pulled by `angle`.
+    /// Returns the angle of the child of a node at the origin that came straight east and is pulled by `angle`.
     fn turn(settings: &GrowthSettings, angle: f32, nodes_from_mouth: u32) -> f32 {
         let pull = Vec2::new(libm::cosf(angle), libm::sinf(angle));
         let parent = Vec2::NEG_X * settings.step;

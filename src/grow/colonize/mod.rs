@@ -203,8 +203,8 @@ impl Colonize {
         }
     }
 
-    /// The place on a coast with the most attractors within reach that no node has, apart from all mouths; the first
-    /// among equals. `None` also while the search is under way.
+    /// Searches for the place on a coast with the most attractors within reach that no node has, apart from all mouths;
+    /// the first among equals. `None` also while the search is under way.
     fn driest_shore(&mut self) -> Option<Shore> {
         let Self { rivers: Rivers { settings, attractors, .. }, mouths, search, .. } = self;
         let seen_from = |shore: Vec2| {
@@ -238,7 +238,7 @@ impl Colonize {
 }
 
 impl Colonize {
-    /// The tree so far.
+    /// Returns the tree so far.
     pub fn tree(&self) -> &Arc<Tree> {
         &self.rivers.tree
     }
@@ -247,32 +247,32 @@ impl Colonize {
         Arc::make_mut(&mut self.rivers.tree);
     }
 
-    /// The settings of this growth.
+    /// Returns the settings of this growth.
     pub fn settings(&self) -> &GrowthSettings {
         &self.rivers.settings
     }
 
-    /// The way growth ended; `None` while it goes on.
+    /// Returns the way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// The number of planted mouths.
+    /// Returns the number of planted mouths.
     pub fn mouths(&self) -> u32 {
         self.mouths.len() as u32
     }
 
-    /// The number of scattered attractors.
+    /// Returns the number of scattered attractors.
     pub fn attractors(&self) -> u32 {
         self.rivers.attractors.count()
     }
 
-    /// The number of attractors that are not used up, because no river has come near enough.
+    /// Returns the number of attractors that are not used up, because no river has come near enough.
     pub fn unreached(&self) -> u32 {
         self.rivers.unreached
     }
 
-    /// The positions of attractors that are not used up, in no particular order.
+    /// Returns the positions of attractors that are not used up, in no particular order.
     pub fn left(&self) -> Vec<Vec2> {
         self.rivers.attractors.left()
     }

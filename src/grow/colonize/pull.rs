@@ -17,7 +17,7 @@ pub struct Pull {
 
 const UNIT: f32 = 262_144.0;
 
-/// Only equal places are so close together.
+/// The squared distance below which places are equal.
 const TINY: f32 = 1e-20;
 
 /// Adding this, 1.5 · 2²³, rounds a number below 2²² in either direction: its lowest bits are then the whole number. In
@@ -52,7 +52,7 @@ impl Pull {
         self.y = self.y.wrapping_sub(other.y);
     }
 
-    /// The direction of the pull; `None` if attractors balance, or if there are none.
+    /// Returns the direction of the pull; `None` if attractors balance, or if there are none.
     #[inline]
     pub fn direction(self) -> Option<Vec2> {
         if self.x.unsigned_abs().max(self.y.unsigned_abs()) < NOISE {
@@ -98,13 +98,13 @@ impl Pulls {
         self.y += other.y;
     }
 
-    /// The pull of one attractor.
+    /// Returns the pull of the attractor in a lane.
     #[inline]
     pub fn lane(&self, lane: usize) -> Pull {
         Pull { x: self.x.as_array()[lane], y: self.y.as_array()[lane] }
     }
 
-    /// The sum of all four.
+    /// Returns the sum of all four pulls.
     #[inline]
     pub fn sum(self) -> Pull {
         let sum = |lanes: i32x4| lanes.to_array().into_iter().fold(0, i32::wrapping_add);

@@ -67,7 +67,7 @@ impl Rivers {
         }
     }
 
-    /// The number of nodes.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.tree.len()
     }
@@ -108,8 +108,8 @@ impl Rivers {
         memory::reserve(&mut self.elder, nodes)
     }
 
-    /// The approximate number of nodes in a tree, rather too high. By trials over reach 2.4 to 10, kill 0.5 to 2 and
-    /// step 0.2 to 1, it is proportional to kill^−½ and step^−¾ (both in spacings). Drawn courses come in addition.
+    /// Estimates the number of nodes in a tree, rather too high. By trials over reach 2.4 to 10, kill 0.5 to 2 and step
+    /// 0.2 to 1, it is proportional to kill^−½ and step^−¾ (both in spacings). Drawn courses come in addition.
     pub fn usual_nodes(&self) -> usize {
         let GrowthSettings { attractors, spacing, kill, step, .. } = self.settings;
         let (kill, root) = (kill / spacing, (step / spacing).sqrt());
@@ -121,8 +121,8 @@ impl Rivers {
 
 /// Steps.
 impl Rivers {
-    /// The possible positions of a node's child: bent by momentum and curl, or straight. A bend that would leave the
-    /// land is not used, so that a river beside the coast does not stop growing.
+    /// Returns the possible positions of a node's child: bent by momentum and curl, or straight. A bend that would
+    /// leave the land is not used, so that a river beside the coast does not stop growing.
     pub fn steps(&self, node: usize, pull: Vec2, clockwise: bool, identity: [u32; 3]) -> [Vec2; 2] {
         let at = self.tree.at[node];
         let came_from = self.tree.parent_of(node).map(|parent| self.tree.at[parent]);
@@ -181,14 +181,14 @@ impl Rivers {
 
 /// Attractors.
 impl Rivers {
-    /// The nodes that have not looked for attractors yet. They count as having looked from now on.
+    /// Returns the nodes that have not looked for attractors yet, which count as having looked from now on.
     pub fn newcomers(&mut self) -> std::ops::Range<u32> {
         let first = std::mem::replace(&mut self.captured, self.tree.len());
         first as u32..self.captured as u32
     }
 
-    /// Step 2 of the paper, for a new node only: gives it the attractors that are now nearest to it. Returns their
-    /// pull.
+    /// Gives a new node the attractors that are now nearest to it (step 2 of the paper, for this node only). Returns
+    /// their pull.
     #[inline(never)] // each copy would weigh kilobytes
     pub fn capture(&mut self, node: u32, told: &mut Told<'_>) -> Pull {
         let at = self.tree.at[node as usize];
@@ -202,8 +202,8 @@ impl Rivers {
         })
     }
 
-    /// Step 5 of the paper: uses up the attractors that a river has come near to, which drain into it. Calls `released`
-    /// with the owner of each and its pull.
+    /// Uses up the attractors that a river has come near to, which drain into it (step 5 of the paper). Calls
+    /// `released` with the owner of each and its pull.
     #[inline]
     pub fn use_up(&mut self, mut released: impl FnMut(u32, Pull)) {
         let Self { attractors, tree, unreached, .. } = self;
@@ -224,7 +224,7 @@ impl Rivers {
     }
 }
 
-/// The number of nodes of a stem about one spacing long.
+/// Returns the number of nodes of a stem about one spacing long.
 pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
 }

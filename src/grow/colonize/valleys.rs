@@ -72,8 +72,8 @@ pub(super) fn use_up(rivers: &mut Rivers) {
     rivers.use_up(|_, _| ());
 }
 
-/// A step from a node that comes nearer to an attractor, given the squared distance to it and the number of previous
-/// steps.
+/// Returns a step from a node that comes nearer to an attractor, given the squared distance to it and the number of
+/// previous steps; `None` if there is none.
 fn step_toward(rivers: &Rivers, node: usize, squared: f32, attractor: Vec2, steps: u32) -> Option<Vec2> {
     let at = rivers.tree.at[node];
     let pull = Pull::toward(at, attractor).direction()?;

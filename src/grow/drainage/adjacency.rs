@@ -50,13 +50,13 @@ impl Adjacency {
         Self { first, to }
     }
 
-    /// The range of a place's neighbours within [`to`](Self::to).
+    /// Returns the range of a place's neighbours within [`to`](Self::to).
     #[inline]
     pub fn range(&self, place: usize) -> Range<usize> {
         self.first[place] as usize..self.first[place + 1] as usize
     }
 
-    /// The neighbours of a place.
+    /// Returns the neighbours of a place.
     #[inline]
     pub fn of(&self, place: usize) -> &[u32] {
         &self.to[self.range(place)]

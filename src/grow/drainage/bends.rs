@@ -84,7 +84,7 @@ impl Bends {
         (0..STEPS).fold(at, |at, _| at + self.slope(at / self.knot_spacing).perp() * self.step)
     }
 
-    /// The rise of the spline in both directions, a knot. The place is counted in knots, and is in reach.
+    /// Returns the rise of the spline per knot in both directions, at a place in reach, counted in knots.
     fn slope(&mut self, at: Vec2) -> Vec2 {
         let from_corner = at + self.reach;
         // The nearest knot. Casting rounds down, and is faster than rounding.
@@ -106,7 +106,7 @@ impl Bends {
         slope
     }
 
-    /// The heights of a knot and of the eight around it, row by row.
+    /// Returns the heights of a knot and of the eight around it, row by row.
     fn around(&mut self, knot: IVec2) -> [[f32; 3]; 3] {
         let columns = self.last.x as usize + 1;
         let corner = (knot.y as usize - 1) * columns + knot.x as usize - 1;
@@ -124,13 +124,13 @@ impl Bends {
         })
     }
 
-    /// The height of a knot.
+    /// Returns the height of a knot.
     fn height(&self, knot: IVec2) -> f32 {
         let at = (knot.as_vec2() - self.reach) * self.knot_spacing;
         self.noise.get_noise_2d(at.x, at.y) * self.strength(at)
     }
 
-    /// The strength of the noise at a place: a log-normal deviate with mean 1, but not above [`STRONGEST`].
+    /// Returns the strength of the noise at a place: a log-normal deviate with mean 1, but not above [`STRONGEST`].
     fn strength(&self, at: Vec2) -> f32 {
         if self.variation == 0.0 {
             return 1.0;

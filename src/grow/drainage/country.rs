@@ -24,12 +24,12 @@ impl<'a> Country<'a> {
         Self { fall: has_fall.then(|| Fall::new(settings)), grain: Grain::new(settings) }
     }
 
-    /// The logarithm of the hardness that the grain adds to the ground at a place.
+    /// Returns the logarithm of the hardness that the grain adds to the ground at a place.
     pub fn hardness(&self, at: Vec2) -> f32 {
         self.grain.as_ref().map_or(0.0, |grain| grain.hardness(at))
     }
 
-    /// The costs of an edge, forward and back, from what it would cost in level country without grain.
+    /// Returns the costs of an edge, forward and back, from what it would cost in level country without grain.
     pub fn costs(&self, from: Vec2, to: Vec2, cost: f32) -> [f32; 2] {
         let (middle, along) = (0.5 * (from + to), direction(to - from));
         let cost = self.grain.as_ref().map_or(cost, |grain| cost * libm::expf(grain.resistance(middle, along)));

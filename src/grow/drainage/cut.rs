@@ -1,4 +1,4 @@
-//! The tree after the sea has risen: what has drowned is cut off, and its branches are rivers of their own.
+//! The tree after the sea has risen: drowned parts are cut off, and their branches are rivers of their own.
 
 use glam::Vec2;
 
@@ -14,13 +14,13 @@ use crate::tree::{Hydrology, NO_PARENT, Tree};
 pub(super) struct Left {
     /// The number of parcels on land.
     pub parcels: u32,
-    /// Those of them from which no way leads to the sea.
+    /// The parcels on land from which no way leads to the sea.
     pub unreached: Vec<u32>,
 }
 
 impl Drainage {
-    /// Cuts the finished tree where it meets the coast of a land that is smaller than the one it grew on. Nodes in the sea
-    /// go. Every edge that crosses the coast gets a mouth there. Places and discharge stay.
+    /// Cuts the finished tree where it meets the coast of a land that is smaller than the one it grew on. Nodes in the
+    /// sea are removed. Every edge that crosses the coast gets a mouth there. Places and discharge stay.
     pub(in crate::grow) fn cut(&mut self, land: &Land) -> Result<(), Refused> {
         let Cut { tree, node, .. } = Cut::of(&self.tree, land)?;
         let (mut reached, mut unreached) = (0, Vec::new());
@@ -51,7 +51,7 @@ struct Cut<'a> {
 
 impl<'a> Cut<'a> {
     fn of(whole: &'a Tree, land: &Land) -> Result<Self, Refused> {
-        /// For a node, and for a mouth beside each.
+        /// The memory for a node, and for a mouth beside it.
         const BYTES_A_NODE: usize = 64;
         ask(whole.len() * BYTES_A_NODE)?;
         let mut this = Self { whole, tree: Tree::default(), node: Vec::new() };
@@ -90,7 +90,7 @@ impl<'a> Cut<'a> {
         self.node.push(new);
     }
 
-    /// The elevation of a node that rises over another: higher, however little.
+    /// Returns the elevation of a node that rises over another: higher, however small the rise.
     fn above(&self, below: u32, rise: f32) -> f32 {
         let below = self.tree.elevation.get(below as usize).copied().unwrap_or(0.0);
         (below + rise).max(below.next_up())

@@ -21,7 +21,7 @@ impl FlowDirections {
         Self { to: vec![NONE; parcels], order: Vec::with_capacity(parcels) }
     }
 
-    /// The number of parcels that each parcel drains, itself included (flow accumulation); 0 where nothing is known.
+    /// Returns the number of parcels that each parcel drains, itself included (flow accumulation); 0 where nothing is known.
     pub fn areas(&self) -> Vec<u32> {
         let mut areas = vec![0; self.to.len()];
         for &here in self.order.iter().rev() {

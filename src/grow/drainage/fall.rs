@@ -30,7 +30,7 @@ pub(super) struct Fall<'a> {
 enum General {
     /// Toward the sea.
     Sea,
-    /// The same direction everywhere.
+    /// In one direction everywhere.
     Plane(Vec2),
     /// Away from a place.
     Outward(Vec2),
@@ -84,7 +84,7 @@ impl<'a> Fall<'a> {
         this
     }
 
-    /// The fall at a place in the domain.
+    /// Returns the fall at a place in the domain.
     pub fn at(&self, at: Vec2) -> Vec2 {
         let way = match self.general {
             General::Sea => self.between_knots(at / self.knot_spacing),
@@ -95,13 +95,13 @@ impl<'a> Fall<'a> {
         direction(way) * self.settings.drainage.fall
     }
 
-    /// The fall of land that slopes toward the sea, unevenly.
+    /// Returns the fall of land that slopes toward the sea, unevenly.
     fn at_knot(&self, at: Vec2) -> Vec2 {
         let general = direction(to_sea(self.settings, at, self.reach));
         direction(self.turn.rotate(general) + self.uneven_slope(at))
     }
 
-    /// The interpolated fall at a place that is counted in knots.
+    /// Returns the interpolated fall at a place that is counted in knots.
     fn between_knots(&self, at: Vec2) -> Vec2 {
         let knot = at.as_ivec2();
         let share = at - knot.as_vec2();
@@ -115,7 +115,7 @@ impl<'a> Fall<'a> {
         !matches!(self.general, General::Sea)
     }
 
-    /// The slope of uneven ground; its length is about [`UNEVENNESS`] on average.
+    /// Returns the slope of uneven ground; its length is about [`UNEVENNESS`] on average.
     fn uneven_slope(&self, at: Vec2) -> Vec2 {
         /// Brings the root mean square slope of the noise, over a wavelength, to 1.
         const STEEPNESS: f32 = 0.12 * DEVIATION;
@@ -125,13 +125,13 @@ impl<'a> Fall<'a> {
     }
 }
 
-/// The gradient of a height, over a distance to each side.
+/// Returns the gradient of a height, over a distance to each side.
 fn slope(height: &dyn Fn(Vec2) -> f32, at: Vec2, reach: f32) -> Vec2 {
     let rise = |axis: Vec2| height(at + axis * reach) - height(at - axis * reach);
     Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * reach)
 }
 
-/// A vector toward the coast; on a plain rectangle, toward the open sides, the nearest above all.
+/// Returns a vector toward the coast; on a plain rectangle, toward the open sides, the nearest above all.
 fn to_sea(settings: &GrowthSettings, at: Vec2, reach: f32) -> Vec2 {
     match &settings.land {
         Some(land) => -slope(&|at| land.coast_distance().height(at), at, reach),
@@ -144,7 +144,7 @@ fn to_sea(settings: &GrowthSettings, at: Vec2, reach: f32) -> Vec2 {
     }
 }
 
-/// The direction in which an inclined plain falls: across the strike, on the side of the sea.
+/// Returns the direction in which an inclined plain falls: across the strike, on the side of the sea.
 fn down_dip(settings: &GrowthSettings) -> Vec2 {
     let DrainageSettings { strike, spacing, .. } = settings.drainage;
     let dip = strike.perp();
@@ -152,10 +152,10 @@ fn down_dip(settings: &GrowthSettings) -> Vec2 {
     if dip.dot(seaward) < 0.0 { -dip } else { dip }
 }
 
-/// The place of a dome or hollow: the given one or, in each direction in which none is given, the middle of the largest
-/// land, on a plain rectangle that of the domain, moved a little by the seed.
+/// Returns the place of a dome or hollow: the given one or, in each direction in which none is given, the middle of the
+/// largest land, on a plain rectangle that of the domain, moved a little by the seed.
 pub(super) fn center(settings: &GrowthSettings) -> Vec2 {
-    /// The greatest distance that it is moved in each direction, in units.
+    /// The greatest distance that the center is moved in each direction, in units.
     const MOVE: f32 = 80.0;
     let chance = settings.drainage.seed.item_hash(Purpose::Country);
     let aside = Vec2::new(chance.unit([1, 0, 0]), chance.unit([1, 1, 0])) * (2.0 * MOVE) - MOVE;

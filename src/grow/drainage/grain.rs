@@ -47,7 +47,7 @@ const OPEN: f32 = 1.1;
 const JOINTING: f32 = 2.2;
 
 impl Grain {
-    /// The grain of some settings; `None` if the pattern has none.
+    /// Returns the grain of some settings; `None` if the pattern has none.
     pub fn new(settings: &GrowthSettings) -> Option<Self> {
         let drainage = &settings.drainage;
         let strike = drainage.strike;
@@ -62,7 +62,7 @@ impl Grain {
         Some(Self { form, spacing: drainage.spacing })
     }
 
-    /// The logarithm of the hardness at a place.
+    /// Returns the logarithm of the hardness at a place.
     pub fn hardness(&self, at: Vec2) -> f32 {
         match &self.form {
             Form::Beds { .. } | Form::Rings { .. } => HARDEST * self.bed(at).0.max(SOFTEST),
@@ -75,7 +75,7 @@ impl Grain {
         }
     }
 
-    /// The logarithm of the resistance to water that runs in a direction, a unit vector, or against it.
+    /// Returns the logarithm of the resistance to water that runs in a direction, a unit vector, or against it.
     pub fn resistance(&self, at: Vec2, along: Vec2) -> f32 {
         match &self.form {
             Form::Beds { .. } | Form::Rings { .. } => {
@@ -91,7 +91,7 @@ impl Grain {
         }
     }
 
-    /// The bed at a place: its hardness from −1 to 1, and its strike.
+    /// Returns the bed at a place: its hardness from −1 to 1, and its strike.
     fn bed(&self, at: Vec2) -> (f32, Vec2) {
         let (strike, across) = match self.form {
             Form::Beds { strike } | Form::Joints { strike, .. } => (strike, strike.perp_dot(at)),

@@ -23,7 +23,7 @@ const BORDER: f32 = 2.0;
 /// The depth of the ground along a drawn river, which makes it lower than any other.
 const STEM: f32 = 20.0;
 
-/// The heights of parcels for an invasion.
+/// Returns the heights of parcels for an invasion.
 pub(super) fn heights(settings: &GrowthSettings, parcels: &Parcels) -> Vec<f32> {
     let stem = |(height, toll): (f32, &f32)| height + STEM * (toll - 1.0);
     let heights = ground(settings, parcels, 1.0, &from_outlets(parcels), &parcels.border);
@@ -34,7 +34,7 @@ pub(super) fn heights(settings: &GrowthSettings, parcels: &Parcels) -> Vec<f32> 
 /// the sea drains by itself, and rivers that came for it would run along the coast.
 const COASTAL_STRIP: f32 = 0.6;
 
-/// The attractors of space colonization along valleys, one in each cell of the plane, the lowest first.
+/// Places the attractors of space colonization along valleys, one in each cell of the plane, the lowest first.
 pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Vec2> {
     let parcels = Parcels::without_costs(settings);
     let distance = from_outlets(&parcels);
@@ -49,9 +49,9 @@ pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Ve
     by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at)) && is_inland(at)).collect()
 }
 
-/// The heights of all parcels. Noise and randomness make the ground uneven by `unevenness`, from 0 to 1. It rises with
-/// the distance from the outlets, counted in parcels, and toward borders: `border` is the nearness of each parcel to
-/// them, from 0 to 1.
+/// Returns the heights of all parcels. Noise and randomness make the ground uneven by `unevenness`, from 0 to 1. It
+/// rises with the distance from the outlets, counted in parcels, and toward borders: `border` is the nearness of each
+/// parcel to them, from 0 to 1.
 fn ground(settings: &GrowthSettings, parcels: &Parcels, unevenness: f32, distance: &[u32], border: &[f32]) -> Vec<f32> {
     let settings = &settings.drainage;
     let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
@@ -71,8 +71,8 @@ fn from_outlets(parcels: &Parcels) -> Vec<u32> {
     distances(parcels, parcels.outlets.iter().map(|outlet| outlet.parcel).collect())
 }
 
-/// The nearness of each parcel to the rim of the land, which is a coast, a ridge or the border of the domain: from 0,
-/// far away, to 1. Ground that rises toward the rim keeps rivers from running along it. It does not rise around
+/// Returns the nearness of each parcel to the rim of the land, which is a coast, a ridge or the border of the domain:
+/// from 0, far away, to 1. Ground that rises toward the rim keeps rivers from running along it. It does not rise around
 /// outlets, because rivers have to reach the sea there.
 fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     const PARCELS: f32 = 6.0;
@@ -85,7 +85,7 @@ fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     from_rim.into_iter().zip(from_outlets).map(nearness).collect()
 }
 
-/// The number of steps from each parcel to the nearest of the given ones; 0 if no way leads to any.
+/// Returns the number of steps from each parcel to the nearest of the given ones; 0 if no way leads to any.
 fn distances(parcels: &Parcels, mut reached: Vec<u32>) -> Vec<u32> {
     let mut distance = vec![u32::MAX; parcels.len()];
     reached.iter().for_each(|&parcel| distance[parcel as usize] = 0);

@@ -43,8 +43,8 @@ pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: V
     }
 }
 
-/// The number of a cell of the plane, counted in rings around the middle, so that it does not depend on the extent of
-/// the plane.
+/// Returns the number of a cell of the plane, counted in rings around the middle, so that it does not depend on the
+/// extent of the plane.
 fn number_of_cell([i, j]: [i32; 2]) -> u32 {
     let ring = i.abs().max(j.abs());
     if ring == 0 {

@@ -55,7 +55,7 @@ impl Invasion {
         Ok(true)
     }
 
-    /// The flow directions of all parcels.
+    /// Returns the flow directions of all parcels.
     pub fn into_directions(self) -> FlowDirections {
         self.directions
     }

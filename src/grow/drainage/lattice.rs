@@ -41,7 +41,7 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// The number of places over a whole domain, approximately.
+    /// Estimates the number of places over a whole domain.
     pub fn count(domain: &Domain, settings: &DrainageSettings) -> usize {
         let size = 2.0 * half_extent(domain, settings) / settings.spacing;
         (size.x * size.y) as usize
@@ -85,12 +85,12 @@ impl Lattice {
     }
 }
 
-/// The distance from the middle of the domain, in each direction, within which there are places.
+/// Returns the distance from the middle of the domain, in each direction, within which there are places.
 fn half_extent(domain: &Domain, settings: &DrainageSettings) -> Vec2 {
     domain.size / 2.0 + settings.farthest_bend() + MARGIN * settings.spacing
 }
 
-/// The direction of the rows, a unit vector: along the strike if the land has a grain, and otherwise from west to east.
+/// Returns the direction of the rows, a unit vector: along the strike if the land has a grain, and otherwise from west to east.
 fn turn(settings: &DrainageSettings) -> Vec2 {
     match settings.pattern {
         Pattern::Trellis | Pattern::Rectangular => settings.strike,
@@ -98,8 +98,8 @@ fn turn(settings: &DrainageSettings) -> Vec2 {
     }
 }
 
-/// A random point in a disc: one in the square around it, drawn in if it is outside the disc. (Sine and cosine would
-/// add 3 kB to the module.)
+/// Draws a random point in a disc: one in the square around it, drawn in if it is outside the disc. (Sine and cosine
+/// would add 3 kB to the module.)
 fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
     let unit = |number| 2.0 * chance.unit([i as u32, j as u32, number]) - 1.0;
     let at = Vec2::new(unit(0), unit(1));

@@ -237,7 +237,7 @@ impl Drainage {
         }
     }
 
-    /// The tree so far. While streams capture one another, each round makes another tree ([`Drainage::trees`]).
+    /// Returns the tree so far. While streams capture one another, each round makes another tree ([`Drainage::trees`]).
     pub fn tree(&self) -> &Arc<Tree> {
         &self.tree
     }
@@ -246,22 +246,22 @@ impl Drainage {
         Arc::make_mut(&mut self.tree);
     }
 
-    /// The number of trees before this one.
+    /// Returns the number of trees before the current one.
     pub fn trees(&self) -> u32 {
         self.rounds.saturating_sub(1)
     }
 
-    /// The parcels that drain differently after a round than before it, round by round.
+    /// Returns the parcels that drain differently after a round than before it, round by round.
     pub fn captures(&self) -> &[Capture] {
         &self.captures.list
     }
 
-    /// The node of each parcel; `u32::MAX` for parcels that have none yet.
+    /// Returns the node of each parcel; `u32::MAX` for parcels that have none yet.
     pub fn nodes(&self) -> &[u32] {
         &self.node
     }
 
-    /// The number of parcels; after the sea has risen, of those left on land.
+    /// Returns the number of parcels; after the sea has risen, of those left on land.
     pub fn parcels(&self) -> u32 {
         self.left.as_ref().map_or(self.parcels.len() as u32, |left| left.parcels)
     }
@@ -271,12 +271,12 @@ impl Drainage {
         self.left.is_some()
     }
 
-    /// The positions of the parcels.
+    /// Returns the positions of the parcels.
     pub fn places(&self) -> &[glam::Vec2] {
         &self.parcels.at
     }
 
-    /// The number of parcels without a way to the sea so far.
+    /// Returns the number of parcels without a way to the sea so far.
     pub fn unreached(&self) -> u32 {
         match &self.left {
             Some(left) => left.unreached.len() as u32,
@@ -284,7 +284,7 @@ impl Drainage {
         }
     }
 
-    /// The positions of parcels without a way to the sea so far.
+    /// Returns the positions of parcels without a way to the sea so far.
     pub fn left(&self) -> Vec<glam::Vec2> {
         if let Some(left) = &self.left {
             return left.unreached.iter().map(|&parcel| self.parcels.at[parcel as usize]).collect();
@@ -298,17 +298,17 @@ impl Drainage {
         left
     }
 
-    /// The number of river mouths so far.
+    /// Returns the number of river mouths so far.
     pub fn mouths(&self) -> u32 {
         self.mouths
     }
 
-    /// The number of parcels that the largest river drains; `None` while growth goes on, and if there are no parcels.
+    /// Returns the number of parcels that the largest river drains; `None` while growth goes on, and if there are no parcels.
     pub fn largest_basin(&self) -> Option<u32> {
         self.largest_basin
     }
 
-    /// The way growth ended; `None` while it goes on.
+    /// Returns the way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
@@ -319,8 +319,8 @@ pub(super) fn can_lay_out(settings: &GrowthSettings) -> bool {
     can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL))
 }
 
-/// The factor for the slope where a river drains one parcel. A river that drains the whole map then falls as gently as
-/// in any other tree.
+/// Returns the factor for the slope where a river drains one parcel. A river that drains the whole map then falls as
+/// gently as in any other tree.
 fn steepness(parcels: usize, concavity: f32) -> f32 {
     LEAST_SLOPE * libm::powf(parcels.max(1) as f32, concavity)
 }

@@ -88,25 +88,25 @@ impl Parcels {
         (this, on_land.iter().map(|&place| lattice.unbent[place]).collect())
     }
 
-    /// The number of parcels.
+    /// Returns the number of parcels.
     pub fn len(&self) -> usize {
         self.at.len()
     }
 
-    /// The neighbours of a parcel, each with the cost of crossing from it.
+    /// Iterates over the neighbours of a parcel, each with the cost of crossing from it.
     #[inline]
     pub fn ways_to(&self, parcel: usize) -> impl Iterator<Item = (u32, f32)> {
         let range = self.neighbours.range(parcel);
         self.neighbours.to[range.clone()].iter().copied().zip(self.costs[range].iter().copied())
     }
 
-    /// The cost of leaving the land from the parcel of an outlet.
+    /// Returns the cost of leaving the land from the parcel of an outlet.
     pub fn cost_out(&self, parcel: usize) -> f32 {
         let outlet = self.outlets.get(self.outlet_of[parcel] as usize);
         outlet.map_or(f32::INFINITY, |outlet| distance(self.at[parcel], outlet.at))
     }
 
-    /// The cost of crossing from a parcel to a neighbour.
+    /// Returns the cost of crossing from a parcel to a neighbour.
     pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
         self.ways_to(neighbour as usize)
             .find(|&(from, _)| from as usize == parcel)
@@ -149,9 +149,9 @@ impl Parcels {
     }
 }
 
-/// The cost of an edge on level, even ground, from its ends and those before the plane was bent: l₀²/l, where l is its
-/// length and l₀ its length before. An edge along which the plane was drawn out is cheap, so the cheapest ways follow the
-/// bends.
+/// Returns the cost of an edge on level, even ground, from its ends and those before the plane was bent: l₀²/l, where l
+/// is its length and l₀ its length before. An edge along which the plane was drawn out is cheap, so the cheapest ways
+/// follow the bends.
 fn effort([from, to]: [Vec2; 2], unbent: [Vec2; 2]) -> f32 {
     unbent[0].distance_squared(unbent[1]) / distance(from, to)
 }
@@ -177,7 +177,7 @@ fn join_neighbours(
     Adjacency::of_edges(on_land.len(), pairs.iter().flat_map(|&(a, b)| [(a, b), (b, a)]))
 }
 
-/// The numbers that identify an edge between two cells: those of one cell, and the way to the other.
+/// Returns the numbers that identify an edge between two cells: those of one cell, and the way to the other.
 fn edge_between(a: [u32; 2], b: [u32; 2]) -> [u32; 3] {
     let [[i, j], [k, l]] = if a < b { [a, b] } else { [b, a] };
     let (across, down) = (k.wrapping_sub(i) & 0xffff, l.wrapping_sub(j) & 0xffff);
@@ -188,8 +188,8 @@ fn edge_between(a: [u32; 2], b: [u32; 2]) -> [u32; 3] {
 /// The logarithm of the additional hardness of ground at a border beyond which land continues.
 const BORDER: f32 = 1.5;
 
-/// The nearness of a place to a border of the domain beyond which land continues. A rectangle has the sea beyond its
-/// chosen sides, unless mouths are drawn.
+/// Returns the nearness of a place to a border of the domain beyond which land continues. A rectangle has the sea
+/// beyond its chosen sides, unless mouths are drawn.
 fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
     let is_closed = |side| settings.land.is_some() || !settings.starts.is_empty() || !settings.sides.contains(side);
@@ -199,7 +199,7 @@ fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     share * share
 }
 
-/// The tolls of places. They rise so steeply beside a drawn river that the cheapest way follows its bends.
+/// Computes the toll of each place. Tolls rise so steeply beside a drawn river that the cheapest way follows its bends.
 fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
     const LEAST: f32 = 0.01;
     const BESIDE: f32 = 0.1;
@@ -217,7 +217,7 @@ fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
     places.iter().map(toll).collect()
 }
 
-/// The places that are parcels: those on land and, if mouths are drawn, on land that has one.
+/// Lists the indices of the places that are parcels: those on land and, if mouths are drawn, on land that has one.
 fn places_on_land(settings: &GrowthSettings, places: &[Vec2]) -> Vec<usize> {
     let with_a_mouth = settings.land.as_deref().filter(|_| !settings.starts.is_empty());
     let watered = with_a_mouth.map(|land| Watered::of(settings, land));

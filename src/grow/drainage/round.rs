@@ -32,7 +32,7 @@ impl Way {
     }
 }
 
-/// S = A^−θ. With the usual θ a root does, in a twentieth of the time.
+/// Returns S = A^−θ. With the usual θ a root does, in a twentieth of the time.
 pub(super) fn slope(area: f32, concavity: f32) -> f32 {
     if concavity == 0.5 { 1.0 / area.sqrt() } else { libm::powf(area, -concavity) }
 }
@@ -89,18 +89,18 @@ impl Round {
         }
     }
 
-    /// The flow directions of all parcels, once the round is over.
+    /// Returns the flow directions of all parcels, once the round is over.
     pub fn into_directions(self) -> FlowDirections {
         self.directions
     }
 
-    /// The cost of each parcel's cheapest known way.
+    /// Iterates over the cost of each parcel's cheapest known way.
     #[cfg(test)]
     pub fn costs(&self) -> impl Iterator<Item = f32> {
         self.ways.iter().map(|way| way.cost)
     }
 
-    /// The flow directions as far as they are known.
+    /// Returns the flow directions as far as they are known.
     pub fn directions(&self) -> &FlowDirections {
         &self.directions
     }

@@ -95,17 +95,17 @@ impl DrainageSettings {
         }
     }
 
-    /// Hard and soft ground over the plane, from −1 to 1, hard where it is high.
+    /// Returns noise of hard and soft ground over the plane, from −1 to 1, hard where it is high.
     pub(crate) fn rock(&self) -> FastNoiseLite {
         self.seed.rock(self.hardness_scale)
     }
 
-    /// A bound for the distance by which bends move a place, in units; measured, not proved.
+    /// Returns a bound for the distance by which bends move a place, in units; measured, not proved.
     pub(super) fn farthest_bend(&self) -> f32 {
         self.bending * (1.65 + 1.7 * self.bending_variation).min(2.9)
     }
 
-    /// Fractal noise over the plane, from −1 to 1. `index` separates different uses.
+    /// Returns fractal noise over the plane, from −1 to 1, of a wavelength in units. `index` separates different uses.
     #[inline(never)] // each copy weighs three hundred bytes
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
         let mut noise = self.seed.noise(Purpose::Ground, index, 1.0 / wavelength, octaves);
@@ -114,8 +114,8 @@ impl DrainageSettings {
     }
 }
 
-/// The direction of beds and joints, a unit vector, from degrees east of north as geologists give it; 0 stands for any
-/// that the seed chooses.
+/// Returns the direction of beds and joints, a unit vector, from degrees east of north as geologists give it; 0 stands
+/// for any that the seed chooses.
 fn strike(seed: Seed, degrees: u32) -> Vec2 {
     let chosen = 180.0 * seed.item_hash(Purpose::Country).unit([2, 0, 0]);
     let degrees = if degrees == 0 { chosen } else { degrees as f32 };

@@ -18,7 +18,7 @@ fn grown(text: &str) -> Drainage {
     growth
 }
 
-/// Recipes for all kinds of land, with all parameters of drainage.
+/// Generates recipes for all kinds of land, with all parameters of drainage.
 fn recipes() -> impl Strategy<Value = String> {
     let lands = prop::sample::select(vec![
         "land=rectangle&sides=s",
@@ -50,13 +50,13 @@ fn recipes() -> impl Strategy<Value = String> {
     )
 }
 
-/// The edges between parcels, each once.
+/// Iterates over the edges between parcels, each once.
 fn joined(parcels: &Parcels) -> impl Iterator<Item = (usize, usize)> {
     let from = |a: usize| parcels.neighbours.of(a).iter().map(move |&b| (a, b as usize)).filter(|(a, b)| a < b);
     (0..parcels.len()).flat_map(from)
 }
 
-/// All edges between parcels, and those to their outlets.
+/// Lists all edges between parcels, and those to their outlets.
 fn edges(parcels: &Parcels) -> Vec<(Vec2, Vec2)> {
     let between = joined(parcels).map(|(a, b)| (parcels.at[a], parcels.at[b]));
     let out = parcels.outlets.iter().map(|outlet| (parcels.at[outlet.parcel as usize], outlet.at));
@@ -85,7 +85,7 @@ fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
     }
 }
 
-/// The number of parcels that each parcel drains, counted by one walk to the sea at a time.
+/// Counts the parcels that each parcel drains, by one walk to the sea at a time.
 fn recounted(directions: &FlowDirections) -> Vec<u32> {
     let mut areas = vec![0; directions.to.len()];
     for &start in &directions.order {
@@ -98,7 +98,7 @@ fn recounted(directions: &FlowDirections) -> Vec<u32> {
     areas
 }
 
-/// The energy of a network under the law of its rounds.
+/// Computes the energy of a network under the law of its rounds.
 fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64 {
     let areas = directions.areas();
     let step = |&here: &u32| {
@@ -111,7 +111,7 @@ fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64
     directions.order.iter().map(step).sum()
 }
 
-/// The parcel that each parcel drains to, by the tree; `None` without a node.
+/// Returns the parcel that each parcel drains to, by the tree; `None` without a node.
 fn ways_of(growth: &Drainage) -> Vec<Option<u32>> {
     let tree = growth.tree();
     let mut parcels = vec![NO_PARENT; tree.len()];
