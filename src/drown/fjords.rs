@@ -1,5 +1,5 @@
-//! Fjords: where rock is hard, great valleys are troughs as ice leaves them, with a broad level floor between steep walls. The
-//! sea fills them far inland, long and narrow and all along as wide.
+//! Fjords: where rock is hard, great valleys are troughs as ice leaves them, with a broad level floor between steep
+//! walls. The sea fills them far inland as long and narrow inlets of even width.
 
 use glam::Vec2;
 

@@ -20,7 +20,7 @@ pub(super) struct Level {
     is_rough: bool,
 }
 
-/// The greatest difference from the share of sea asked for.
+/// The greatest difference from the share of sea asked for that is near enough.
 const NEAR: f32 = 5e-4;
 
 /// The greatest number of levels that are tried.

@@ -12,7 +12,7 @@ const PAST_SHORE: f32 = 0.1;
 /// A place on a centerline, midway between two banks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Where it lies, in units.
+    /// The position, in units.
     pub at: Vec2,
     /// The distance to either bank, in units.
     pub half: f32,

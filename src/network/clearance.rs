@@ -35,7 +35,7 @@ pub struct ClearanceGrid {
     side: f32,
     columns: usize,
     rows: usize,
-    /// Where each cell begins in `entries`.
+    /// The index in `entries` at which each cell begins.
     starts: Vec<u32>,
     entries: Vec<Entry>,
     /// Half the length of the longest segment; and the greatest ratio of a half length to [`ClearanceGrid::expected`].
@@ -47,7 +47,7 @@ pub struct ClearanceGrid {
 #[derive(Clone, Copy, Debug, Default)]
 struct Entry {
     middle: Vec2,
-    /// Half its length and a little more, so that rounding leaves out no segment.
+    /// Half the segment's length and a little more, so that rounding leaves out no segment.
     half: f32,
     reach: f32,
     segment: u32,

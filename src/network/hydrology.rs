@@ -15,7 +15,7 @@ pub fn slope(share: f32) -> f32 {
 }
 
 /// Computes the slope downstream at each vertex. Where the tree has elevations, it is averaged along the river, since
-/// their ground is hard here and soft there.
+/// ground is hard here and soft there.
 pub(super) fn slopes(network: &Network, total_discharge: u32) -> Vec<f32> {
     /// The number of vertices that a slope is averaged over: a few times the distance between streams.
     const VERTICES: usize = 24;

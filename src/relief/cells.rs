@@ -21,7 +21,7 @@ pub(super) struct Cells {
     pub rows: usize,
     /// The side of a cell, in units.
     pub size: f32,
-    /// Where the map's first cell has its middle, in cells from the map's corner: 0.5; 0 if middles are the corners of a lattice.
+    /// The middle of the map's first cell, in cells from the map's corner: 0.5; 0 if middles are the corners of a lattice.
     pub middle: f32,
     /// The distance of the middle of each cell from the coast, in units: positive on land, 0 or less at sea.
     pub inland: Vec<f32>,

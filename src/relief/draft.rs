@@ -1,4 +1,4 @@
-//! Drafts of a relief, for the moment while a slider moves: that of other mountains, by a single look at each cell.
+//! Drafts of a relief with other mountains, for the moment while a slider moves, by a single look at each cell.
 //!
 //! Other mountains multiply the steepness of each hillside by a factor that changes slowly from place to place. So lower cells stay
 //! lower: in the order of their former heights, each cell comes after those that it rises over, as in a marching front, without its

@@ -17,14 +17,14 @@ use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::network::Network;
 
-/// Why there can be no relief.
+/// The reason why there can be no relief.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ReliefError {
     /// There was not enough memory.
     #[error("the relief needs about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
-        /// About how much is needed.
+        /// The memory that is needed, approximately.
         megabytes: u32,
     },
 }

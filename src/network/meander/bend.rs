@@ -25,8 +25,8 @@ const BELT: f32 = 8.0;
 /// The share of the sharpest bend from which on bends are eased.
 const NEARLY: f32 = 0.7;
 
-/// The share of the way to the midpoint of its neighbours by which a vertex is drawn in a round where the river bends
-/// more sharply than that. Drawn so everywhere, rivers would pull straight like rubber bands.
+/// The share of the way to the midpoint of its neighbours that a vertex is drawn in a round where the river bends
+/// almost too sharply. Drawn so everywhere, rivers would pull straight like rubber bands.
 const EASE: f32 = 0.4;
 
 /// The distance that the sharpest bend moves in a round at full strength, in widths.

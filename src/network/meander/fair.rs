@@ -74,7 +74,7 @@ impl<'a> Fairing<'a> {
         }
     }
 
-    /// Leads tributaries that run past their junctions and come back straight to them.
+    /// Straightens the ends of tributaries that run past their junctions and come back.
     fn straighten_ends(&mut self, plan: &Plan) {
         for own in self.network.rivers.clone() {
             if own.junction == NONE || own.end <= own.start {
