@@ -30,7 +30,7 @@
 //!
 //! # Features
 //!
-//! - `names` (default): names of rivers, lakes and islands, in files and on the map.
+//! - `names` (default): pictures have labels, woods and hills; without it they have rivers and ground alone.
 //! - `texts` (default): labels and explanations of the parameters.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.

@@ -1,5 +1,7 @@
 //! The picture of a session or of a finished map. It is brought up to date by drawing only what is new.
 
+#[doc(hidden)]
+pub mod builder;
 mod drafts;
 
 use std::num::NonZero;
@@ -7,8 +9,7 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-#[cfg(feature = "names")]
-use crate::annotate::builder::AnnotationBuilder;
+use self::builder::AnnotationBuilder;
 use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::land::Land;
@@ -49,10 +50,8 @@ pub struct Picture {
     /// The relief on a finer grid than its map's own, for a large picture.
     finer: Option<(MapId, Arc<Relief>)>,
     /// The next annotation, while it is being made.
-    #[cfg(feature = "names")]
     builder: Option<(AnnotationKey, AnnotationBuilder)>,
     /// Picture pixels per pixel of the unit in which letters are measured.
-    #[cfg(feature = "names")]
     ratio: f32,
 }
 
@@ -70,9 +69,7 @@ impl Picture {
             drafts: SessionDrafts::default(),
             transgression: None,
             finer: None,
-            #[cfg(feature = "names")]
             builder: None,
-            #[cfg(feature = "names")]
             ratio: 1.0,
         })
     }
@@ -84,16 +81,12 @@ impl Picture {
         self.painter.frame(&session.domain(), framing);
         if *self.view() != before {
             self.annotation = None;
-            #[cfg(feature = "names")]
-            {
-                self.builder = None;
-            }
+            self.builder = None;
         }
     }
 
     /// Adapts the picture to a screen with this number of device pixels per CSS pixel. No letter is then smaller than
     /// 11 CSS pixels times the recipe's `label-size`. The ratio is rounded to a quarter and clamped to 0.5-4.
-    #[cfg(feature = "names")]
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
         self.ratio = ratio;
@@ -266,13 +259,12 @@ impl Picture {
 
     /// Drops the annotation of another map. Then does a part of making the annotation of this one, if this build can. Returns
     /// `true` if it did a part.
-    #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "another module makes annotations"))]
     fn advance_annotation(&mut self, now: AnnotationKey, is_wanted: bool, map: impl FnOnce() -> Option<Map>) -> bool {
         if !self.has_annotation(now) {
             self.annotation = None;
         }
-        #[cfg(feature = "names")]
-        if is_wanted
+        if cfg!(feature = "names")
+            && is_wanted
             && self.annotation.is_none()
             && let Some(map) = map()
         {

@@ -12,12 +12,12 @@ use crate::common::property::{cases, large};
 use crate::common::random_link;
 use crate::common::tier::{first, one_in, tiers};
 use proptest::prelude::*;
-use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::labels;
 use riverseed::annotate::place::{Input, Kind, Label, Piece, Raster, Stroke, place};
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::Vec2;
 use riverseed::paint::View;
+use riverseed::picture::builder::AnnotationBuilder;
 use riverseed::recipe::{Key, Recipe, Style, link};
 use riverseed::{Map, Picture, Session};
 

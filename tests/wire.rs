@@ -9,9 +9,9 @@ use crate::common::finished;
 use crate::common::property::cases;
 use proptest::prelude::*;
 use riverseed::Map;
-use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
 use riverseed::paint::View;
+use riverseed::picture::builder::AnnotationBuilder;
 
 #[test]
 fn a_map_that_is_handed_over_has_the_same_names_and_labels() {

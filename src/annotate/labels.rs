@@ -15,11 +15,9 @@ use crate::base::geometry::distance;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
-use crate::land::{CELL_SIZE, Land, Region, Run};
+use crate::land::{CELL_SIZE, Land, Region, Run, margin_of};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::paint::neatline::margin_of;
-use crate::paint::palette_of;
 use crate::recipe::choice::Shown;
 use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
@@ -121,7 +119,7 @@ fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
 
 /// How wide the margin is that is painted with the neat line of a map, in units; 0 if there is none.
 fn painted_margin(map: &Map) -> f32 {
-    margin_of(palette_of(map.recipe().get()), map.domain().size, map.land().map(Arc::as_ref))
+    margin_of(map.recipe().get(), map.domain().size, map.land().map(Arc::as_ref))
 }
 
 /// The part of the plane that labels may be in, its two corners: a map with a neat line; anything around another.

@@ -14,7 +14,6 @@ fn order_of(keys: &[u32]) -> Vec<usize> {
 }
 
 /// Returns items in ascending order of their keys. Equal ones keep their order.
-#[cfg(feature = "names")]
 pub(crate) fn sorted_by<T>(items: Vec<T>, key: impl FnMut(&T) -> u32) -> Vec<T> {
     let order = argsort(items.iter().map(key));
     let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();

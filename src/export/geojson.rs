@@ -12,7 +12,7 @@ use super::data::{Json, Members};
 use super::names::{self, Feature as Named};
 use super::polygons::{Polygon, polygons};
 use super::rings::GridPoint;
-use super::{ExportError, names_of, rivers};
+use super::{ExportError, rivers};
 use crate::annotate::names::Names;
 use crate::domain::Domain;
 use crate::land::SmoothedDistance;
@@ -27,7 +27,7 @@ use crate::relief::{CELL_SIZE, Flow, METRES, Relief};
 /// # Errors
 /// Fails if there is not enough memory.
 pub fn collection(map: &Map) -> Result<Json<'_>, ExportError> {
-    named(map, names_of(map))
+    named(map, Names::of(map))
 }
 
 /// Makes the collection without names; digests of maps without names use it.

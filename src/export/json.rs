@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::data::{Json, Members};
 use super::names;
-use super::{ExportError, names_of, rivers};
+use super::{ExportError, rivers};
 use crate::analyse::statistics::{self, Measures};
 use crate::annotate::names::Names;
 use crate::grow::Ending;
@@ -21,7 +21,7 @@ use crate::tree::NO_PARENT;
 /// # Errors
 /// Fails if there is not enough memory.
 pub fn network<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<Json<'a>, ExportError> {
-    compose(map, attractors, Some(names_of(map)))
+    compose(map, attractors, Some(Names::of(map)))
 }
 
 /// Makes the JSON without names and the values that they depend on; digests of maps without names use it.

@@ -22,19 +22,9 @@ pub use form::{Engine, Form};
 
 use thiserror::Error;
 
-use crate::annotate::names::Names;
 use crate::base::memory;
 use crate::map::Map;
 use crate::network::Network;
-
-/// The names of a map; none if this build makes no names.
-#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no names"))]
-fn names_of(map: &Map) -> Names {
-    #[cfg(feature = "names")]
-    return Names::of(map);
-    #[cfg(not(feature = "names"))]
-    Names::default()
-}
 
 /// Reasons why a file cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

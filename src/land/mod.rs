@@ -22,6 +22,7 @@ mod grid;
 mod island;
 mod kinds;
 mod low_stand;
+mod margin;
 mod obstacles;
 mod outline;
 mod queries;
@@ -41,6 +42,7 @@ pub use cell::{CELL_SIZE, Cell};
 pub(crate) use coast_detail::{CoastDetail, REACH};
 pub use coast_distance::CoastDistance;
 pub(crate) use low_stand::LowStand;
+pub(crate) use margin::{MARGIN, margin_of, runs_off};
 pub(crate) use outline::{divided, in_units};
 pub use queries::Land;
 #[doc(hidden)]

@@ -11,7 +11,6 @@ use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
 use super::regions::{Region, Run, regions_of};
-#[cfg(feature = "names")]
 use super::regions::{between, regions};
 use super::walk::walk;
 use crate::base::geometry::length;
@@ -147,7 +146,6 @@ impl Land {
     }
 
     /// Finds the connected components of water, the largest first.
-    #[cfg(feature = "names")]
     pub(crate) fn waters(&self) -> Vec<Region> {
         if self.has_ridges() {
             return regions(&self.grid.cells, Cell::Water, self.grid.columns as usize);
@@ -156,13 +154,11 @@ impl Land {
     }
 
     /// Returns `true` if any cell may be a ridge. Otherwise every cell that is not water belongs to a region.
-    #[cfg(feature = "names")]
     fn has_ridges(&self) -> bool {
         !self.ridges.is_empty()
     }
 
     /// Finds the connected components of all cells but water, ridges included, the largest first.
-    #[cfg(feature = "names")]
     pub(crate) fn islands(&self) -> Vec<Region> {
         if !self.has_ridges() {
             return regions_of(&self.grid.runs);
@@ -390,7 +386,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(feature = "names")]
     fn islands_and_waters_are_the_connected_components_of_cells() {
         const RIDGE: &str = ".MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
         let mut links = crate::lands::lands_with_a_coast();

@@ -111,7 +111,6 @@ pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
 }
 
 /// Returns the gaps between runs, row by row. Runs must come row by row and not touch within a row.
-#[cfg(feature = "names")]
 pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
     let (mut gaps, mut runs) = (Vec::new(), runs.iter().peekable());
     for row in 0..rows {

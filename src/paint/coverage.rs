@@ -109,7 +109,6 @@ impl Coverage {
     }
 
     /// Reduces the coverage in a rectangle by shares, row by row.
-    #[cfg(feature = "names")]
     pub fn take_away_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
         let width = self.mask.width() as usize;
         for (row, shares) in (rect.top as usize..).zip(rows) {
@@ -121,7 +120,6 @@ impl Coverage {
     }
 
     /// Raises the coverage in a rectangle to shares of a strength, row by row, where it is lower.
-    #[cfg(feature = "names")]
     pub fn add_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>, strength: f32) {
         let width = self.mask.width() as usize;
         for (row, shares) in (rect.top as usize..).zip(rows) {
@@ -133,7 +131,6 @@ impl Coverage {
     }
 
     /// Raises the coverage of pixels to that in another mask of the same size, where it is lower.
-    #[cfg(feature = "names")]
     pub fn add(&mut self, other: &Self) {
         let mask = self.mask.data_mut();
         for (i, share) in Covered::by(other.mask.data()) {

@@ -36,7 +36,7 @@ impl FlatGround {
         let palette = palette(style);
         let tints = palette.relief.filter(|_| !is_even).map(|look| &look.tints);
         let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, (palette, tints)));
-        let neatline = Neatline::of(view, palette, land);
+        let neatline = Neatline::of(view, style, land);
         let is_blank = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
         let is_plain = is_blank && neatline.is_none() && !view.shows_beyond();
         Self { style, is_even, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }

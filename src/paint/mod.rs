@@ -48,13 +48,9 @@ pub use strokes::{Pen, Widths};
 pub use styles::atlas;
 pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 
-#[cfg(feature = "names")]
 pub(crate) use annotation::letters;
-#[cfg(feature = "names")]
 pub(crate) use annotation::scenery::SceneryPainter;
 pub(crate) use palette::Lines;
 pub(crate) use styles::palette as palette_of;
-#[cfg(feature = "names")]
 pub(crate) use styles::{LabelLook, label_look};
-#[cfg(feature = "names")]
 pub(crate) use styles::{SceneryLook, scenery_look};

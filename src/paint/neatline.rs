@@ -6,43 +6,15 @@
 
 use glam::Vec2;
 
-use super::palette::{Colour, NeatlineLook, Palette};
+use super::palette::{Colour, NeatlineLook};
+use super::styles::palette;
 use super::view::{Rows, View};
-use crate::land::Land;
-
-/// The width of the margin of a picture, from its edges to the map, in units.
-pub(crate) const MARGIN: f32 = 9.0;
+use crate::land::{Land, MARGIN, runs_off};
+use crate::recipe::Style;
+use crate::recipe::choice::Shown;
 
 /// The lines in the margin of a map: their distances from the map and their widths, in units.
 pub(crate) const LINES: [(f32, f32); 2] = [(0.0, 0.7), (2.9, 1.5)];
-
-/// The look of a map's neatline; `None` if the style has none, or if the map's sides lie in the sea. `land` is `None` if all of the map
-/// is land, and `size` the map's, in units.
-pub(crate) fn neatline_of(palette: &'static Palette, size: Vec2, land: Option<&Land>) -> Option<&'static NeatlineLook> {
-    palette.neatline.as_ref().filter(|_| land.is_none_or(|land| runs_off(size, land)))
-}
-
-/// The margin that the neatline of a map takes off a picture or file of the whole map, in units; 0 if there is none.
-pub(crate) fn margin_of(palette: &'static Palette, size: Vec2, land: Option<&Land>) -> f32 {
-    let is_in_files = |look: &&NeatlineLook| look.is_in_files;
-    neatline_of(palette, size, land).filter(is_in_files).map_or(0.0, |_| MARGIN)
-}
-
-/// Returns `true` if a part of the map's border that can be seen is land.
-fn runs_off(size: Vec2, land: &Land) -> bool {
-    /// The share of the border that may be land before that ends at a line.
-    const SHARE: f32 = 0.03;
-    /// The number of places to look at along each side.
-    const PLACES: u16 = 256;
-    let side = |from: Vec2, to: Vec2| {
-        let places = (0..PLACES).map(move |i| from.lerp(to, (f32::from(i) + 0.5) / f32::from(PLACES)));
-        let ashore = places.filter(|&at| land.coast_distance().height(at) > 0.0).count();
-        ashore as f32 / f32::from(PLACES) * (to - from).abs().element_sum()
-    };
-    let (east, south) = (Vec2::new(size.x, 0.0), Vec2::new(0.0, size.y));
-    let ashore = side(Vec2::ZERO, east) + side(south, size) + side(Vec2::ZERO, south) + side(east, size);
-    ashore > SHARE * 2.0 * size.element_sum()
-}
 
 /// The neatline of a picture, in whole pixels, so that it is sharp.
 #[derive(Clone, Copy, Debug)]
@@ -55,9 +27,12 @@ pub(super) struct Neatline {
 }
 
 impl Neatline {
-    /// The neatline of a map in a view; `None` if it has none there.
-    pub fn of(view: &View, palette: &'static Palette, land: Option<&Land>) -> Option<Self> {
-        let look = neatline_of(palette, view.domain(), land).filter(|look| look.is_in_files || view.is_framed())?;
+    /// Returns the neatline of a map in a view; `None` if it has none there.
+    pub fn of(view: &View, style: Style, land: Option<&Land>) -> Option<Self> {
+        let look = palette(style).neatline.as_ref()?;
+        if !(view.is_framed() || style.shows(Shown::Neatline)) || !runs_off(view.domain(), land) {
+            return None;
+        }
         let map = if view.is_framed() { around(view) } else { within(view) };
         Some(Self { look, map, lines: lines(view.scale) })
     }
@@ -132,8 +107,7 @@ fn lines(scale: f32) -> [[i32; 2]; 2] {
 mod tests {
     use super::*;
     use crate::domain::Domain;
-    use crate::paint::styles::palette;
-    use crate::recipe::{Choice, Recipe, Style, link};
+    use crate::recipe::{Choice, Recipe, link};
     use std::sync::Arc;
 
     fn recipe_and_land(text: &str) -> (Recipe, Option<Arc<Land>>) {
@@ -148,7 +122,7 @@ mod tests {
         let domain = Domain::of(&recipe);
         let view = View::new(&domain, width, height).unwrap();
         let mut pixels = vec![[128, 128, 128, 255]; view.pixels()];
-        Neatline::of(&view, palette(style), land.as_deref())?.lay(&view, 0..height, &mut pixels);
+        Neatline::of(&view, style, land.as_deref())?.lay(&view, 0..height, &mut pixels);
         Some(pixels.chunks(width as usize).map(<[_]>::to_vec).collect())
     }
 

@@ -44,18 +44,11 @@ pub(crate) struct NeatlineLook {
     /// The paper beyond the map.
     pub paper: Colour,
     pub line: Colour,
-    /// `true` if pictures and files of the whole map have it; else there is only paper around a map on a larger sheet.
-    pub is_in_files: bool,
 }
 
-/// A border in pictures and files of the whole map.
+/// Returns the look of a border with a line of one colour on paper of another.
 pub(super) const fn bordered(paper: Colour, line: Colour) -> Option<NeatlineLook> {
-    Some(NeatlineLook { paper, line, is_in_files: true })
-}
-
-/// A border around a map on a larger sheet alone.
-pub(super) const fn on_a_sheet(paper: Colour, line: Colour) -> Option<NeatlineLook> {
-    Some(NeatlineLook { paper, line, is_in_files: false })
+    Some(NeatlineLook { paper, line })
 }
 
 /// The look of great rivers and of their former beds.

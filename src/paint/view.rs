@@ -149,7 +149,6 @@ impl View {
     }
 
     /// The two corners of the part that is visible and not covered, where letters may be placed.
-    #[cfg(feature = "names")]
     pub fn uncovered(&self) -> [Vec2; 2] {
         let [least, most] = self.frame();
         let [west, north, east, south] = self.framing.map_or([0.0; 4], |framing| framing.covered);

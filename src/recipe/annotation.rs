@@ -2,10 +2,8 @@
 
 use super::Recipe;
 use super::choice::{Cartouche, Labels, Shown, Style};
-#[cfg(feature = "names")]
 use super::key::Key;
 use super::key::NumberKey;
-#[cfg(feature = "names")]
 use super::names::OwnNames;
 
 impl Recipe {
@@ -43,7 +41,6 @@ impl Recipe {
     }
 
     /// Returns `true` if the map is a sheet with a neat line in every style: its cartouche is framed, or a plate.
-    #[cfg(feature = "names")]
     pub(crate) fn is_sheet(&self) -> bool {
         matches!(self.get(), Cartouche::Framed | Cartouche::Lengths | Cartouche::Profile)
     }
@@ -63,7 +60,6 @@ impl Recipe {
     }
 
     /// The person's own names.
-    #[cfg(feature = "names")]
     pub fn own_names(&self) -> OwnNames {
         OwnNames::readable(&Key::Names.parameter().text_of(self.value(Key::Names)))
     }

@@ -216,6 +216,8 @@ pub(crate) enum Shown {
     CompassRose,
     /// The beds in which great rivers ran before.
     Beds,
+    /// A margin, with a line at which land that runs off the map ends, in pictures and files of the whole map too.
+    Neatline,
 }
 
 impl LandKind {
@@ -236,19 +238,19 @@ impl LandKind {
 impl Style {
     /// The row of a style in the table of what styles show.
     const fn shown(self) -> &'static [Shown] {
-        use Shown::{Beds, CompassRose, Hills, Legend, NorthArrow, Relief, Seal, SpotHeights, Woods};
+        use Shown::{Beds, CompassRose, Hills, Legend, Neatline, NorthArrow, Relief, Seal, SpotHeights, Woods};
         match self {
             Self::Ink => &[Woods, Hills],
             Self::Skeleton => &[],
-            Self::Atlas => &[Relief, Woods],
-            Self::Night => &[Relief, Woods],
-            Self::Survey => &[Relief, Woods, SpotHeights, NorthArrow],
-            Self::Basins => &[Relief, Woods, Hills],
-            Self::Parchment => &[Relief, Woods, Hills, CompassRose],
+            Self::Atlas => &[Relief, Woods, Neatline],
+            Self::Night => &[Relief, Woods, Neatline],
+            Self::Survey => &[Relief, Woods, SpotHeights, NorthArrow, Neatline],
+            Self::Basins => &[Relief, Woods, Hills, Neatline],
+            Self::Parchment => &[Relief, Woods, Hills, CompassRose, Neatline],
             Self::PastCourses => &[Woods, Hills, Beds, NorthArrow],
-            Self::InkWash => &[Relief, Woods, Hills, Seal],
+            Self::InkWash => &[Relief, Woods, Hills, Seal, Neatline],
             Self::Orbit => &[Relief],
-            Self::Blueprint => &[Relief, Woods, Legend, NorthArrow],
+            Self::Blueprint => &[Relief, Woods, Legend, NorthArrow, Neatline],
             Self::Dark => &[Woods, Hills],
         }
     }

@@ -2,7 +2,6 @@
 
 use thiserror::Error;
 
-#[cfg(feature = "names")]
 use super::names::NamesError;
 use super::outline::OutlineError;
 use super::value::Decimal;
@@ -86,7 +85,6 @@ pub enum RecipeError {
         reason: OutlineError,
     },
     /// A text that is not a list of names.
-    #[cfg(feature = "names")]
     #[error("{key}: {reason}")]
     Names {
         /// The parameter.

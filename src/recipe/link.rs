@@ -10,7 +10,6 @@ use std::str::FromStr;
 use super::error::RecipeError;
 use super::hidden::{shown, visible};
 use super::key::Key;
-#[cfg(feature = "names")]
 use super::names::OwnNames;
 use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
@@ -181,7 +180,6 @@ fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> No
 fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {
     let number = || Decimal::parse(text.trim());
     match parameter.kind {
-        #[cfg(feature = "names")]
         Kind::Text { .. } if parameter.key == Key::Names => Some(Value::Text(OwnNames::readable(text).to_string())),
         Kind::Integer { min, max, .. } => number().map(|n| Value::Integer(n.round().clamp(min, max))),
         Kind::Number { min, max, .. } => number().map(|x| Value::Number(x.clamp(min, max))),

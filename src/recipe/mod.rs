@@ -15,7 +15,6 @@ mod inactive;
 pub mod json;
 mod key;
 pub mod link;
-#[cfg(feature = "names")]
 mod names;
 mod outline;
 mod parameter;
@@ -30,7 +29,6 @@ pub use choice::{
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
 pub use key::{IntegerKey, Key, NumberKey};
-#[cfg(feature = "names")]
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};

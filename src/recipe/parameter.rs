@@ -4,7 +4,6 @@ use super::choice::Word;
 use super::error::RecipeError;
 use super::hidden::shown;
 use super::key::Key;
-#[cfg(feature = "names")]
 use super::names::OwnNames;
 use super::outline::Outline;
 use super::value::{Decimal, Sides, Value};
@@ -157,7 +156,6 @@ impl Parameter {
     /// Names the key, the text and what is allowed.
     pub fn parse(&self, text: &str) -> Result<Value, RecipeError> {
         match self.kind {
-            #[cfg(feature = "names")]
             Kind::Text { .. } if self.key == Key::Names => OwnNames::parse(text)
                 .map(|names| Value::Text(names.to_string()))
                 .map_err(|reason| RecipeError::Names { key: self.name, reason }),

@@ -8,37 +8,21 @@
 //! identity ─► number ─► word (language, filter) ─► name (kinds), or one's own
 //! ```
 
-#[cfg(feature = "names")]
 mod filter;
-#[cfg(feature = "names")]
 mod heads;
-#[cfg(feature = "names")]
 mod kinds;
-#[cfg(feature = "names")]
 mod language;
-#[cfg(feature = "names")]
 mod lattice;
-#[cfg(feature = "names")]
 mod marks;
-#[cfg(feature = "names")]
 mod namer;
-#[cfg(feature = "names")]
 mod places;
-#[cfg(feature = "names")]
 mod ranges;
-#[cfg(feature = "names")]
 mod reaches;
-#[cfg(feature = "names")]
 mod regions;
-#[cfg(feature = "names")]
 mod shores;
-#[cfg(feature = "names")]
 mod sounds;
-#[cfg(feature = "names")]
 mod syllables;
-#[cfg(feature = "names")]
 mod title;
-#[cfg(feature = "names")]
 mod word;
 
 use glam::Vec2;

@@ -8,14 +8,12 @@
 
 mod beds;
 mod ground;
-#[cfg(feature = "names")]
 mod labels;
 mod light;
 mod mouths;
 mod neatline;
 pub mod overlay;
 mod path;
-#[cfg(feature = "names")]
 mod scenery;
 mod text;
 
@@ -43,16 +41,15 @@ use crate::recipe::{CourseShape, link};
 /// # Errors
 /// Fails if there is not enough memory.
 pub fn svg(map: &Map) -> Result<String, ExportError> {
-    drawn(map, &annotation_of(map, false))
+    drawn(map, &labels::annotation(map, false))
 }
 
 /// Draws a map with labels as text on paths, for readers that have EB Garamond or a similar face.
 ///
 /// # Errors
 /// Fails like [`svg`].
-#[cfg(feature = "names")]
 pub fn svg_with_text(map: &Map) -> Result<String, ExportError> {
-    drawn(map, &annotation_of(map, true))
+    drawn(map, &labels::annotation(map, true))
 }
 
 /// Labels and scenery as markup.
@@ -62,15 +59,6 @@ struct AnnotationText {
     halo: String,
     /// Trees and hills, and the letters.
     labels: String,
-}
-
-/// The labels and scenery of a map; none if this build makes none.
-#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
-fn annotation_of(map: &Map, is_text: bool) -> AnnotationText {
-    #[cfg(feature = "names")]
-    return labels::annotation(map, is_text);
-    #[cfg(not(feature = "names"))]
-    AnnotationText::default()
 }
 
 fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> {
@@ -127,7 +115,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         };
         mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
     }
-    neatline::draw(&mut out, size, land.map(Arc::as_ref), palette);
+    neatline::draw(&mut out, size, land.map(Arc::as_ref), recipe.get());
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())

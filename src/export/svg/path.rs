@@ -66,7 +66,6 @@ impl Path {
     }
 
     /// Draws a parabola from where the path is now, given its control point and its end.
-    #[cfg(feature = "names")]
     pub fn curve(&mut self, [control, end]: [Vec2; 2]) {
         self.command("q");
         self.number_pair(difference(whole(control), self.at));

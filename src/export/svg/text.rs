@@ -72,7 +72,6 @@ impl Text {
     }
 
     /// Appends the attributes of a size, in units.
-    #[cfg(feature = "names")]
     pub fn sized(&mut self, size: glam::Vec2) -> &mut Self {
         self.text(" width=\"").units(size.x).text("\" height=\"").units(size.y).text("\"")
     }
@@ -88,7 +87,6 @@ impl Text {
     }
 
     /// Appends an attribute, escaped.
-    #[cfg(feature = "names")]
     pub fn attribute(&mut self, name: &'static str, value: &str) -> &mut Self {
         self.text(" ").text(name).text("=\"").escaped(value).text("\"")
     }
@@ -131,7 +129,6 @@ mod tests {
         assert_eq!(Text::default().escaped(word).0, escaped);
     }
 
-    #[cfg(feature = "names")]
     #[test]
     fn an_attribute_ends_where_its_value_ends() {
         assert_eq!(

@@ -68,7 +68,6 @@ pub(super) const fn haloed(ink: Colour, halo: Colour, covers: f32) -> LabelLook 
 pub(crate) struct SceneryLook {
     pub ink: Colour,
     /// How much fainter strokes cover, those on the dark side.
-    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "the module that draws them asks"))]
     pub shade: f32,
     /// What covers the ground behind them, and how much, where that is too uneven for strokes alone.
     pub body: Option<(Colour, f32)>,

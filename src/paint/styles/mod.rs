@@ -59,6 +59,7 @@ pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
 mod tests {
     use super::*;
     use crate::recipe::Choice;
+    use crate::recipe::choice::Shown;
 
     #[test]
     fn styles_show_what_they_have_colours_for_and_no_more() {
@@ -68,6 +69,7 @@ mod tests {
             assert_eq!(style.has_beds(), look.palette.beds.is_some(), "beds of {style:?}");
             assert_eq!(style.has_woods(), look.scenery.is_some(), "woods of {style:?}");
             assert!(style.has_woods() || !style.has_hills(), "hills of {style:?}");
+            assert!(look.palette.neatline.is_some() || !style.shows(Shown::Neatline), "border of {style:?}");
         }
     }
 }

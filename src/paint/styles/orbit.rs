@@ -1,7 +1,7 @@
 //! The land as satellites see it.
 
 use super::look::{Look, haloed};
-use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, even, on_a_sheet, tinted};
+use crate::paint::palette::{BLANK, Casing, Palette, Paper, ReliefLook, bordered, even, tinted};
 
 const TINTED: ReliefLook = tinted(
     &[
@@ -38,7 +38,7 @@ pub(super) static STYLE: Look = Look {
             ..BLANK
         }),
         relief: Some(&RELIEF),
-        neatline: on_a_sheet([0x04, 0x0c, 0x16], [0x3c, 0x4c, 0x58]),
+        neatline: bordered([0x04, 0x0c, 0x16], [0x3c, 0x4c, 0x58]),
         ..even([0x4a, 0x60, 0x38], [0x06, 0x22, 0x3d], [0xc9, 0xb9, 0x8c], [0x6e, 0x60, 0x4c], [0x1d, 0x55, 0x70])
     },
     labels: haloed([0xf8, 0xf6, 0xee], [0x10, 0x18, 0x26], 0.62),

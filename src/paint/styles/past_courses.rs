@@ -1,7 +1,7 @@
 //! The former courses of great rivers, as Fisk mapped those of the Mississippi (1944).
 
 use super::look::{Look, haloed, strokes};
-use crate::paint::palette::{Beds, Colour, Grid, Lines, Palette, even, on_a_sheet};
+use crate::paint::palette::{Beds, Colour, Grid, Lines, Palette, bordered, even};
 
 const PAPER: Colour = [0xf1, 0xe9, 0xd6];
 
@@ -44,7 +44,7 @@ pub(super) static STYLE: Look = Look {
             bank: [0x2e, 0x2a, 0x26],
         }),
         grids: &[Grid { every: 60.0, colour: [0x74, 0x5b, 0x1f], strength: 0.12 }],
-        neatline: on_a_sheet([0xe9, 0xe0, 0xcb], [0x8a, 0x78, 0x60]),
+        neatline: bordered([0xe9, 0xe0, 0xcb], [0x8a, 0x78, 0x60]),
         ..even(PAPER, [0xdb, 0xe0, 0xd8], [0x94, 0x88, 0x70], [0xa8, 0x93, 0x78], [0x7d, 0x8f, 0xa0])
     },
     labels: haloed([0x2e, 0x2a, 0x26], PAPER, 0.6),

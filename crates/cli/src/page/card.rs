@@ -2,10 +2,10 @@
 
 use std::io;
 
-use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::glam::Vec2;
 use riverseed::paint::Framing;
 use riverseed::picture::Picture;
+use riverseed::picture::builder::AnnotationBuilder;
 use riverseed::recipe::{Key, Labels, Recipe};
 use riverseed::session::Session;
 

@@ -13,10 +13,10 @@ use wasm_bindgen::prelude::*;
 use crate::objects::coded;
 use crate::wire::map_of;
 use riverseed::Map;
-use riverseed::annotate::builder::AnnotationBuilder;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::{Label, Places};
 use riverseed::paint::{Framing, View};
+use riverseed::picture::builder::AnnotationBuilder;
 use riverseed::recipe::{Mark, OwnNames};
 
 /// A finished map whose rivers were made in another module.
