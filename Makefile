@@ -238,7 +238,7 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
 	@$(run) node scripts/prose.mjs
-	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.ba* tests/scripts/stand-ins/*
+	$(run) shellcheck --external-sources --check-sourced scripts/*.sh findings/*.sh .ci/run tests/scripts/*.ba* tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
 	$(run) cargo fmt --check --manifest-path python/Cargo.toml
@@ -281,6 +281,10 @@ FILES ?= src/export/**/*.rs src/session.rs src/recipe/**/*.rs
 mutants: ## break files, session and recipes in small ways, and list what no fast test sees; FILES=src/session.rs only there
 	@$(setup) mutants
 	PROPTEST_CASES=10 $(run) cargo mutants --colors never --all-features $(FILES:%=--file '%')
+
+.PHONY: findings
+findings: ## does others' software still do what findings/ says? With packages from registries; not part of `make test`
+	@$(run) bash -c 'for one in findings/*.sh; do echo "$$one"; bash "$$one" || failed=1; done; exit $${failed:-0}'
 
 # ---- measure and tend it
 
