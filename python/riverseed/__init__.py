@@ -20,9 +20,10 @@ from typing import TYPE_CHECKING
 
 from riverseed import _native
 from riverseed._arrays import Nodes, Oxbows, Relief, Rivers
-from riverseed._map import Map, Name, Summary
+from riverseed._map import Map, Name
 from riverseed._options import texts as _texts
 from riverseed._parameters import Parameter, parameters
+from riverseed._summary import Summary
 
 if TYPE_CHECKING:
     from riverseed.widget import Widget as Widget

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from riverseed import _native
 from riverseed._arrays import Nodes, Oxbows, Relief, Rivers
 from riverseed._options import by_keyword, pixels
+from riverseed._summary import Summary
 from riverseed._words import describe
 
 # The picture in a notebook: as wide as its text, and sharp on screens of more than a pixel to a CSS pixel.
@@ -35,35 +36,6 @@ class Name:
     points: NDArray[np.float32]
     """Where it is, in units, in rows of x and y: the course of a reach, a point in the midst of a place, none for the
     title."""
-
-
-@dataclass(frozen=True)
-class Summary:
-    """A map in numbers."""
-
-    ticks: int
-    """How many ticks the tree grew, tick 0 not counted."""
-    nodes: int
-    """How many nodes the trimmed tree has."""
-    mouths: int
-    """How many rivers reach the sea."""
-    sources: int
-    """How many sources there are, and so rivers."""
-    order: int
-    """The highest of Strahler's orders."""
-    attractors: int
-    """How many attractors were scattered, or parcels of drainage; 0 for a Brownian tree."""
-    unreached: int
-    """Attractors that no river came near, or parcels with no way to a river mouth."""
-    complete: bool
-    """False if the tree met its node limit."""
-    rounds: int
-    """How many rounds the rivers meandered."""
-    oxbows: int
-    """How many lakes they left."""
-    shortfall: str | None
-    """Why much of the land is dry: ``"no-river"`` if no land lies open to the sea, ``"unreached"`` if rivers came near
-    too few attractors, ``"cut-off"`` if parcels have no way to a mouth; None if it is not."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

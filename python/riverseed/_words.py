@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from riverseed._arrays import Rivers
-    from riverseed._map import Summary
+    from riverseed._summary import Summary
 
 KILOMETRES_A_UNIT = 1.1132
 """A unit is a hundredth of a degree of the equator, as on the scale bars and plates of the picture."""

@@ -12,6 +12,8 @@ use riverseed::paint::PaintError;
 use riverseed::recipe::RecipeError;
 use riverseed::relief::ReliefError;
 use riverseed::session::SessionError;
+use riverseed_exchange::FilesError;
+use riverseed_exchange::engine::EngineError;
 
 /// The reason why there is no map.
 pub enum Failure {
@@ -83,6 +85,29 @@ impl From<ExportError> for Failure {
             ExportError::RasterSize { .. } => Self::Refused(message),
             ExportError::OutOfMemory { .. } => Self::OutOfMemory(message),
             _ => Self::Other(message),
+        }
+    }
+}
+
+/// Sizes that an engine or a map does not have are those of the option.
+impl From<EngineError> for Failure {
+    fn from(error: EngineError) -> Self {
+        let failure = match error {
+            EngineError::Export(error) => error.into(),
+            error => Self::Refused(error.to_string()),
+        };
+        failure.of_option("raster_size")
+    }
+}
+
+impl From<FilesError> for Failure {
+    fn from(error: FilesError) -> Self {
+        match error {
+            FilesError::Rasters(error) => error.into(),
+            FilesError::Paint(error) => error.into(),
+            FilesError::Relief(error) => SessionError::from(error).into(),
+            FilesError::Memory(error) => error.into(),
+            error => Self::Other(error.to_string()),
         }
     }
 }

@@ -7,6 +7,7 @@ mod arrays;
 mod failure;
 mod file;
 mod map;
+mod members;
 mod names;
 mod network;
 mod order;
@@ -26,7 +27,9 @@ mod _native {
     #[pymodule_export]
     use crate::file::form_of_file;
     #[pymodule_export]
-    use crate::map::{Map, grow};
+    use crate::map::Map;
+    #[pymodule_export]
+    use crate::members::grow;
     #[pymodule_export]
     use crate::order::read;
     #[pymodule_export]

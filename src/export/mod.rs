@@ -4,7 +4,6 @@
 
 mod banks;
 mod data;
-mod form;
 pub mod geojson;
 pub mod json;
 mod levels;
@@ -18,7 +17,6 @@ mod rings;
 pub mod svg;
 
 pub use data::Json;
-pub use form::{Engine, Form};
 
 use thiserror::Error;
 

@@ -46,9 +46,8 @@ pub struct Rasters {
     widths: Vec<f32>,
 }
 
-/// One of the rasters.
+/// One of the rasters. Not `#[non_exhaustive]`: each is a form of file, for which the compiler is to ask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Layer {
     /// Heights, in steps of the scale.
     Heights,

@@ -7,10 +7,12 @@ use clap::{Arg, ArgAction, Command, crate_version, value_parser};
 use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter};
+use riverseed_exchange::{SIZE, is_ratio};
 
 use super::batch::Shard;
+use super::form;
 
-/// All commands.
+/// Lists all commands.
 pub fn command() -> Command {
     Command::new("riverseed")
         .version(crate_version!())
@@ -38,46 +40,37 @@ fn render_command() -> Command {
         .about("Draws a recipe as PNG or SVG, or writes its rivers and its relief")
         .after_help(MIXED)
         .args(recipe_arguments())
-        .arg(
-            Arg::new("output")
-                .short('o')
-                .long("output")
-                .value_name("OUT")
-                .required(true)
-                .action(ArgAction::Append)
-                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or one of its rasters: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; for GIS .gpkg, .tif, and rasters: .heights.tif and so on, .heights.qml; for game engines .unreal.zip, .unity.zip, .godot.zip, .glb, .r16, .normals.png, .splat.png, .splines.json; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
-                .value_parser(value_parser!(PathBuf)),
-        )
-        .arg(
-            Arg::new("size")
-                .long("size")
-                .value_name("PIXELS")
-                .default_value("1200")
-                .help("The longer side of the picture")
-                .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
-        )
-        .arg(
-            Arg::new("raster-size")
-                .long("raster-size")
-                .value_name("PIXELS")
-                .help("The longer side of rasters, alone or in a ZIP, up to 4097. In packs for engines it is 505, 1009, 2017 [default] or 4033 for Unreal, and 513, 1025, 2049 [default] or 4097 for Unity and Godot. For all other rasters the minimum and the default are one pixel for 2 units of the map: 500 on a square map")
-                .value_parser(value_parser!(u32)),
-        )
-        .arg(
-            Arg::new("ratio")
-                .long("ratio")
-                .value_name("RATIO")
-                .help("Device pixels per CSS pixel, from 0.5 to 4 in quarters. Letters in a PNG are never smaller than 11 CSS pixels [default: 1]")
-                .value_parser(ratio),
-        )
-        .arg(
-            Arg::new("svg-text")
-                .long("svg-text")
-                .action(ArgAction::SetTrue)
-                .help("Write labels in SVG as text on paths instead of outlines, for readers that have EB Garamond"),
-        )
+        .args(file_arguments())
         .args(batch_arguments())
         .args(TABLE.iter().map(render_option))
+}
+
+/// Lists the options for files and what they hold.
+fn file_arguments() -> [Arg; 5] {
+    let argument = |name: &'static str| Arg::new(name).long(name);
+    let number = |name: &'static str| argument(name).value_name("PIXELS");
+    [
+        argument("output")
+            .short('o')
+            .value_name("OUT")
+            .required(true)
+            .action(ArgAction::Append)
+            .help(form::help())
+            .value_parser(value_parser!(PathBuf)),
+        number("size")
+            .help(format!("The longer side of the picture [default: {SIZE}]"))
+            .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
+        number("raster-size")
+            .help("The longer side of rasters, alone or in a ZIP, up to 4097. In packs for engines it is 505, 1009, 2017 [default] or 4033 for Unreal, and 513, 1025, 2049 [default] or 4097 for Unity and Godot. For all other rasters the minimum and the default are one pixel for 2 units of the map: 500 on a square map")
+            .value_parser(value_parser!(u32)),
+        argument("ratio")
+            .value_name("RATIO")
+            .help("Device pixels per CSS pixel, from 0.5 to 4 in quarters. Letters in a PNG are never smaller than 11 CSS pixels [default: 1]")
+            .value_parser(ratio),
+        argument("svg-text")
+            .action(ArgAction::SetTrue)
+            .help("Write labels in SVG as text on paths instead of outlines, for readers that have EB Garamond"),
+    ]
 }
 
 fn page_command() -> Command {
@@ -121,7 +114,7 @@ fn page_arguments() -> [Arg; 9] {
     ]
 }
 
-/// The options for many maps in one call.
+/// Lists the options for many maps in one call.
 fn batch_arguments() -> [Arg; 4] {
     let argument = |name: &'static str| Arg::new(name).long(name).help_heading("Many maps");
     let further = |name: &'static str| argument(name).requires("seeds");
@@ -149,7 +142,7 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 fn ratio(text: &str) -> Result<f32, String> {
-    let ratio = text.parse::<f32>().ok().filter(|ratio| (0.5..=4.0).contains(ratio) && (ratio * 4.0).fract() == 0.0);
+    let ratio = text.parse().ok().filter(|ratio| is_ratio(*ratio));
     ratio.ok_or_else(|| "must be from 0.5 to 4, in quarters".into())
 }
 
@@ -218,7 +211,7 @@ fn verify_command() -> Command {
         )
 }
 
-/// The option of a parameter. `--land` also takes a picture.
+/// Makes the option of a parameter. `--land` also takes a picture.
 fn option(parameter: &'static Parameter) -> Arg {
     let help = match parameter.key {
         Key::Land => format!("{} Or a PNG of the land: white is land, black is water.", parameter.help),
@@ -232,7 +225,7 @@ fn option(parameter: &'static Parameter) -> Arg {
         .help_heading("Parameters")
 }
 
-/// The option of a parameter for `riverseed render`. `--attractors` without a number asks for the attractors in JSON;
+/// Makes the option of a parameter for `riverseed render`. `--attractors` without a number asks for the attractors in JSON;
 /// with a number it sets how many there are. Both may be given.
 fn render_option(parameter: &'static Parameter) -> Arg {
     match parameter.key {

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-pub use riverseed::export::Form;
+use riverseed_exchange::{Form, Readers};
 
 use super::Failure;
 
-/// The form for the ending of a path.
+/// Finds the form for the ending of a path.
 ///
 /// # Errors
 /// Fails if the ending is not known, or if the path is that of a folder.
@@ -19,7 +19,23 @@ pub fn form_of(path: &Path) -> Result<Form, Failure> {
     Form::of_file(name).ok_or_else(|| Failure::Ending { path: path.into() })
 }
 
-/// The endings of some forms, for messages.
+/// Lists the last endings of all forms, without those before them, as in `heights.png`.
+pub fn last_endings() -> String {
+    listed(&Form::all().filter(|form| !form.name().contains('.')).collect::<Vec<_>>())
+}
+
+/// Explains all endings for the help.
+pub fn help() -> String {
+    let [any, engines, gis] = [Readers::Any, Readers::Engines, Readers::Gis]
+        .map(|readers| listed(&Form::all().filter(|form| form.readers() == readers).collect::<Vec<_>>()));
+    format!(
+        "A file to write, in the form of its ending: {any} (.zip is a game pack, and .heights.png one of its rasters); \
+         for GIS {gis}; for game engines {engines}; or - for JSON on standard output, one line per map. Repeat the \
+         option for several files: each map is grown only once"
+    )
+}
+
+/// Lists the endings of some forms, for messages.
 pub fn listed(forms: &[Form]) -> String {
     forms.iter().map(|form| format!(".{}", form.name())).collect::<Vec<_>>().join(", ")
 }

@@ -45,7 +45,7 @@ fn is_undrawn(session: &Session) -> bool {
     recipe.get::<LandKind>() == LandKind::Drawn && session.land().is_none() && recipe.rivers().is_empty()
 }
 
-/// A progress bar on standard error for long work; invisible if that is not a terminal.
+/// Makes a progress bar on standard error for long work; invisible if that is not a terminal.
 pub fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
     const LONG_GROWTH: u32 = 200_000;
     const LONG_PAINTING: u32 = 4096;

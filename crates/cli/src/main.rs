@@ -11,7 +11,6 @@ mod grow;
 mod map;
 mod mask;
 mod measure;
-mod memory;
 mod names;
 mod order;
 mod outline;
@@ -22,6 +21,7 @@ mod stdout;
 mod table;
 mod table_json;
 mod verify;
+mod wanted;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -32,10 +32,14 @@ use riverseed::paint::PaintError;
 use riverseed::recipe::RecipeError;
 use riverseed::session::SessionError;
 use riverseed_exchange::engine::EngineError;
+use riverseed_exchange::{FilesError, memory};
 use thiserror::Error;
 
+/// Memory for reading a call, including the table of parameters and small lists.
+const START: usize = 3_000_000;
+
 fn main() -> ExitCode {
-    match memory::ask(memory::START).and_then(|()| run()) {
+    match memory::ask(START).map_err(Failure::from).and_then(|()| run()) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of a pipe has read enough.
         Err(Failure::Output(error) | Failure::File { error, .. }) if error.kind() == io::ErrorKind::BrokenPipe => {
@@ -84,7 +88,7 @@ enum Failure {
     Paint(#[from] PaintError),
     #[error(transparent)]
     Digest(#[from] DigestError),
-    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip, .gpkg, .tif, .glb, .r16", path.display())]
+    #[error("{}: the ending of the output is none of {}", path.display(), form::last_endings())]
     Ending { path: PathBuf },
     #[error("{}: this is the path of a folder, not of a file", path.display())]
     Folder { path: PathBuf },
@@ -125,8 +129,8 @@ enum Failure {
     Maps { failed: u64, all: u64 },
     #[error("{failure}: stopped before all {all} maps were there{advice}")]
     Stopped { failure: Box<Self>, all: u64, advice: &'static str },
-    #[error("this needs about {megabytes} MB more, and the allocation failed")]
-    Memory { megabytes: usize },
+    #[error(transparent)]
+    Files(#[from] FilesError),
     #[error("standard output is closed: nobody would read what is printed")]
     Closed,
     #[error(transparent)]
@@ -159,7 +163,7 @@ impl Failure {
             | Self::Differs { .. }
             | Self::Maps { .. }
             | Self::Stopped { .. }
-            | Self::Memory { .. }
+            | Self::Files(_)
             | Self::Closed
             | Self::Output(_) => ExitCode::FAILURE,
         }

@@ -1,6 +1,7 @@
 //! `--land map.png`: a picture that is the land itself. Links only have room for its outline.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use clap::ArgMatches;
 use riverseed::domain::Domain;
@@ -9,7 +10,6 @@ use riverseed::land::Land;
 use riverseed::land::trace::{TraceError, trace};
 use riverseed::recipe::{Key, LandKind, Recipe};
 
-use super::order::Order;
 use super::outline::{read_picture, say_if_longer};
 use super::{Failure, say};
 
@@ -18,14 +18,18 @@ pub fn is_picture(value: &str) -> bool {
     Path::new(value).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
 }
 
-/// The path of the picture that `--land` names, if it names one.
+/// Finds the path of the picture that `--land` names, if it names one.
 pub fn path(matches: &ArgMatches) -> Option<&Path> {
     let value = matches.get_one::<String>(Key::Land.parameter().name)?;
     is_picture(value).then(|| Path::new(value))
 }
 
-/// Makes the recipe for the land in a picture: drawn land, with the picture's aspect, and its outline for links.
-pub fn order(path: &Path, mut recipe: Recipe, given: Vec<String>) -> Result<Order, Failure> {
+/// Reads the land in a picture, and makes a recipe that of it: drawn land, with the picture's aspect, and its outline for
+/// links.
+///
+/// # Errors
+/// Fails if the picture cannot be read, or if it contradicts a given value.
+pub fn read(path: &Path, recipe: &mut Recipe, given: &[String]) -> Result<Arc<Land>, Failure> {
     let image = read_picture(path)?;
     let Outlined { aspect, outline } = outlined(path, &image)?;
     let values = [(Key::Land, LandKind::Drawn.word().name), (Key::Aspect, &aspect), (Key::Outline, &outline)];
@@ -33,14 +37,13 @@ pub fn order(path: &Path, mut recipe: Recipe, given: Vec<String>) -> Result<Orde
         let before = recipe.clone();
         recipe.set(key, value)?;
         // A link that this command wrote may be given again with the same picture.
-        if given.iter().any(|name| *name == key.parameter().name) && before != recipe {
+        if given.iter().any(|name| *name == key.parameter().name) && before != *recipe {
             let reason = format!("the picture determines '{}', and another value is given", key.parameter().name);
             return Err(Failure::Land { path: path.into(), reason });
         }
     }
-    let land = Land::from_picture(&Domain::of(&recipe), image.width, image.height, &image.rgba);
-    let land = land.map_err(|error| refused(path, &error))?;
-    Ok(Order { recipe, given, land: Some(land) })
+    let land = Land::from_picture(&Domain::of(recipe), image.width, image.height, &image.rgba);
+    land.map_err(|error| refused(path, &error))
 }
 
 struct Outlined {

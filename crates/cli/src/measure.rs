@@ -24,7 +24,7 @@ pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(writeln!(io::stdout().lock(), "{text}")?)
 }
 
-/// The values and patterns as in the JSON of a network, and nature's ranges under the names of the values.
+/// Writes the values and patterns as in the JSON of a network, and nature's ranges under the names of the values.
 fn as_json(measures: &Measures) -> io::Result<String> {
     let of_nature = |measure: &Measure| Some((measure.name.to_owned(), range(measure.nature?)));
     let nature: Map<String, Value> = TABLE.iter().filter_map(of_nature).collect();
@@ -37,7 +37,7 @@ fn range(nature: Nature) -> Value {
     json!({ "median": nature.median, "least": nature.least, "most": nature.most, "source": nature.source })
 }
 
-/// A line for each measure, and one that names the pattern.
+/// Writes a line for each measure, and one that names the pattern.
 fn table(measures: &Measures) -> String {
     let row = |measure: &Measure| {
         let nature = measure.nature.map_or(String::new(), in_words);
@@ -54,7 +54,7 @@ fn table(measures: &Measures) -> String {
     rows.iter().map(line).chain(pattern(measures)).collect::<Vec<_>>().join("\n")
 }
 
-/// The pattern and how far each is, such as "Pattern: dendritic (dendritic 0.6, deranged 2.1, …)".
+/// Names the pattern and how far each is, such as "Pattern: dendritic (dendritic 0.6, deranged 2.1, …)".
 fn pattern(measures: &Measures) -> Option<String> {
     let pattern = measures.pattern()?;
     let distances = pattern.nearest_first().map(|(name, distance)| format!("{name} {distance:.1}"));

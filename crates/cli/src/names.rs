@@ -54,14 +54,14 @@ pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
     }
 }
 
-/// The characters of a text that the type lacks, each once; `None` if it has all of them.
+/// Lists the characters of a text that the type lacks, each once; `None` if it has all of them.
 fn listed(text: &str) -> Option<String> {
     let letters: BTreeSet<char> = lacking(text).collect();
     let letters: Vec<String> = letters.into_iter().map(|letter| format!("'{}'", letter.escape_debug())).collect();
     (!letters.is_empty()).then(|| letters.join(", "))
 }
 
-/// The row of a name: its mark, the name, and for a river its order and length.
+/// Makes the row of a name: its mark, the name, and for a river its order and length.
 fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
     let is_it = |river: &&River| Mark::River(river.identity) == mark;
     let river = network.rivers.iter().find(is_it);
@@ -71,7 +71,7 @@ fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
     [mark.to_string(), name.into(), order, length]
 }
 
-/// A line for each row, with marks, orders and lengths aligned to the right.
+/// Writes a line for each row, with marks, orders and lengths aligned to the right.
 fn table(rows: &[[String; 4]]) -> String {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let [marks, names, orders, lengths] = [0, 1, 2, 3].map(width);

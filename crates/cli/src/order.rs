@@ -22,11 +22,9 @@ pub struct Order {
 
 impl Order {
     pub fn of(matches: &ArgMatches) -> Result<Self, Failure> {
-        let (recipe, given) = recipe(matches)?;
-        match mask::path(matches) {
-            Some(path) => mask::order(path, recipe, given),
-            None => Ok(Self { recipe, given, land: None }),
-        }
+        let (mut recipe, given) = recipe(matches)?;
+        let land = mask::path(matches).map(|path| mask::read(path, &mut recipe, &given)).transpose()?;
+        Ok(Self { recipe, given, land })
     }
 
     /// Warns of given values that have no effect in any of the files. `are_pictures` holds `true` for each file that is

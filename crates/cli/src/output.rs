@@ -94,7 +94,7 @@ pub fn is_pipe(_: &Path) -> bool {
     false
 }
 
-/// The folder that contains a file.
+/// Returns the folder that contains a file.
 pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -2,16 +2,16 @@
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
-use std::num::NonZero;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ArgMatches;
+use riverseed_exchange::{Form, Options};
 
-use super::form::{Form, form_of};
 use super::grow::progress;
-use super::map::{Files, Options};
+use super::map::{all_threads, make, options};
 use super::order::Order;
 use super::output::Output;
+use super::wanted::Wanted;
 use super::{Failure, batch, say, stdout};
 
 /// Writes the requested files.
@@ -23,30 +23,11 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
         stdout::check()?;
     }
     let forms: Vec<Form> = wanted.iter().map(|wanted| wanted.form).collect();
-    let options = Options::of(matches, &forms, &order.recipe)?;
+    let options = options(matches, &forms, &order.recipe)?;
     order.say_what_is_idle(&forms.iter().map(|form| form.is_picture()).collect::<Vec<_>>());
     match matches.get_one::<OsString>("seeds") {
         Some(seeds) => batch::render(matches, seeds, &order, &wanted, options),
-        None => {
-            let threads = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
-            render_one(order, &wanted, &forms, options.on_threads(threads))
-        }
-    }
-}
-
-/// A requested file.
-pub struct Wanted<'a> {
-    pub form: Form,
-    /// `None` for standard output.
-    pub path: Option<&'a Path>,
-}
-
-impl<'a> Wanted<'a> {
-    fn of(path: &'a Path) -> Result<Self, Failure> {
-        match path.to_str() {
-            Some("-") => Ok(Self { form: Form::Json, path: None }),
-            _ => Ok(Self { form: form_of(path)?, path: Some(path) }),
-        }
+        None => render_one(order, &wanted, &forms, Options { threads: Some(all_threads()), ..options }),
     }
 }
 
@@ -57,10 +38,10 @@ fn render_one(order: Order, wanted: &[Wanted<'_>], forms: &[Form], options: Opti
     // Files come first, because the reader of standard output may stop early.
     outputs.sort_by_key(|(_, output)| !output.as_ref().is_some_and(Output::is_file));
     let progress = progress(&order.recipe, options.longest(forms));
-    let files = Files::make(order, forms, options, &progress, &say)?;
+    let files = make(order, forms, options, &progress, &say)?;
     for (form, output) in outputs {
         match output {
-            Some(output) => output.write(|out| files.write(*form, out))?,
+            Some(output) => output.write(|out| Ok(files.write(*form, out)?))?,
             None => {
                 let mut out = BufWriter::new(io::stdout().lock());
                 files.write(*form, &mut out)?;

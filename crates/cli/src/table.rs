@@ -102,7 +102,7 @@ pub fn print() -> io::Result<()> {
     out.write_all(NOTES.as_bytes())
 }
 
-/// The groups. Those used by every growth method or by the default one come first; the others follow in the order of
+/// Lists the groups. Those used by every growth method or by the default one come first; the others follow in the order of
 /// their parameters, as in the page's panel.
 fn groups() -> Vec<&'static str> {
     let mut groups = vec!["Seed", "Land", "Growth", "Drainage"];
@@ -147,13 +147,13 @@ fn write_presets(out: &mut impl Write) -> io::Result<()> {
         .try_for_each(|preset| writeln!(out, "| `{}` | {} | {} |", preset.name, preset.help, settings(preset)))
 }
 
-/// The values of a preset as link text, each separate so that a line can break between them.
+/// Writes the values of a preset as link text, each separate so that a line can break between them.
 fn settings(preset: &Preset) -> String {
     let settings = preset.values.iter().map(|(key, value)| format!("`{}={value}`", key.parameter().name));
     settings.collect::<Vec<_>>().join(" ")
 }
 
-/// A parameter's range in words.
+/// Writes a parameter's range in words.
 fn values(parameter: &Parameter) -> String {
     let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
     match parameter.kind {

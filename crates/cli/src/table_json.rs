@@ -35,7 +35,7 @@ fn row(parameter: &Parameter) -> Value {
     row.into()
 }
 
-/// The shares of water that 0 stands for, by the kind of land, as link text.
+/// Lists the shares of water that 0 stands for, by the kind of land, as link text.
 fn usual_seas() -> Value {
     let with_sea = LandKind::ALL.iter().filter(|kind| kind.usual_sea() > 0.0);
     let values: Map<String, Value> =
@@ -54,7 +54,7 @@ fn kind_name(kind: Kind) -> &'static str {
     }
 }
 
-/// The range or the choices of a kind of value.
+/// Lists the range or the choices of a kind of value.
 fn range(kind: Kind) -> Vec<(String, Value)> {
     let named = |name: &str, value: Value| (name.to_owned(), value);
     match kind {
@@ -92,7 +92,7 @@ fn preset(preset: &Preset) -> Value {
     data
 }
 
-/// A value in the spelling that links use.
+/// Writes a value in the spelling that links use.
 fn canonical(parameter: &Parameter, text: &str) -> String {
     parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
 }

@@ -39,7 +39,7 @@ pub fn verify(path: Option<&Path>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The digests of a text with their links.
+/// Reads the digests of a text with their links.
 fn lines(text: &str) -> io::Result<Vec<(&str, &str)>> {
     let wrong = |why: String| io::Error::new(io::ErrorKind::InvalidData, why);
     let lines = text.lines().zip(1..).map(|(line, number)| {
@@ -50,7 +50,7 @@ fn lines(text: &str) -> io::Result<Vec<(&str, &str)>> {
     if lines.is_empty() { Err(wrong("there are no digests in it".into())) } else { Ok(lines) }
 }
 
-/// A progress bar on standard error; invisible if that is not a terminal.
+/// Makes a progress bar on standard error; invisible if that is not a terminal.
 fn progress(recipes: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("recipe {pos} of {len} {wide_bar} {percent}%");
     ProgressBar::new(recipes as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

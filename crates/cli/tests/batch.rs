@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use riverseed::export::Form;
+use riverseed_exchange::Form;
 
 use crate::maps::{ENGINES, FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 

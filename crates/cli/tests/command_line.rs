@@ -326,7 +326,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     );
     assert_eq!(
         refusal(&["render", "-o", "x.gif"]),
-        (2, "riverseed: x.gif: the ending of the output is none of .png, .svg, .geojson, .json, .zip, .gpkg, .tif, .glb, .r16\n".into())
+        (2, "riverseed: x.gif: the ending of the output is none of .png, .svg, .geojson, .json, .zip, .r16, .glb, .gpkg, .tif\n".into())
     );
     assert_eq!(refusal(&["render", "--size", "9000", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--recipe", "no-such-file.json", "-o", out]).0, 1);

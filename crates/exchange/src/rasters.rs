@@ -1,13 +1,12 @@
 //! The rasters that a file is made from: square ones for an engine, else those of the map.
 
-use std::num::NonZero;
-
 use riverseed::Map;
 use riverseed::domain::Domain;
-use riverseed::export::Form;
 use riverseed::export::rasters::Rasters;
 
 use crate::engine::{self, EngineError};
+use crate::form::Form;
+use crate::options::Options;
 
 /// Checks the longer side of rasters for files of these forms, before anything grows. Engines have the fewest sizes, so
 /// they are asked first: what they refuse with lists sizes that are possible.
@@ -22,16 +21,12 @@ pub fn check_size(forms: &[Form], domain: &Domain, size: u32) -> Result<(), Engi
     Ok(Rasters::grid(domain, size).map(drop)?)
 }
 
-/// Makes the rasters for a file, on a number of threads; they do not depend on it. `None` for forms that hold no rasters.
+/// Makes the rasters for a file. `None` for forms that hold no rasters.
 ///
 /// # Errors
 /// Fails if the size is not possible, or if there is not enough memory.
-pub fn rasters(
-    form: Form,
-    map: &Map,
-    size: Option<u32>,
-    threads: NonZero<usize>,
-) -> Result<Option<Rasters>, EngineError> {
+pub(crate) fn rasters(form: Form, map: &Map, options: &Options) -> Result<Option<Rasters>, EngineError> {
+    let (size, threads) = (options.raster_size, options.threads());
     match form {
         Form::Engine(engine) => engine::rasters(map, engine, size, threads).map(Some),
         form if form.has_rasters() => {

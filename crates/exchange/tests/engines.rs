@@ -6,9 +6,9 @@ use std::num::NonZero;
 
 use riverseed::Map;
 use riverseed::export::rasters::{Layer, Rasters, Values};
-use riverseed::export::{Engine, Form};
 use riverseed::glam::{DVec3, Vec2};
 use riverseed_exchange::engine::{self, METRES_A_UNIT, Terrain};
+use riverseed_exchange::{Engine, Form};
 use serde_json::Value;
 
 use crate::maps::{LINKS, file, map, picture};

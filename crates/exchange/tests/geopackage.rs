@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use riverseed::export::{Form, geojson};
+use riverseed::export::geojson;
+use riverseed_exchange::Form;
 use riverseed_exchange::gis::{crs, geopackage};
 use rusqlite::types::Value;
 use rusqlite::{Connection, MAIN_DB};

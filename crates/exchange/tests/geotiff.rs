@@ -3,9 +3,9 @@
 use std::io::Cursor;
 
 use riverseed::Map;
-use riverseed::export::Form;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::relief::METRES;
+use riverseed_exchange::Form;
 use riverseed_exchange::gis::{crs, geotiff};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::Tag;

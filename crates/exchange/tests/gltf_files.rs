@@ -2,9 +2,9 @@
 
 use gltf::Gltf;
 use riverseed::Map;
-use riverseed::export::Form;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::{DVec2, Vec3};
+use riverseed_exchange::Form;
 use riverseed_exchange::engine::{METRES_A_UNIT, gltf as own};
 
 use crate::maps::{LINKS, file, map, picture};

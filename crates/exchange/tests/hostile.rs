@@ -1,7 +1,7 @@
 //! A seed that would like to be markup or a path is neither in any file, and a title that would is a text where texts are.
 
-use riverseed::export::Form;
 use riverseed::export::rasters::Rasters;
+use riverseed_exchange::Form;
 
 use crate::maps::{LINKS, file, map, picture};
 

@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 
-use riverseed::export::Form;
 use riverseed::export::rasters::Rasters;
 use riverseed::recipe::link;
 use riverseed::tiny_skia::Pixmap;
 use riverseed::{Map, Picture, Recipe, Session};
+use riverseed_exchange::Form;
 use riverseed_exchange::{Source, write};
 
 /// Small maps of many kinds: lands, growths, oxbow lakes, ridges, no sea at all, and a seed that would like to be markup.
@@ -49,6 +49,6 @@ pub fn picture(map: &Map) -> Pixmap {
 /// Makes a file.
 pub fn file(form: Form, map: &Map, rasters: Option<&Rasters>, picture: Option<&Pixmap>) -> Vec<u8> {
     let mut out = Vec::new();
-    write(form, &mut out, &Source { map, rasters, picture }).unwrap();
+    write(form, &mut out, &Source { map, rasters, picture, attractors: None, has_svg_text: false }).unwrap();
     out
 }

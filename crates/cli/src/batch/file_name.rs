@@ -37,7 +37,7 @@ impl Pattern {
         Ok(Self { folder: folder.into(), before: before.into(), after: after.into() })
     }
 
-    /// The file of a seed. Different seeds have different files, even on disks that ignore case.
+    /// Returns the file of a seed. Different seeds have different files, even on disks that ignore case.
     pub fn path(&self, seed: &str) -> PathBuf {
         self.folder.join(format!("{}{}{}", self.before, escaped(seed), self.after))
     }
@@ -59,7 +59,7 @@ impl Pattern {
     }
 }
 
-/// A text with the escaped seed in each place for it. An escaped seed in a path names no other folder.
+/// Puts the escaped seed into each place for it in a text. An escaped seed in a path names no other folder.
 ///
 /// # Errors
 /// Fails if there is a place for the seed and the seed is empty: the path would be that of the folder above.
@@ -118,7 +118,7 @@ fn is_device(name: &str) -> bool {
     matches!(name, "con" | "prn" | "aux" | "nul") || is_numbered("com") || is_numbered("lpt")
 }
 
-/// The hash FNV-1a (Fowler, Noll, Vo) with 128 bits.
+/// Computes the hash FNV-1a (Fowler, Noll, Vo) with 128 bits.
 fn fnv1a(text: &str) -> u128 {
     const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;

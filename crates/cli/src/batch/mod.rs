@@ -2,7 +2,6 @@
 //! so threads take one after the other from the list. Complete files are not made again.
 
 mod file_name;
-mod found;
 mod lines;
 mod place;
 mod report;
@@ -18,20 +17,19 @@ use std::thread;
 use clap::ArgMatches;
 use indicatif::ProgressBar;
 use riverseed::recipe::{Key, Recipe, link};
+use riverseed_exchange::{Form, Found, Options};
 
 use self::file_name::Pattern;
 pub use self::file_name::{PLACE, with_seed};
-use self::found::Found;
 use self::lines::{Lines, Turn};
 use self::place::Places;
 use self::report::{Outcome, Report};
 use self::seeds::Seeds;
 pub use self::seeds::Shard;
-use super::form::Form;
-use super::map::{Files, Options};
+use super::map::make;
 use super::order::Order;
 use super::output::{Output, folder};
-use super::render::Wanted;
+use super::wanted::Wanted;
 use super::{Failure, say};
 
 /// Writes the files of all maps.
@@ -78,7 +76,7 @@ fn refuse_a_seed(matches: &ArgMatches) -> Result<(), Failure> {
     if is_linked || matches.contains_id(seed) { Err(Failure::SeedBesides) } else { Ok(()) }
 }
 
-/// The file names of the outputs. Also checks, before the work begins, that files can be written there.
+/// Reads the file names of the outputs. Also checks, before the work begins, that files can be written there.
 fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
     let mut patterns: Vec<(Form, Pattern)> = Vec::new();
     let mut has_lines = false;
@@ -161,13 +159,13 @@ impl Run<'_> {
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
         let warn = |text: &str| self.report.warn(seed, text);
-        let files = Files::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
+        let files = make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
         for (form, path) in missing {
-            self.places.open(&path)?.write(|out| files.write(form, out))?;
+            self.places.open(&path)?.write(|out| Ok(files.write(form, out)?))?;
         }
         if let Some(turn) = turn {
             let mut line = Vec::new();
-            files.write(Form::Json, &mut line).map_err(of_line)?;
+            files.write(Form::Json, &mut line).map_err(Failure::file(Path::new("-")))?;
             drop(files); // or as many would wait as there are threads
             self.write_line(turn, &line)?;
         }
@@ -183,12 +181,12 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The files to be made. Also returns `true` if another recipe's files are in the place of some.
+    /// Finds the files to be made. Also returns `true` if another recipe's files are in the place of some.
     fn missing(&self, recipe: &Recipe) -> (Vec<(Form, PathBuf)>, bool) {
         let mut is_other = false;
         let files = self.files.iter().map(|(form, pattern)| (*form, pattern.path(recipe.seed())));
         let missing = files.filter(|(form, path)| {
-            let found = Found::at(path, *form, recipe, self.options);
+            let found = Found::at(path, *form, recipe, &self.options);
             is_other |= found == Found::Other;
             self.is_again || found != Found::Whole
         });
@@ -208,14 +206,5 @@ fn ends_all(failure: &Failure) -> bool {
             _ => false,
         },
         _ => false,
-    }
-}
-
-/// Turns the failure to make a line into a failure of its map. `Failure::Output`, which ends all maps, is kept for
-/// lines that cannot be written.
-fn of_line(failure: Failure) -> Failure {
-    match failure {
-        Failure::Output(error) => Failure::file(Path::new("-"))(error),
-        failure => failure,
     }
 }

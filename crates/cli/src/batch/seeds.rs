@@ -55,7 +55,7 @@ impl Seeds {
         list.finish(&name, say).map_err(refused)
     }
 
-    /// The number of seeds in a shard.
+    /// Counts the seeds in a shard.
     pub fn count(&self, shard: Shard) -> u64 {
         let all = match &self.seeds {
             Kind::Range { count, .. } => *count,
@@ -65,7 +65,7 @@ impl Seeds {
         all.saturating_sub(shard.index).div_ceil(shard.count)
     }
 
-    /// The seed in a place of a shard; `None` beyond the last.
+    /// Returns the seed in a place of a shard; `None` beyond the last.
     pub fn get(&self, shard: Shard, place: u64) -> Option<Cow<'_, str>> {
         let place = place.checked_mul(shard.count)?.checked_add(shard.index)?;
         match &self.seeds {
@@ -75,7 +75,7 @@ impl Seeds {
     }
 }
 
-/// The first number and the count of a range; `None` if the text is not a range.
+/// Reads the first number and the count of a range; `None` if the text is not a range.
 fn range(text: &str) -> Option<Result<(u64, u64), &'static str>> {
     let (first, last) = text.split_once("..")?;
     let is_sign_or_digit = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '=');

@@ -40,12 +40,12 @@ impl Address {
         }
     }
 
-    /// The address of a file in the folder.
+    /// Returns the address of a file in the folder.
     pub fn of(&self, file: &str) -> String {
         format!("{}{}{file}", self.origin, self.path)
     }
 
-    /// The address of the folder with a link as its query.
+    /// Returns the address of the folder with a link as its query.
     pub fn with_query(&self, link: &str) -> String {
         format!("{}?{link}", self.of(""))
     }

@@ -8,7 +8,7 @@ use super::super::Failure;
 /// Parameters whose names mean something else in HTML. As attributes they have a prefix.
 const PREFIXED: [&str; 2] = ["style", "width"];
 
-/// The attributes for a link, as names and values for a template.
+/// Makes the attributes for a link, as names and values for a template.
 ///
 /// # Errors
 /// Fails if the link cannot be read.
@@ -16,7 +16,7 @@ pub fn of(link: &str) -> Result<Vec<Value>, Failure> {
     Ok(link::pairs(link)?.into_iter().map(|(key, value)| attribute(&named(&key), &value)).collect())
 }
 
-/// An attribute for a template.
+/// Makes an attribute for a template.
 pub fn attribute(name: &str, value: &str) -> Value {
     json!({ "name": name, "value": value })
 }

@@ -39,7 +39,7 @@ pub fn paint(session: &mut Session, title: Option<&str>) -> Result<Picture, Fail
     Ok(picture)
 }
 
-/// The recipe of a card: without the map's own title, and with few labels if it has any. A title that no map can have as
+/// Makes the recipe of a card: without the map's own title, and with few labels if it has any. A title that no map can have as
 /// its name, such as a long one, is left out.
 fn card_recipe(recipe: &Recipe, title: Option<&str>) -> Result<Recipe, Failure> {
     let mut recipe = recipe.clone();
@@ -53,7 +53,7 @@ fn card_recipe(recipe: &Recipe, title: Option<&str>) -> Result<Recipe, Failure> 
     Ok(recipe)
 }
 
-/// The corners of all land, in widths of the map.
+/// Finds the corners of all land, in widths of the map.
 fn land_of(session: &Session) -> Corners {
     let size = session.domain().size;
     let [least, most] = session.land().and_then(|land| land.bounds()).unwrap_or([Vec2::ZERO, size]);

@@ -25,7 +25,7 @@ const BESIDE: Vec2 = Vec2::new(0.42, 0.36);
 /// The distance of names from the card's sides, over its margin.
 const FROM_SIDES: f32 = 0.4;
 
-/// The part of a map that has to be shown: the rectangle around its land, or all of it if the land ends at its border,
+/// Returns the part of a map that has to be shown: the rectangle around its land, or all of it if the land ends at its border,
 /// which is seen then. In widths of the map.
 pub fn shown(land: Corners, aspect: f32) -> Corners {
     /// Less than anybody sees.
@@ -81,7 +81,7 @@ fn title_beside([least, most]: Corners, gap: f32, land: Corners) -> Place {
     Place { title, corner, scale, covered: [title[1].x, 0.0, 0.0, 0.0] }
 }
 
-/// The greatest width of the map, in pixels, with which its land fits.
+/// Returns the greatest width of the map, in pixels, with which its land fits.
 fn scale_of(land: Corners, room: Vec2) -> f32 {
     (room / (land[1] - land[0])).min_element()
 }

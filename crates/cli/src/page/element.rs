@@ -34,7 +34,7 @@ pub enum Element {
 }
 
 impl Element {
-    /// The element that a call asks for. A map that is too large for the element gets none.
+    /// Finds the element that a call asks for. A map that is too large for the element gets none.
     ///
     /// # Errors
     /// Fails if the files are not where they are said to be, or if nothing says where they are.
@@ -59,7 +59,7 @@ impl Element {
         places.map_or(Err(Failure::NoElement), |(named_by, place)| Self::at(named_by, &place))
     }
 
-    /// The element at a place. `named_by` is the option or the variable that named it.
+    /// Finds the element at a place. `named_by` is the option or the variable that named it.
     fn at(named_by: &'static str, place: &OsString) -> Result<Self, Failure> {
         match place.to_str().filter(|text| text.contains("://")) {
             Some(address) => Address::read(named_by, address).map(Self::Elsewhere),
@@ -67,7 +67,7 @@ impl Element {
         }
     }
 
-    /// The address of the script as the page names it; `None` if the page has no element.
+    /// Returns the address of the script as the page names it; `None` if the page has no element.
     pub fn script(&self) -> Option<String> {
         match self {
             Self::None => None,
@@ -76,7 +76,7 @@ impl Element {
         }
     }
 
-    /// The host of the files, as a content security policy names it.
+    /// Returns the host of the files, as a content security policy names it.
     pub fn origin(&self) -> String {
         match self {
             Self::Elsewhere(address) => address.origin.clone(),
@@ -85,14 +85,14 @@ impl Element {
     }
 }
 
-/// The folder `share/riverseed/element` of the installation that the program belongs to, if there is one.
+/// Finds the folder `share/riverseed/element` of the installation that the program belongs to, if there is one.
 fn beside_the_program() -> Option<OsString> {
     let program = env::current_exe().ok()?;
     let folder = program.parent()?.parent()?.join("share/riverseed").join(FOLDER);
     folder.join(SCRIPT).is_file().then(|| folder.into())
 }
 
-/// The element's files in a folder, in the order of their names.
+/// Lists the element's files in a folder, in the order of their names.
 ///
 /// # Errors
 /// Fails if its script is not there.
@@ -105,7 +105,7 @@ fn files(named_by: &'static str, folder: &Path) -> Result<Vec<PathBuf>, Failure>
     Ok(paths)
 }
 
-/// All scripts and wasm files of a folder, in the order of their names.
+/// Lists all scripts and wasm files of a folder, in the order of their names.
 pub fn code_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(Failure::file(folder))?;
     let paths = entries.map(|entry| Ok(entry.map_err(Failure::file(folder))?.path()));

@@ -7,26 +7,12 @@ use std::path::{Path, PathBuf};
 use super::super::Failure;
 use super::super::output::Output;
 use super::element::{self, Element};
+use super::file_names::{CARD, EMBED, JPEG, OEMBED, PAGE, PNG, SHAPE, SHEET};
 use super::oembed;
 use super::shots::Shots;
 use super::templates::{self, Content};
 
-/// The page.
-const PAGE: &str = "index.html";
-/// The page for frames.
-pub const EMBED: &str = "embed.html";
-/// The oEmbed response.
-pub const OEMBED: &str = "oembed.json";
-/// The picture, as pages show it and as it is saved.
-pub const JPEG: &str = "map.jpg";
-pub const PNG: &str = "map.png";
-/// The card.
-pub const CARD: &str = "card.jpg";
-/// The style sheet, the same for all maps, and the one with the map's aspect.
-pub const SHEET: &str = "page.css";
-pub const SHAPE: &str = "shape.css";
-
-/// All of them, and the folder of the element.
+/// The names of all files, and the folder of the element.
 const ALL: [&str; 9] = [PAGE, EMBED, OEMBED, JPEG, PNG, CARD, SHEET, SHAPE, element::FOLDER];
 
 /// Marks the pages of this command. Their folder is its own.

@@ -6,7 +6,9 @@ mod attributes;
 mod card;
 mod composition;
 mod element;
+mod file_names;
 mod folder;
+mod markup;
 mod oembed;
 mod shots;
 mod templates;
@@ -74,7 +76,7 @@ impl Asked {
         })
     }
 
-    /// All that the page of a finished map says.
+    /// Collects all that the page of a finished map says.
     fn content(self, map: &Map, shots: &Shots) -> Result<Content, Failure> {
         let (recipe, names) = (map.recipe(), Names::of(map));
         let name = self.title.unwrap_or_else(|| words::name(&names, recipe));
@@ -98,7 +100,7 @@ impl Asked {
     }
 }
 
-/// The folder to write, with the seed in its place.
+/// Returns the folder to write, with the seed in its place.
 fn folder_of(matches: &ArgMatches, seed: &str) -> Result<PathBuf, Failure> {
     let path = matches.get_one::<PathBuf>("output").cloned().unwrap_or_default();
     match path.to_str() {
@@ -107,7 +109,7 @@ fn folder_of(matches: &ArgMatches, seed: &str) -> Result<PathBuf, Failure> {
     }
 }
 
-/// The address of that folder. A percent sign in the folder's name is `%25` there.
+/// Reads the address of that folder. A percent sign in the folder's name is `%25` there.
 fn address_of(text: &str, seed: &str) -> Result<Address, Failure> {
     let escaped = if text.contains(PLACE) { with_seed(PLACE, seed)? } else { String::new() };
     Address::read("--address", &text.replace(PLACE, &escaped.replace('%', "%25")))

@@ -5,7 +5,8 @@ use serde_json::{Value, json};
 
 use super::address::Address;
 use super::card;
-use super::folder::{CARD, EMBED};
+use super::file_names::{CARD, EMBED};
+use super::markup::escaped;
 use super::templates::Content;
 
 /// The width of the frame where the page around it sets none, in CSS pixels.
@@ -35,20 +36,4 @@ pub fn response(content: &Content, address: &Address) -> Value {
         "thumbnail_width": card::SIZE.0,
         "thumbnail_height": card::SIZE.1,
     })
-}
-
-/// Escapes text for quoted attributes and the content of elements.
-pub fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for sign in text.chars() {
-        match sign {
-            '&' => out += "&amp;",
-            '<' => out += "&lt;",
-            '>' => out += "&gt;",
-            '"' => out += "&quot;",
-            '\'' => out += "&#39;",
-            _ => out.push(sign),
-        }
-    }
-    out
 }

@@ -9,8 +9,9 @@ use riverseed::paint::View;
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
 use riverseed::session::Session;
+use riverseed_exchange::memory;
 
-use super::super::{Failure, memory};
+use super::super::Failure;
 use super::card;
 
 /// The default length of the picture's longer side, in pixels.
@@ -47,7 +48,7 @@ impl Shots {
         let size = View::sides_for(&Domain::of(&recipe), longer);
         let mut picture = Picture::new(size.0, size.1)?;
         let map = session.finish()?;
-        memory::ask_for_picture(&map, &picture)?;
+        memory::ask_for_picture(&map, picture.pixmap())?;
         picture.paint_map(&map);
         let card = card::jpeg(&card::paint(session, title)?, QUALITY)?;
         session.change(recipe)?;
@@ -56,7 +57,7 @@ impl Shots {
         Ok(Self { png, jpeg: card::jpeg(&picture, QUALITY)?, card, size })
     }
 
-    /// The picture's width and height, in pixels.
+    /// Returns the picture's width and height, in pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }

@@ -12,8 +12,8 @@ use super::address::Address;
 use super::attributes::attribute;
 use super::card;
 use super::element::Element;
-use super::folder::{CARD, JPEG, OEMBED, PNG, SHAPE, SHEET};
-use super::oembed::escaped;
+use super::file_names::{CARD, JPEG, OEMBED, PNG, SHAPE, SHEET};
+use super::markup::escaped;
 
 /// All that a page says.
 pub struct Content {
@@ -74,7 +74,7 @@ fn filled(name: &str, data: &Value) -> Result<String, Failure> {
     Ok(templates.render(name, data).map_err(io::Error::other)?)
 }
 
-/// The data of a template. The members are listed in the head of www/build/gallery/templates.ts.
+/// Collects the data of a template. The members are listed in the head of www/build/gallery/templates.ts.
 fn data(content: &Content) -> Value {
     let Content { address, maker, link, element, .. } = content;
     let whole = |file: &str| address.as_ref().map(|address| address.of(file));
@@ -109,14 +109,14 @@ fn data(content: &Content) -> Value {
     })
 }
 
-/// The buttons under the map.
+/// Makes the buttons under the map.
 fn acts(Content { maker, link, .. }: &Content) -> Vec<Value> {
     let open = maker.as_ref().map(|maker| json!({ "address": maker.with_query(link), "label": "Change this map" }));
     let save = json!({ "address": PNG, "download": PNG, "label": "Save the picture" });
     open.into_iter().chain([save]).collect()
 }
 
-/// The element, or the picture if there is none, as it is pasted into other pages.
+/// Writes the element, or the picture if there is none, as it is pasted into other pages.
 fn snippet(content: &Content, attributes: &[Value], here: &str) -> String {
     let Content { element, alternative, aspect, picture: Shot { width, height }, .. } = content;
     let image = |style: &str| {
@@ -140,7 +140,7 @@ fn snippet(content: &Content, attributes: &[Value], here: &str) -> String {
     )
 }
 
-/// The content security policy of a page with this element. `'wasm-unsafe-eval'` allows WebAssembly and no more.
+/// Writes the content security policy of a page with this element. `'wasm-unsafe-eval'` allows WebAssembly and no more.
 fn policy(element: &Element) -> String {
     let origin = element.origin();
     // In a frame without an origin, and from another host, the worker's script is a blob.

@@ -13,7 +13,7 @@ use super::super::Failure;
 /// The most characters of a title and of a description.
 const LONGEST: usize = 300;
 
-/// The words of an option, if it is given.
+/// Reads the words of an option, if it is given.
 ///
 /// # Errors
 /// Refuses words that nobody could see, and too many.
@@ -28,7 +28,7 @@ pub fn given(matches: &ArgMatches, option: &'static str) -> Result<Option<String
     }
 }
 
-/// The map's name, or what it grew from if the recipe takes its name away.
+/// Returns the map's name, or what it grew from if the recipe takes its name away.
 pub fn name(names: &Names, recipe: &Recipe) -> String {
     match (names.title.as_str(), recipe.seed()) {
         ("", "") => "Rivers".into(),
@@ -37,7 +37,7 @@ pub fn name(names: &Names, recipe: &Recipe) -> String {
     }
 }
 
-/// A sentence or two on the rivers.
+/// Writes a sentence or two on the rivers.
 pub fn description(map: &Map, names: &Names) -> String {
     let network = map.network();
     let lengths = network.rivers.iter().map(|river| network.length(river));
@@ -54,12 +54,12 @@ pub fn description(map: &Map, names: &Names) -> String {
     }
 }
 
-/// The words for readers who do not see the picture.
+/// Writes the words for readers who do not see the picture.
 pub fn alternative(names: &Names, name: &str) -> String {
     if names.title.is_empty() { format!("A map: {name}") } else { format!("A map of {} and its rivers", names.title) }
 }
 
-/// The settings of a link, as labels and values for a template.
+/// Lists the settings of a link, as labels and values for a template.
 ///
 /// # Errors
 /// Fails if the link cannot be read.
@@ -71,7 +71,7 @@ pub fn settings(link: &str) -> Result<Vec<Value>, Failure> {
     Ok(link::pairs(link)?.into_iter().map(row).collect())
 }
 
-/// A value as the page shows it.
+/// Writes a value as the page shows it.
 fn worded(row: &Parameter, text: &str) -> String {
     match row.kind {
         Kind::Choice { choices, .. } => {

@@ -108,7 +108,7 @@ impl Mesh {
         })
     }
 
-    /// The bytes of all parts one after the other, and where each begins and how long it is.
+    /// Writes the bytes of all parts one after the other, and where each begins and how long it is.
     fn binary(&self, image: &[u8]) -> (Vec<u8>, Vec<[usize; 2]>) {
         let numbers = 6 * self.positions.len() + 2 * self.places.len() + self.triangles.len();
         let (mut bytes, mut parts) = (Vec::with_capacity(numbers * 4 + image.len() + 4), Vec::new());
@@ -127,7 +127,7 @@ impl Mesh {
         (bytes, parts)
     }
 
-    /// The least and the greatest of each coordinate.
+    /// Finds the least and the greatest of each coordinate.
     fn bounds(&self) -> [[f32; 3]; 2] {
         let [least, most] = [f32::min as fn(f32, f32) -> f32, f32::max].map(|of| {
             let first = self.positions.first().copied().unwrap_or_default();
@@ -144,7 +144,7 @@ fn listed<T>(count: usize, items: impl Iterator<Item = T>) -> Vec<T> {
     list
 }
 
-/// The direction that the ground faces; the sea faces up.
+/// Returns the direction that the ground faces; the sea faces up.
 fn normal(terrain: &Terrain, (column, row): (usize, usize)) -> [f32; 3] {
     if terrain.height(column as isize, row as isize) <= 0.0 {
         return [0.0, 1.0, 0.0];
@@ -153,7 +153,7 @@ fn normal(terrain: &Terrain, (column, row): (usize, usize)) -> [f32; 3] {
     DVec3::new(-slope.x, 1.0, -slope.y).normalize().as_vec3().to_array()
 }
 
-/// Two triangles for each square, counterclockwise from above.
+/// Makes two triangles for each square, counterclockwise from above.
 fn triangles(columns: u32, rows: u32) -> Vec<u32> {
     let squares = (0..rows - 1).flat_map(|row| (0..columns - 1).map(move |column| row * columns + column));
     let corners = |north_west: u32| {
@@ -168,20 +168,9 @@ fn triangles(columns: u32, rows: u32) -> Vec<u32> {
 fn document(mesh: &Mesh, parts: &[[usize; 2]], bytes: usize, rasters: &Rasters, picture: &Pixmap) -> Value {
     const FLOAT: u32 = 5126;
     const UNSIGNED: u32 = 5125;
-    const OF_VERTICES: u32 = 34962;
-    const OF_TRIANGLES: u32 = 34963;
     const LINEAR: u32 = 9729;
     const SMOOTH: u32 = 9987;
     const CLAMP: u32 = 33071;
-    let targets = [Some(OF_VERTICES), Some(OF_VERTICES), Some(OF_VERTICES), Some(OF_TRIANGLES), None];
-    let view = |([start, length], target): (&[usize; 2], Option<u32>)| {
-        let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": length });
-        if let (Some(target), Some(members)) = (target, view.as_object_mut()) {
-            members.insert("target".into(), target.into());
-        }
-        view
-    };
-    let views: Vec<Value> = parts.iter().zip(targets).map(view).collect();
     let vertices = mesh.positions.len();
     let [least, most] = mesh.bounds().map(|bounds| bounds.map(f64::from));
     let sides = [rasters.columns as u32, rasters.rows as u32];
@@ -209,9 +198,24 @@ fn document(mesh: &Mesh, parts: &[[usize; 2]], bytes: usize, rasters: &Rasters, 
             { "bufferView": 2, "componentType": FLOAT, "count": vertices, "type": "VEC2" },
             { "bufferView": 3, "componentType": UNSIGNED, "count": mesh.triangles.len(), "type": "SCALAR" },
         ],
-        "bufferViews": views,
+        "bufferViews": views(parts),
         "buffers": [{ "byteLength": bytes }],
     })
+}
+
+/// Says where each part of the bytes lies, and which are those of vertices and triangles.
+fn views(parts: &[[usize; 2]]) -> Vec<Value> {
+    const OF_VERTICES: u32 = 34962;
+    const OF_TRIANGLES: u32 = 34963;
+    let targets = [Some(OF_VERTICES), Some(OF_VERTICES), Some(OF_VERTICES), Some(OF_TRIANGLES), None];
+    let view = |([start, length], target): (&[usize; 2], Option<u32>)| {
+        let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": length });
+        if let (Some(target), Some(members)) = (target, view.as_object_mut()) {
+            members.insert("target".into(), target.into());
+        }
+        view
+    };
+    parts.iter().zip(targets).map(view).collect()
 }
 
 /// Fills bytes up to a whole number of words.

@@ -6,8 +6,8 @@ use flate2::read::DeflateDecoder;
 use rawzip::{RECOMMENDED_BUFFER_SIZE, ZipArchive, ZipArchiveWriter};
 use riverseed::Map;
 use riverseed::export::pack::{README, add};
+use riverseed::export::png;
 use riverseed::export::rasters::{Layer, Rasters};
-use riverseed::export::{Engine, png};
 use riverseed::tiny_skia::Pixmap;
 
 use super::normals::{self, Green};
@@ -15,6 +15,7 @@ use super::splat::{self, GROUNDS};
 use super::splines::{self, Axes};
 use super::terrain::Terrain;
 use super::{recipe, textures};
+use crate::form::Engine;
 
 /// Writes the archive of a map. A recipe always gives the same bytes, because files have a fixed time.
 ///

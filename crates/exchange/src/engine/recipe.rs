@@ -2,15 +2,14 @@
 //!
 //! No engine runs where Riverseed is tested. The texts say so, and say where each fact comes from.
 
-use riverseed::export::Engine;
-
 use riverseed::relief::METRES;
 
 use super::sizes::name;
 use super::splat::GROUNDS;
 use super::terrain::{METRES_A_UNIT, Terrain};
+use crate::form::Engine;
 
-/// The first lines of a README, which depend on nothing that has to be computed.
+/// Writes the first lines of a README, which depend on nothing that has to be computed.
 pub fn head(engine: Engine, link: &str, side: u32, picture: [u32; 2]) -> String {
     format!(
         "A map by Riverseed, for {}. This link draws it again:\n  {link}\n\
@@ -57,6 +56,8 @@ fn steps(engine: Engine, terrain: &Terrain) -> String {
     }
 }
 
+/// Writes the steps for Unreal Engine.
+///
 /// An actor's scale of 100 makes 512 m of all values: a step is a 128th of the scale in centimetres, and the value 32768
 /// lies at the actor's own height (`LandscapeDataAccess.h`).
 fn unreal(terrain: &Terrain) -> String {
@@ -110,6 +111,8 @@ fn unity(terrain: &Terrain) -> String {
     )
 }
 
+/// Writes the steps for Godot.
+///
 /// The importer of Terrain3D divides a value by 65535 (`terrain_3d_util.cpp`).
 fn godot(terrain: &Terrain) -> String {
     let [deepest, highest] = terrain.range();

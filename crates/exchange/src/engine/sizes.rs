@@ -1,13 +1,16 @@
 //! The sizes of the landscapes of engines.
 
+use std::io;
 use std::num::NonZero;
 
 use riverseed::Map;
 use riverseed::domain::Domain;
+use riverseed::export::ExportError;
 use riverseed::export::rasters::Rasters;
-use riverseed::export::{Engine, ExportError};
 use riverseed::relief::Grid;
 use thiserror::Error;
+
+use crate::form::Engine;
 
 /// The sides of landscapes that Unreal's guide recommends: whole components of 2 x 2 sections of 63 quads, plus a row.
 const UNREAL: [u32; 4] = [505, 1009, 2017, 4033];
@@ -35,7 +38,16 @@ pub enum EngineError {
     Export(#[from] ExportError),
 }
 
-/// The name of an engine, as it writes it.
+impl From<EngineError> for io::Error {
+    fn from(error: EngineError) -> Self {
+        match error {
+            EngineError::Export(error) => Self::other(error),
+            error => Self::other(error),
+        }
+    }
+}
+
+/// Returns the name of an engine, as it writes it.
 pub fn name(engine: Engine) -> &'static str {
     match engine {
         Engine::Unreal => "Unreal Engine",
@@ -44,7 +56,7 @@ pub fn name(engine: Engine) -> &'static str {
     }
 }
 
-/// The possible sides of a map's landscape in an engine, in pixels.
+/// Lists the possible sides of a map's landscape in an engine, in pixels.
 pub fn sizes(engine: Engine, domain: &Domain) -> Vec<u32> {
     let possible = Grid::sizes(domain);
     of(engine).into_iter().filter(|size| possible.contains(size)).collect()
@@ -54,7 +66,7 @@ fn of(engine: Engine) -> [u32; 4] {
     if engine == Engine::Unreal { UNREAL } else { POWERS }
 }
 
-/// The side of an engine's landscape unless another one is asked for, in pixels.
+/// Returns the side of an engine's landscape unless another one is asked for, in pixels.
 pub fn usual(engine: Engine) -> u32 {
     of(engine)[USUAL]
 }

@@ -27,7 +27,7 @@ const HIGH: [f64; 2] = [0.5, 0.7];
 /// Heights over the sea between which a shore ends, in metres.
 const SHORE: [f64; 2] = [6.0, 20.0];
 
-/// The shares of all pixels of a landscape, four bytes each.
+/// Computes the shares of all pixels of a landscape, four bytes each.
 ///
 /// # Errors
 /// Fails if there is not enough memory.

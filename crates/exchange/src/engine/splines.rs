@@ -8,13 +8,13 @@ use std::io::{Result, Write};
 
 use riverseed::Map;
 use riverseed::annotate::names::Names;
-use riverseed::export::Engine;
 use riverseed::glam::{DVec2, DVec3};
 use riverseed::network::{NONE, Network, River, hydrology};
 use riverseed::recipe::link;
 use serde_json::{Map as Members, Value, json};
 
 use super::terrain::{METRES_A_UNIT, Terrain};
+use crate::form::Engine;
 use crate::memory::ask;
 
 /// The axes, the unit and the origin of lines.
@@ -45,7 +45,7 @@ impl Axes {
         }
     }
 
-    /// The number of its units in a metre.
+    /// Returns the number of its units in a metre.
     fn units_a_metre(self) -> f64 {
         if self == Self::Of(Engine::Unreal) { 100.0 } else { 1.0 }
     }
@@ -68,7 +68,7 @@ impl Axes {
     }
 }
 
-/// The depth of a river of this width, in metres, where water reaches to the top of its banks.
+/// Returns the depth of a river of this width, in metres, where water reaches to the top of its banks.
 pub fn depth(width: f64) -> f64 {
     0.27 * libm::pow(width.max(0.0) / 7.2, 0.6)
 }
@@ -109,7 +109,7 @@ fn rivers(map: &Map, terrain: &Terrain, axes: Axes) -> Value {
     network.rivers.iter().enumerate().map(river).collect()
 }
 
-/// The height of each vertex in metres: that of the ground, but never lower than downstream; 0 at mouths.
+/// Computes the height of each vertex in metres: that of the ground, but never lower than downstream; 0 at mouths.
 fn heights(network: &Network, terrain: &Terrain) -> Vec<f32> {
     let ground = |vertex: usize| terrain.height_between(terrain.corners(network.vertices[vertex].at)) as f32;
     hydrology::upward(network, |vertex, below| ground(vertex).max(below))

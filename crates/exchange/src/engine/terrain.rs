@@ -31,7 +31,7 @@ pub struct Terrain {
 }
 
 impl Terrain {
-    /// The landscape of rasters.
+    /// Makes the landscape of rasters.
     pub fn of(rasters: &Rasters) -> Self {
         let steps = match rasters.values(Layer::Heights) {
             Values::Words(steps) => steps,
@@ -64,14 +64,14 @@ impl Terrain {
         })
     }
 
-    /// The height of a corner, in metres over the sea; beyond the border, that of the nearest corner.
+    /// Returns the height of a corner, in metres over the sea; beyond the border, that of the nearest corner.
     pub fn height(&self, column: isize, row: isize) -> f64 {
         let within = |place: isize, count: usize| place.clamp(0, count as isize - 1) as usize;
         let step = self.steps[within(row, self.rows) * self.columns + within(column, self.columns)];
         (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
     }
 
-    /// The height of a place in corners east and south of the first one, in metres over the sea.
+    /// Returns the height of a place in corners east and south of the first one, in metres over the sea.
     pub fn height_between(&self, place: DVec2) -> f64 {
         let corner = place.floor();
         let (share, [column, row]) = (place - corner, [corner.x as isize, corner.y as isize]);
@@ -83,7 +83,7 @@ impl Terrain {
         north + (south - north) * share.y
     }
 
-    /// The slope at a corner: how many metres the ground rises on a metre to the east, and on one to the south.
+    /// Returns the slope at a corner: how many metres the ground rises on a metre to the east, and on one to the south.
     pub fn slope(&self, column: usize, row: usize) -> DVec2 {
         let (x, y) = (column as isize, row as isize);
         // At the border, the height beyond is that of the border: half as long a way.
@@ -93,12 +93,12 @@ impl Terrain {
         DVec2::new(east, south) / self.metres_a_pixel
     }
 
-    /// The place of a point of the map, given in units, in corners east and south of the first one.
+    /// Returns the place of a point of the map, given in units, in corners east and south of the first one.
     pub fn corners(&self, at: Vec2) -> DVec2 {
         at.as_dvec2() / self.cell_size - 0.5 + self.before
     }
 
-    /// The same in metres east and south of the first corner.
+    /// Returns the place of a point in metres east and south of the first corner.
     pub fn metres(&self, at: Vec2) -> DVec2 {
         self.corners(at) * self.metres_a_pixel
     }
@@ -108,12 +108,12 @@ impl Terrain {
         self.map
     }
 
-    /// The lowest and the highest height that a number can have, in metres over the sea.
+    /// Returns the lowest and the highest height that a number can have, in metres over the sea.
     pub fn range(&self) -> [f64; 2] {
         [0, u16::MAX].map(|step| (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step)
     }
 
-    /// The highest land, in metres over the sea.
+    /// Returns the height of the highest land, in metres over the sea.
     pub fn highest(&self) -> f64 {
         let most = self.steps.iter().copied().max().unwrap_or(self.sea_level);
         (f64::from(most) - f64::from(self.sea_level)) * self.metres_a_step

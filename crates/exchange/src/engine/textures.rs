@@ -53,7 +53,7 @@ pub fn square(picture: &Pixmap) -> Result<Pixmap> {
     Ok(square)
 }
 
-/// The mean colour of the corners of a picture, which are sea on maps that have one around them.
+/// Returns the mean colour of the corners of a picture, which are sea on maps that have one around them.
 fn border(picture: &Pixmap) -> [u8; 4] {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let corners =

@@ -15,7 +15,7 @@ pub const NAME: &str = "Riverseed map, metres from its centre";
 /// The number of the system in a GeoPackage: the first that belongs to no authority.
 pub const NUMBER: i32 = 100_000;
 
-/// The system as well-known text of the first version, which all readers know.
+/// Writes the system as well-known text of the first version, which all readers know.
 pub fn well_known_text() -> String {
     format!(r#"LOCAL_CS["{NAME}",UNIT["metre",1],AXIS["Easting",EAST],AXIS["Northing",NORTH]]"#)
 }

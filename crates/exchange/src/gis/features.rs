@@ -4,30 +4,8 @@ use riverseed::Map;
 use riverseed::export::{ExportError, Json, geojson};
 
 use super::crs::metres_of_degrees;
+use super::feature::{Feature, Place, Shape};
 use super::lakes;
-
-/// A place: metres east and north of the map's centre, and metres over the sea where that is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    pub east: f64,
-    pub north: f64,
-    pub height: Option<f64>,
-}
-
-/// The shape of a feature.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    Point(Place),
-    Line(Vec<Place>),
-    Polygon(Vec<Vec<Place>>),
-    MultiPolygon(Vec<Vec<Vec<Place>>>),
-}
-
-/// A river, a lake, a piece of land and so on.
-pub struct Feature<'a> {
-    pub shape: Shape,
-    pub properties: Vec<(&'static str, Json<'a>)>,
-}
 
 /// The features of a map, with its link and title.
 #[derive(Default)]
@@ -37,22 +15,6 @@ pub struct Collection<'a> {
     pub features: Vec<Feature<'a>>,
     /// The lakes at the sea's level, which GeoJSON has as holes.
     pub lakes: Vec<Feature<'a>>,
-}
-
-impl<'a> Feature<'a> {
-    /// The value of a property.
-    pub fn property(&self, name: &str) -> Option<&Json<'a>> {
-        self.properties.iter().find(|(own, _)| *own == name).map(|(_, value)| value)
-    }
-
-    /// The kind of the feature, such as `river`.
-    pub fn kind(&self) -> &str {
-        match self.property("kind") {
-            Some(Json::Text(kind)) => kind,
-            Some(Json::Owned(kind)) => kind,
-            _ => "",
-        }
-    }
 }
 
 impl<'a> Collection<'a> {
@@ -119,7 +81,7 @@ fn place(json: Json<'_>) -> Option<Place> {
     Some(Place { east, north, height: numbers.get(2).copied() })
 }
 
-/// The number that a value is.
+/// Returns the number that a value is.
 pub fn number(json: &Json<'_>) -> Option<f64> {
     match json {
         Json::Whole(whole) => Some(*whole as f64),

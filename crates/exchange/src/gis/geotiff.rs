@@ -63,7 +63,7 @@ pub fn write_picture(out: impl Write, domain: &Domain, picture: &Pixmap, link: &
     write::<RGB8>(out, &frame, Predictor::Horizontal, &pixels)
 }
 
-/// The first words of the description of a raster, which no other file has.
+/// Returns the first words of the description of a raster, which no other file has.
 pub fn subject(layer: Layer) -> &'static str {
     match layer {
         Layer::Heights => "Heights in metres",
@@ -117,7 +117,7 @@ impl Frame {
         })
     }
 
-    /// The keys of the coordinate system: pixels are areas, and the system is a plane in metres with this name.
+    /// Lists the keys of the coordinate system: pixels are areas, and the system is a plane in metres with this name.
     fn keys() -> ([u16; 20], String) {
         const NAME: u16 = 34737;
         const METRE: u16 = 9001;

@@ -3,7 +3,7 @@
 use riverseed::export::rasters::Rasters;
 use riverseed::relief::METRES;
 
-/// The heights of a map's cells in metres over the sea.
+/// Returns the heights of a map's cells in metres over the sea.
 pub fn metres(rasters: &Rasters) -> Vec<f32> {
     let (relief, flow) = (rasters.relief(), rasters.flow());
     let grid = relief.grid();

@@ -2,7 +2,7 @@
 
 use riverseed::export::Json;
 
-use super::features::{Feature, Place, Shape};
+use super::feature::{Feature, Place, Shape};
 
 /// The kind of these features. `lake` is that of the point with the name.
 pub const KIND: &str = "water";
@@ -35,7 +35,7 @@ pub fn of<'a>(features: &[Feature<'a>]) -> Vec<Feature<'a>> {
     holes.into_iter().zip(shores).enumerate().map(lake).collect()
 }
 
-/// The rings of a piece of land.
+/// Returns the rings of a piece of land.
 fn land<'b>(feature: &'b Feature<'_>) -> Option<&'b [Ring]> {
     match &feature.shape {
         Shape::Polygon(rings) if feature.kind() == "land" => Some(rings),
@@ -54,7 +54,7 @@ fn innermost(holes: &[(usize, &Ring)], island: &Ring) -> Option<usize> {
     around.min_by(|(_, (_, a)), (_, (_, b))| area(a).total_cmp(&area(b))).map(|(lake, _)| lake)
 }
 
-/// The name of the point of a lake that lies in a ring; null if there is none.
+/// Finds the name of the point of a lake that lies in a ring; null if there is none.
 fn name<'a>(features: &[Feature<'a>], ring: &Ring) -> Json<'a> {
     let is_here = |feature: &&Feature<'_>| {
         feature.kind() == "lake" && matches!(feature.shape, Shape::Point(at) if is_in(ring, at))
@@ -76,7 +76,7 @@ fn is_in(ring: &Ring, at: Place) -> bool {
     ring.windows(2).filter(crosses).count() % 2 == 1
 }
 
-/// The area in a ring, in square metres.
+/// Returns the area in a ring, in square metres.
 fn area(ring: &Ring) -> f64 {
     ring.windows(2).map(|pair| pair[0].east * pair[1].north - pair[1].east * pair[0].north).sum::<f64>().abs() * 0.5
 }

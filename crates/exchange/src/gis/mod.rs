@@ -1,6 +1,7 @@
 //! Files for geographic information systems: a GeoPackage with all layers, and rasters and pictures at their place.
 
 pub mod crs;
+mod feature;
 mod features;
 pub mod geopackage;
 pub mod geotiff;

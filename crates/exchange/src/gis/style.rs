@@ -19,7 +19,7 @@ const DEPTHS: [(f32, [u8; 3]); 3] = [(-600.0, [0x5f, 0x93, 0xae]), (-150.0, atla
 /// The least height of land in metres, so that the sea's surface has a colour of its own.
 const ASHORE: f32 = 0.01;
 
-/// The colours of depths and heights in metres, from below.
+/// Lists the colours of depths and heights in metres, from below.
 fn tints() -> impl Iterator<Item = (f32, [u8; 3])> {
     DEPTHS.into_iter().chain(atlas::TINTS.iter().map(|(metres, colour)| (metres.max(ASHORE), *colour)))
 }
@@ -77,7 +77,7 @@ pub fn write_heights(mut out: impl Write, link: &str) -> Result<()> {
     )
 }
 
-/// A style of one symbol, and of labels if there are any.
+/// Writes a style of one symbol, and of labels if there are any.
 fn vector(symbol: &str, labeling: &str) -> String {
     format!(
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n\
@@ -101,7 +101,7 @@ fn symbol(kind: &str, layer: &str, options: &[(&str, &str)], by_data: Option<(&s
     )
 }
 
-/// A property of a symbol that an expression gives.
+/// Writes a property of a symbol that an expression gives.
 fn by_expression(property: &str, expression: &str) -> String {
     format!(
         "<data_defined_properties><Option type=\"Map\"><Option name=\"name\" type=\"QString\" value=\"\"/>\
@@ -139,7 +139,7 @@ fn line(colour: &str, width: Option<&str>) -> String {
     symbol("line", "SimpleLine", &options, width.map(|expression| ("outlineWidth", expression)))
 }
 
-/// A dot, for capes: all else is larger than a place, and its name alone marks it.
+/// Writes a dot, for capes: all else is larger than a place, and its name alone marks it.
 fn point() -> String {
     let ink = opaque(atlas::LETTERS);
     let options = [("name", "circle"), ("color", &ink), ("outline_style", "no"), ("size", "0.8"), ("size_unit", "MM")];

@@ -1,6 +1,6 @@
 //! Shapes as a GeoPackage stores them: a header with the rectangle around them, and well-known binary.
 
-use super::super::features::{Place, Shape};
+use super::super::feature::{Place, Shape};
 use super::Bounds;
 
 /// Little-endian numbers, and a header with a rectangle.

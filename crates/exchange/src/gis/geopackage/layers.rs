@@ -41,7 +41,7 @@ pub enum Of {
 }
 
 impl Of {
-    /// The type in SQL.
+    /// Returns the type in SQL.
     pub const fn sql(self) -> &'static str {
         match self {
             Self::Whole => "INTEGER",

@@ -15,7 +15,8 @@ use rusqlite::{Connection, params, params_from_iter};
 
 use self::layers::{Column, LAYERS, Layer, Of};
 use super::crs;
-use super::features::{Collection, Feature, number};
+use super::feature::Feature;
+use super::features::{Collection, number};
 use super::style;
 use crate::xml::escaped;
 use riverseed::export::Json;
@@ -37,7 +38,7 @@ pub fn is_of(database: &Connection, link: &str) -> bool {
     read.is_ok_and(|metadata| metadata.contains(&item("riverseed", link)))
 }
 
-/// An item of metadata as GDAL writes it.
+/// Writes an item of metadata as GDAL writes it.
 fn item(key: &str, value: &str) -> String {
     format!("    <MDI key=\"{key}\">{}</MDI>\n", escaped(value))
 }
@@ -144,7 +145,7 @@ impl Bounds {
         Self([a.min(w), b.min(s), c.max(e), d.max(n)])
     }
 
-    /// The four numbers, or nulls around nothing.
+    /// Returns the four numbers, or nulls around nothing.
     fn or_null(self) -> [Option<f64>; 4] {
         self.0.map(|number| number.is_finite().then_some(number))
     }

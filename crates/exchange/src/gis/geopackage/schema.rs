@@ -92,7 +92,7 @@ CREATE TABLE layer_styles (
 );
 ";
 
-/// The statement that makes a layer's table.
+/// Writes the statement that makes a layer's table.
 pub fn table(layer: &Layer) -> String {
     let columns: Vec<String> =
         layer.columns.iter().map(|column| format!(", \"{}\" {}", column.name, column.of.sql())).collect();
@@ -104,7 +104,7 @@ pub fn table(layer: &Layer) -> String {
     )
 }
 
-/// The statement that adds a feature to a layer.
+/// Writes the statement that adds a feature to a layer.
 pub fn insertion(layer: &Layer) -> String {
     let names: Vec<String> = layer.columns.iter().map(|column| format!(", \"{}\"", column.name)).collect();
     format!("INSERT INTO \"{}\" (geom{}) VALUES (?{})", layer.name, names.concat(), ", ?".repeat(names.len()))

@@ -1,6 +1,6 @@
-//! The forms of a file.
+//! The forms of a file: a table with a row for each.
 
-use super::rasters::Layer;
+use riverseed::export::rasters::Layer;
 
 /// The forms of a file, each named after the ending of its files. Not `#[non_exhaustive]`: programs that write all forms
 /// want the compiler to ask for a new one.
@@ -51,7 +51,7 @@ pub enum Engine {
     Godot,
 }
 
-/// The contents of a file, on which its options depend.
+/// The contents of a file, on which its options and its memory depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
     /// A picture whose size in pixels can be chosen.
@@ -66,6 +66,19 @@ enum Holds {
     Names,
     /// A picture and no data.
     PictureAlone,
+    /// Other files, compressed.
+    Files,
+}
+
+/// The readers that a form is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Readers {
+    /// Browsers, editors and programs of any kind.
+    Any,
+    /// Game engines.
+    Engines,
+    /// Geographic information systems.
+    Gis,
 }
 
 impl Form {
@@ -98,65 +111,85 @@ impl Form {
         Self::HeightStyle,
     ];
 
-    /// The row of a form in the table of forms: the ending of its files, and their contents.
-    const fn row(self) -> (&'static str, &'static [Holds]) {
-        use Holds::{Letters, Names, PictureAlone, Pixels, Rasters, Relief};
+    /// Returns the row of a form: the ending of its files, their readers, the copies of the map's features that are in
+    /// memory while one is written, and the contents. Writers of pixels and rasters ask for what they need by themselves.
+    const fn row(self) -> (&'static str, Readers, usize, &'static [Holds]) {
+        use Holds::{Files, Letters, Names, PictureAlone, Pixels, Rasters, Relief};
+        use Readers::{Any, Engines, Gis};
         match self {
-            Self::Png => ("png", &[Pixels, Letters, PictureAlone]),
-            Self::Svg => ("svg", &[Letters, PictureAlone]),
-            Self::GeoJson => ("geojson", &[Relief, Names]),
-            Self::Json => ("json", &[Names]),
-            Self::Pack => ("zip", &[Pixels, Letters, Rasters, Relief]),
-            Self::Raster(Layer::Heights) => ("heights.png", &[Rasters, Relief]),
-            Self::Raster(Layer::Land) => ("land.png", &[Rasters, Relief]),
-            Self::Raster(Layer::Rivers) => ("rivers.png", &[Rasters, Relief]),
-            Self::Raster(Layer::Flow) => ("flow.png", &[Rasters, Relief]),
-            Self::Raster(Layer::Basins) => ("basins.png", &[Rasters, Relief]),
-            Self::RawHeights => ("r16", &[Rasters, Relief]),
-            Self::Normals => ("normals.png", &[Rasters, Relief]),
-            Self::Splat => ("splat.png", &[Rasters, Relief]),
-            Self::Splines => ("splines.json", &[Rasters, Relief, Names]),
-            Self::Gltf => ("glb", &[Pixels, Letters, Rasters, Relief]),
-            Self::Engine(Engine::Unreal) => ("unreal.zip", &[Pixels, Letters, Rasters, Relief, Names]),
-            Self::Engine(Engine::Unity) => ("unity.zip", &[Pixels, Letters, Rasters, Relief, Names]),
-            Self::Engine(Engine::Godot) => ("godot.zip", &[Pixels, Letters, Rasters, Relief, Names]),
-            Self::GeoPackage => ("gpkg", &[Relief, Names]),
-            Self::GeoTiff => ("tif", &[Pixels, Letters, PictureAlone]),
-            Self::RasterTiff(Layer::Heights) => ("heights.tif", &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Land) => ("land.tif", &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Rivers) => ("rivers.tif", &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Flow) => ("flow.tif", &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Basins) => ("basins.tif", &[Rasters, Relief]),
-            Self::HeightStyle => ("heights.qml", &[Relief]),
+            Self::Png => ("png", Any, 0, &[Pixels, Letters, PictureAlone]),
+            Self::Svg => ("svg", Any, 1, &[Letters, PictureAlone]),
+            Self::GeoJson => ("geojson", Any, 1, &[Relief, Names]),
+            Self::Json => ("json", Any, 1, &[Names]),
+            Self::Pack => ("zip", Any, 1, &[Pixels, Letters, Rasters, Relief, Files]),
+            Self::Raster(Layer::Heights) => ("heights.png", Any, 0, &[Rasters, Relief]),
+            Self::Raster(Layer::Land) => ("land.png", Any, 0, &[Rasters, Relief]),
+            Self::Raster(Layer::Rivers) => ("rivers.png", Any, 0, &[Rasters, Relief]),
+            Self::Raster(Layer::Flow) => ("flow.png", Any, 0, &[Rasters, Relief]),
+            Self::Raster(Layer::Basins) => ("basins.png", Any, 0, &[Rasters, Relief]),
+            Self::RawHeights => ("r16", Engines, 0, &[Rasters, Relief]),
+            Self::Normals => ("normals.png", Engines, 0, &[Rasters, Relief]),
+            Self::Splat => ("splat.png", Engines, 0, &[Rasters, Relief]),
+            Self::Splines => ("splines.json", Engines, 1, &[Rasters, Relief, Names]),
+            Self::Gltf => ("glb", Engines, 0, &[Pixels, Letters, Rasters, Relief]),
+            Self::Engine(Engine::Unreal) => {
+                ("unreal.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files])
+            }
+            Self::Engine(Engine::Unity) => ("unity.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
+            Self::Engine(Engine::Godot) => ("godot.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
+            // The features are in memory together, and then the file.
+            Self::GeoPackage => ("gpkg", Gis, 3, &[Relief, Names]),
+            Self::GeoTiff => ("tif", Gis, 0, &[Pixels, Letters, PictureAlone]),
+            Self::RasterTiff(Layer::Heights) => ("heights.tif", Gis, 0, &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Land) => ("land.tif", Gis, 0, &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Rivers) => ("rivers.tif", Gis, 0, &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Flow) => ("flow.tif", Gis, 0, &[Rasters, Relief]),
+            Self::RasterTiff(Layer::Basins) => ("basins.tif", Gis, 0, &[Rasters, Relief]),
+            Self::HeightStyle => ("heights.qml", Gis, 1, &[Relief]),
         }
     }
 
     fn holds(self, part: Holds) -> bool {
-        self.row().1.contains(&part)
+        self.row().3.contains(&part)
     }
 
-    /// All forms.
+    /// Lists all forms.
     pub fn all() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter()
     }
 
-    /// The ending of such a file's name, without the dot before it.
+    /// Returns the ending of such a file's name, without the dot before it.
     pub fn name(self) -> &'static str {
         self.row().0
     }
 
-    /// The form with this name; `None` if there is none.
+    /// Finds the form with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|form| form.name() == name)
     }
 
-    /// The form of a file by the longest known ending of its name, in upper or lower case. `None` if the name has no
+    /// Finds the form of a file by the longest known ending of its name, in upper or lower case. `None` if the name has no
     /// known ending, or consists of nothing else, like that of a hidden file.
     pub fn of_file(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
         let is_of =
             |form: &Self| name.strip_suffix(form.name()).is_some_and(|rest| rest.len() > 1 && rest.ends_with('.'));
         Self::all().filter(is_of).max_by_key(|form| form.name().len())
+    }
+
+    /// Returns the readers that such files are made for.
+    pub fn readers(self) -> Readers {
+        self.row().1
+    }
+
+    /// Returns how many copies of a map's features are in memory while such a file is written.
+    pub(crate) fn copies(self) -> usize {
+        self.row().2
+    }
+
+    /// Returns `true` if the file holds other files, compressed.
+    pub(crate) fn has_files(self) -> bool {
+        self.holds(Holds::Files)
     }
 
     /// Returns `true` if the file holds a picture whose size in pixels can be chosen.
