@@ -9,6 +9,7 @@ mod colonize;
 mod drainage;
 mod grown;
 mod growth;
+mod mouth;
 mod mouths;
 mod scatter;
 mod settings;
@@ -24,7 +25,7 @@ pub use colonize::{Pull, curl_toward, stem_nodes};
 pub use drainage::{Capture, Drainage, DrainageSettings};
 pub use grown::Grown;
 pub use growth::Growth;
-pub use mouths::Mouth;
+pub use mouth::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};
 #[doc(hidden)]

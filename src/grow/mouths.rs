@@ -2,22 +2,14 @@
 
 use glam::Vec2;
 
-use super::GrowthSettings;
+use super::mouth::Mouth;
+use super::settings::GrowthSettings;
 use crate::base::geometry::distance;
 use crate::base::random::{Purpose, Stream};
 use crate::base::sort;
 use crate::base::work;
 use crate::land::{Land, Region, Shore};
 use crate::recipe::Sides;
-
-/// The root of a river tree.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mouth {
-    /// The position, on the border of the domain or on a coast.
-    pub at: Vec2,
-    /// The unit vector away from the sea.
-    pub inland: Vec2,
-}
 
 /// The distance that a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;

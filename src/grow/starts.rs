@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::Mouth;
+use super::mouth::Mouth;
 use crate::base::geometry::distance;
 use crate::base::work;
 use crate::domain::Domain;

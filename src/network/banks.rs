@@ -2,9 +2,17 @@
 
 use glam::Vec2;
 
-use super::Place;
 use crate::base::geometry::{direction, length};
 use crate::recipe::CourseShape;
+
+/// A place on a centerline, midway between two banks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The position, in units.
+    pub at: Vec2,
+    /// The distance to either bank, in units.
+    pub half: f32,
+}
 
 /// A river's or a lake's outline, in units. Both banks have the same number of points. In rivers as grown, the lines
 /// between them are straight.

@@ -2,21 +2,12 @@
 
 use glam::Vec2;
 
-use super::{Banks, NONE, Network, Oxbow, River, Vertex};
+use super::{Banks, NONE, Network, Oxbow, Place, River, Vertex};
 use crate::base::geometry::direction;
 use crate::recipe::CourseShape;
 
 /// The distance by which a river runs beyond its last vertex into the sea, in widths. A round end adds another half.
 const PAST_SHORE: f32 = 0.1;
-
-/// A place on a centerline, midway between two banks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// The position, in units.
-    pub at: Vec2,
-    /// The distance to either bank, in units.
-    pub half: f32,
-}
 
 impl Network {
     /// Returns the centerline of a river from its source to its end: in the middle of the river that it joins, no wider

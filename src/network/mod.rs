@@ -34,8 +34,7 @@ mod width;
 
 #[doc(hidden)]
 pub use crate::base::geometry::{gap, meet};
-pub use banks::Banks;
-pub use centerline::Place;
+pub use banks::{Banks, Place};
 #[doc(hidden)]
 pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;

@@ -22,6 +22,7 @@ mod grid;
 mod hillsides;
 mod low_stand;
 mod profile;
+mod rill_cells;
 mod rills;
 mod settings;
 mod solver;
@@ -44,7 +45,6 @@ pub(crate) use low_stand::LowStandRelief;
 pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
-use steepness::Steepness;
 
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;

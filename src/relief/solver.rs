@@ -7,7 +7,7 @@ use super::channels::Channels;
 use super::creep::Creep;
 use super::front::{Front, TILE};
 use super::profile::elevations;
-use super::rills::RillCells;
+use super::rill_cells::RillCells;
 use super::settings::ReliefSettings;
 use super::steepness::Steepness;
 use super::summits::{unworn, worn};
@@ -229,7 +229,7 @@ impl ReliefSolver {
         if let Some(given) = &self.given {
             return Ok(given.heights.iter().map(|&height| unworn(height)).collect());
         }
-        Ok(elevations(network, self.settings.total_discharge, &self.cells, &self.steepness))
+        Ok(elevations(network, self.settings.total_discharge, &self.cells, &self.steepness.rises))
     }
 
     /// Walks some rills, and carves hillsides once all are walked. Returns the part to go on with.

@@ -81,6 +81,17 @@ test.each(Object.entries(USES))("%s uses what its line says, all of it and nothi
   expect([...used].sort()).toEqual([...uses].sort());
 });
 
+test("no sources import each other in a circle, not even in one folder", () => {
+  const imports = new Map([...SOURCES.keys()].map((path) => [path, importsOf(path)]));
+  const circles = [...SOURCES.keys()].filter((start) => {
+    const reached = new Set(imports.get(start));
+    // A set goes on with what is added while it is walked.
+    for (const path of reached) for (const next of imports.get(path) ?? []) reached.add(next);
+    return reached.has(start);
+  });
+  expect(circles).toEqual([]);
+});
+
 test.each(LATE)("$from does not load what comes late: $why", ({ from, late }) => {
   for (const name of late) expect(existsSync(join("src", name)), name).toBe(true);
   const reached = new Map([[from, from]]);
