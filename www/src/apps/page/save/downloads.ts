@@ -2,7 +2,7 @@
 
 import { named, PageError } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
-import type { Format, RasterOrder } from "../../../files/format-names.ts";
+import { FORMATS, type Format, isFormat, type RasterOrder } from "../../../files/format-names.ts";
 import { withoutNames } from "../../../files/order.ts";
 import type { CountryName } from "../country-name.ts";
 import { save } from "../share/share.ts";
@@ -24,13 +24,14 @@ export interface Asker {
   at(share: number | undefined): void;
 }
 
-/** The details after the country's name in the names of files, and their extension. */
-const NAMES: Record<FileKind, { ending: string; details(style: string, choices: FileChoices): (string | number)[] }> = {
+interface Naming {
+  ending: string;
+  details(style: string, choices: FileChoices): (string | number)[];
+}
+
+/** The details after the country's name in the names of pictures and videos, and their extension. */
+const NAMES: Record<Exclude<FileKind, Format>, Naming> = {
   png: { ending: "png", details: (style, choices) => [style, sizeOf(choices)] },
-  svg: { ending: "svg", details: (style) => [style] },
-  geojson: { ending: "geojson", details: () => [] },
-  json: { ending: "json", details: () => [] },
-  zip: { ending: "zip", details: (style) => [style] },
   card: { ending: "png", details: (style) => [style, "card"] },
   portrait: { ending: "png", details: (style) => [style, "portrait"] },
   // The extension depends on the browser's encoder, and is corrected when the file is made.
@@ -51,7 +52,7 @@ export class Downloads {
 
   /** Returns the name of a file of the rivers on show. */
   nameOf(choices: FileChoices): string {
-    const { ending, details } = NAMES[choices.kind];
+    const { ending, details } = namingOf(choices.kind);
     return fileName(
       this.country.text.toLowerCase(),
       ending,
@@ -132,6 +133,12 @@ export class Downloads {
     });
     return { file: Promise.race([made, cancelled]), cancel: () => control.abort() };
   }
+}
+
+/** Returns what the name of a file of this kind has besides the country. */
+function namingOf(kind: FileKind): Naming {
+  if (!isFormat(kind)) return NAMES[kind];
+  return { ending: kind, details: (style) => (FORMATS[kind].isStyled ? [style] : []) };
 }
 
 /** Returns the size of a picture as its file's name has it: that of a sheet of paper, or pixels. */

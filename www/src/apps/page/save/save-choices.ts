@@ -1,10 +1,11 @@
 /** The visitor's last choices in the Save dialog, remembered if the browser allows storage. */
 
 import type { Keeper } from "../../../controls/disclosure.ts";
+import { FORMAT_NAMES, type Format } from "../../../files/format-names.ts";
 import { OWN_SIZES, PRINT_DPI, SHEETS, type Sheet, SIZES } from "../../../files/order.ts";
 
-export const KINDS = ["png", "svg", "geojson", "json", "zip", "card", "animation"] as const;
-export type Kind = (typeof KINDS)[number];
+export type Kind = "png" | Format | "card" | "animation";
+export const KINDS: readonly Kind[] = ["png", ...FORMAT_NAMES, "card", "animation"];
 
 export type SizeName = keyof typeof SIZES | "own";
 export const SIZE_NAMES: readonly SizeName[] = [...(Object.keys(SIZES) as (keyof typeof SIZES)[]), "own"];

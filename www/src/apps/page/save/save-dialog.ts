@@ -3,6 +3,7 @@
 import { el } from "../../../browser/dom.ts";
 import type { Keeper } from "../../../controls/disclosure.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
+import { FORMATS, type Format, isFormat } from "../../../files/format-names.ts";
 import { OWN_SIZES, SHEETS, SIZES } from "../../../files/order.ts";
 import type { Asker, Downloads } from "./downloads.ts";
 import { KINDS, type Kind, ownSizeOf, RASTER_SIZES, SaveChoices, SIZE_NAMES, type SizeName } from "./save-choices.ts";
@@ -18,13 +19,9 @@ export interface SaveElements {
   elsewhere: HTMLElement;
 }
 
-/** The name and the use of each file. */
-const WORDS: Record<Kind, readonly [name: string, help: string]> = {
+/** The name and the use of pictures and videos; `FORMATS` has those of other files. */
+const WORDS: Record<Exclude<Kind, Format>, readonly [name: string, help: string]> = {
   png: ["Picture (PNG)", "for screens, print and posters"],
-  svg: ["Drawing (SVG)", "lines, for any size and for drawing on"],
-  geojson: ["Map data (GeoJSON)", "rivers, lakes, basins and land, for maps and GIS"],
-  json: ["Network (JSON)", "all that is known of the rivers, for programs"],
-  zip: ["Game pack (ZIP)", "heights, masks, flow and rivers, for games"],
   card: ["Card (PNG)", "1200 × 630 with the map’s title, for posts"],
   animation: ["Animation", "the growth as a video of six seconds"],
 };
@@ -63,7 +60,7 @@ export class SaveDialog {
   readonly #kinds = radios(
     "save-kind",
     "File",
-    KINDS.map((kind) => [kind, ...WORDS[kind]]),
+    KINDS.map((kind) => [kind, ...(isFormat(kind) ? FORMATS[kind].words : WORDS[kind])]),
   );
   readonly #size = el("select", { id: "save-size" });
   readonly #own = el("input", {
