@@ -13,10 +13,7 @@ import { fileURLToPath } from "node:url";
 
 // Modules whose comments have not been rewritten. A module is a folder or a file without its extension.
 const NOT_YET = [
-  "crates/cli",
-  "crates/exchange",
   "crates/wasm",
-  "python/src",
   "src/analyse",
   "src/annotate",
   "src/base",

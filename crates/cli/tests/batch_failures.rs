@@ -88,7 +88,7 @@ fn pipe_in_the_place_of_a_file_is_named_and_holds_nothing_up() {
     }
 }
 
-/// A standard output that nobody reads.
+/// Opens a standard output that nobody reads.
 fn unread() -> std::io::PipeWriter {
     std::io::pipe().unwrap().1
 }

@@ -8,7 +8,7 @@ pub fn riverseed(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_riverseed")).args(arguments).output().unwrap()
 }
 
-/// A path for this test.
+/// Makes a path for this test.
 pub fn scratch(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("command-line");
     fs::create_dir_all(&folder).unwrap();

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The folder of the checkout.
+/// Returns the folder of the checkout.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
@@ -43,13 +43,13 @@ fn data_of_parameters_are_those_the_program_prints() {
     assert_printed("www/src/engine/parameters.json", &["table", "--json"]);
 }
 
-/// The commands in blocks of shell, as words.
+/// Finds the commands in blocks of shell, as words.
 fn commands(text: &str) -> Vec<Vec<String>> {
     let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
     blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("riverseed ")).map(words).collect()
 }
 
-/// The words of a command, some of them in double quotes.
+/// Splits the words of a command, some of them in double quotes.
 fn words(command: &str) -> Vec<String> {
     let is_quoted = |i: usize| i % 2 == 1;
     let pieces = command.split('"').enumerate();

@@ -19,7 +19,7 @@ fn call_within(megabytes: u32, arguments: &[&str]) -> Output {
     Command::new("sh").args([&["-c", &limited, "sh", RIVERSEED], arguments].concat()).output().unwrap()
 }
 
-/// The lowest limit under which the system starts the program, with a room that depends on nothing but its size.
+/// Finds the lowest limit under which the system starts the program, with a room that depends on nothing but its size.
 fn least_to_start() -> u32 {
     (4..400).find(|&megabytes| matches!(call_within(megabytes, &["--version"]).status.code(), Some(0 | 1))).unwrap()
 }
@@ -69,7 +69,7 @@ fn too_little_memory_is_exit_code_1_in_every_form() {
     }
 }
 
-/// A picture of a lake in a land.
+/// Draws a picture of a lake in a land.
 fn land(path: &Path, (width, height): (u32, u32)) {
     let mut encoder = Encoder::new(File::create(path).unwrap(), width, height);
     encoder.set_color(ColorType::Grayscale);

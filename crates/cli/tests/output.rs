@@ -184,7 +184,7 @@ fn check_too_little_memory(name: &str, link: &str) {
     assert!(refused > 2, "no limit was too low");
 }
 
-/// A runner that takes away root's power to write into any folder; no runner for other users.
+/// Returns a runner that takes away root's power to write into any folder; no runner for other users.
 fn as_others() -> &'static [&'static str] {
     let is_root = fs::metadata("/proc/self").unwrap().uid() == 0;
     if is_root { &["setpriv", "--bounding-set=-dac_override"] } else { &[] }

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::command::{refusal, riverseed, scratch};
 
-/// A folder like that of the element's files.
+/// Makes a folder like that of the element's files.
 fn element(name: &str) -> String {
     let folder = scratch(name).join("files");
     fs::create_dir_all(&folder).unwrap();
@@ -18,7 +18,7 @@ fn element(name: &str) -> String {
     folder.to_str().unwrap().into()
 }
 
-/// An empty folder to write to.
+/// Makes an empty folder to write to.
 fn out(name: &str) -> PathBuf {
     let folder = scratch(name).join("out");
     let _ = fs::remove_dir_all(&folder);
@@ -40,12 +40,12 @@ fn text(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap()
 }
 
-/// The names of the files in a folder.
+/// Lists the names of the files in a folder.
 fn names(folder: &Path) -> BTreeSet<String> {
     fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
-/// The page as a tree of nodes. The template is well-formed XML, but for its first line.
+/// Reads the page as a tree of nodes. The template is well-formed XML, but for its first line.
 fn with_nodes<T>(html: &str, read: impl FnOnce(&roxmltree::Document<'_>) -> T) -> T {
     let html = html.replace("<!doctype html>", "");
     // Boolean attributes are not XML, and the page has none.

@@ -20,12 +20,12 @@ fn steps(rasters: &Rasters) -> Vec<u16> {
     steps
 }
 
-/// The rasters of a map on its own grid, as squares.
+/// Makes the rasters of a map on its own grid, as squares.
 fn squares(map: &Map) -> Rasters {
     Rasters::new(map).unwrap().into_squares().unwrap()
 }
 
-/// The files of an archive.
+/// Reads the files of an archive.
 fn unpacked(bytes: &[u8]) -> BTreeMap<String, Vec<u8>> {
     let archive = rawzip::ZipArchive::from_slice(bytes).unwrap();
     let (mut entries, mut files) = (archive.entries(), BTreeMap::new());
@@ -39,7 +39,7 @@ fn unpacked(bytes: &[u8]) -> BTreeMap<String, Vec<u8>> {
     files
 }
 
-/// The sides, the pixels and the texts of a PNG.
+/// Reads the sides, the pixels and the texts of a PNG.
 fn image(bytes: &[u8]) -> ([u32; 2], Vec<u8>, Vec<String>) {
     let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -104,7 +104,7 @@ fn shares_of_grounds_add_up_and_the_sea_is_all_shore() {
     }
 }
 
-/// The points of all rivers in a file of lines, by the number of the river.
+/// Reads the points of all rivers in a file of lines, by the number of the river.
 fn lines(json: &Value) -> Vec<Vec<[f64; 5]>> {
     let number = |value: &Value| value.as_f64().unwrap();
     let point = |point: &Value| std::array::from_fn(|i| number(&point[i]));
@@ -221,7 +221,7 @@ fn masks_of_unreal_are_the_channels_of_the_splat_map_and_its_normals_are_upside_
     assert!((0..up.len() / 3).all(|i| (green(&up, i) + green(&down, i) - 255).abs() <= 1));
 }
 
-/// The number after some words in a text.
+/// Reads the number after some words in a text.
 fn after(text: &str, words: &str) -> f64 {
     let rest = text.split_once(words).unwrap_or_else(|| panic!("'{words}' is not in {text}")).1.trim_start();
     let end = rest.find(|letter: char| !matches!(letter, '0'..='9' | '.' | '-')).unwrap_or(rest.len());
@@ -255,7 +255,7 @@ fn numbers_of_the_recipes_give_back_the_heights_and_the_ground() {
     }
 }
 
-/// The axes whose numbers the step about rivers says to add.
+/// Finds the axes whose numbers the step about rivers says to add.
 fn added(readme: &str) -> Vec<&str> {
     let (_, step) = readme.split_once("7. Rivers:").unwrap();
     let (axes, _) = step.split_once("Add ").unwrap().1.split_once(" of ").unwrap();

@@ -11,7 +11,7 @@ use serde_json::Value as Json;
 
 use crate::maps::{LINKS, file, map};
 
-/// The layer of each kind of feature.
+/// Returns the layer of each kind of feature.
 fn layer_of(kind: &str) -> &'static str {
     match kind {
         "river" => "rivers",
@@ -30,7 +30,7 @@ fn database(bytes: &[u8]) -> Connection {
     database
 }
 
-/// All numbers of a shape in the order in which GeoJSON has them, with the numbers of its parts.
+/// Lists all numbers of a shape in the order in which GeoJSON has them, with the numbers of its parts.
 fn shape(blob: &[u8]) -> (Vec<f64>, Vec<u32>) {
     assert_eq!(&blob[..4], b"GP\0\x03");
     assert_eq!(i32::from_le_bytes(blob[4..8].try_into().unwrap()), crs::NUMBER);
@@ -88,7 +88,7 @@ impl Reader<'_> {
     }
 }
 
-/// The numbers of GeoJSON's coordinates, degrees in hundred-thousandths.
+/// Collects the numbers of GeoJSON's coordinates, degrees in hundred-thousandths.
 fn coordinates(json: &Json, numbers: &mut Vec<f64>, counts: &mut Vec<u32>) {
     let list = json.as_array().unwrap();
     if list[0].is_number() {

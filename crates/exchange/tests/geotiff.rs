@@ -70,7 +70,7 @@ fn land_drains_in_metres_too() {
     }
 }
 
-/// The numbers of the place: the north-western corner and the sides of a pixel, in metres.
+/// Reads the numbers of the place: the north-western corner and the sides of a pixel, in metres.
 fn place(bytes: &[u8]) -> ([f64; 2], [f64; 2]) {
     let mut decoder = decoder(bytes);
     let tie = decoder.get_tag_f64_vec(Tag::ModelTiepointTag).unwrap();

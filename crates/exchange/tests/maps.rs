@@ -23,7 +23,7 @@ pub const LINKS: [&str; 7] = [
 /// The maps of [`LINKS`], grown once for all tests.
 static MAPS: [OnceLock<Map>; LINKS.len()] = [const { OnceLock::new() }; LINKS.len()];
 
-/// A map with its relief.
+/// Grows a map with its relief.
 pub fn map(text: &str) -> Map {
     match LINKS.iter().position(|link| *link == text) {
         Some(i) => MAPS[i].get_or_init(|| grown(text)).clone(),

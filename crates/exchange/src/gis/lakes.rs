@@ -85,7 +85,7 @@ fn area(ring: &Ring) -> f64 {
 mod tests {
     use super::*;
 
-    /// A square, counterclockwise, around the origin.
+    /// Makes a square, counterclockwise, around the origin.
     fn square(half: f64) -> Ring {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
         corners.map(|(x, y)| Place { east: x * half, north: y * half, height: None }).to_vec()
