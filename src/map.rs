@@ -54,8 +54,8 @@ const PIXELS_A_CELL: u32 = 2;
 /// The cell size, as a share of that of the map's own relief, from which another one is worth solving.
 const FINER: f32 = 0.5;
 
-/// The settings of the relief on some land, with the low stand before it if the sea has risen, and of the rivers that
-/// trimming makes of a tree.
+/// Returns the settings of the relief on some land, with the low stand before it if the sea has risen, and of the
+/// rivers that trimming makes of a tree.
 pub(crate) fn relief_settings(
     recipe: &Recipe,
     (land, low_stand): (Option<&Arc<Land>>, Option<&Arc<CoastDistance>>),
@@ -76,7 +76,7 @@ pub(crate) fn relief_settings(
 pub struct MapId(u64);
 
 impl MapId {
-    /// An id that no map of this program has yet.
+    /// Makes an id that no map of this program has yet.
     pub(crate) fn next() -> Self {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         Self(COUNT.fetch_add(1, Ordering::Relaxed))
@@ -84,37 +84,37 @@ impl MapId {
 }
 
 impl Map {
-    /// The map's id.
+    /// Returns the map's id.
     pub fn id(&self) -> MapId {
         self.id
     }
 
-    /// The recipe that the map was made from.
+    /// Returns the recipe that the map was made from.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 
-    /// The rectangle shown by the map.
+    /// Returns the rectangle shown by the map.
     pub fn domain(&self) -> Domain {
         Domain::of(&self.recipe)
     }
 
-    /// The land, either given or shaped by the recipe; `None` if all of the domain is land.
+    /// Returns the land, either given or shaped by the recipe; `None` if all of the domain is land.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
 
-    /// The results of growth: the attractors reached, the way it ended, and the lengths that it used.
+    /// Returns the results of growth: the attractors reached, the way it ended, and the lengths that it used.
     pub fn grown(&self) -> Grown {
         self.grown
     }
 
-    /// The untrimmed tree; where the sea has risen, what is left of it.
+    /// Returns the untrimmed tree; where the sea has risen, what is left of it.
     pub fn tree(&self) -> &Arc<Tree> {
         &self.tree
     }
 
-    /// The rule by which branches of the tree were trimmed.
+    /// Returns the rule by which branches of the tree were trimmed.
     pub fn trim(&self) -> Trim {
         self.trim
     }
@@ -124,32 +124,32 @@ impl Map {
         prune::trim(&self.tree, &Hydrology::of(&self.tree), self.trim)
     }
 
-    /// The rivers.
+    /// Returns the map's rivers.
     pub fn network(&self) -> &Arc<Network> {
         &self.network
     }
 
-    /// The stretches where great rivers are flat and meander fully.
+    /// Returns the stretches where great rivers are flat and meander fully.
     pub fn reaches(&self) -> &[Reach] {
         &self.reaches
     }
 
-    /// Number of rounds that the rivers have meandered.
+    /// Returns the number of rounds that the rivers have meandered.
     pub fn rounds(&self) -> u32 {
         self.rounds
     }
 
-    /// The former courses of great rivers.
+    /// Returns the former courses of great rivers.
     pub fn past(&self) -> &PastCourses {
         &self.past
     }
 
-    /// The relief, if it has been made, in any style. A style that shows it always has it.
+    /// Returns the relief, if it has been made, in any style. A style that shows it always has it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.as_ref()
     }
 
-    /// The relief, if the style shows it.
+    /// Returns the relief, if the style shows it.
     pub fn shown_relief(&self) -> Option<&Arc<Relief>> {
         self.relief.as_ref().filter(|_| self.recipe.get::<Style>().has_relief())
     }
@@ -173,9 +173,9 @@ impl Map {
         Ok(Self { relief: Some(self.make_relief()?), ..self })
     }
 
-    /// The shown relief on a grid fine enough for a picture with so many pixels on its longer side: two to a cell, up to
-    /// [`Grid::MOST`] cells. `None` if the style shows no relief, or if the map's own is about as fine. The result does
-    /// not depend on the number of threads.
+    /// Makes the shown relief on a grid fine enough for a picture with so many pixels on its longer side: two to a cell,
+    /// up to [`Grid::MOST`] cells. `None` if the style shows no relief, or if the map's own is about as fine. The result
+    /// does not depend on the number of threads.
     pub(crate) fn relief_for_picture(
         &self,
         pixels: u32,
@@ -191,13 +191,13 @@ impl Map {
         Some(own.on_grid_of(&self.network, settings))
     }
 
-    /// The settings by which the rivers were made from the tree.
+    /// Returns the settings by which the rivers were made from the tree.
     pub fn network_settings(&self) -> NetworkSettings {
         let Grown { stream_spacing, total_discharge, .. } = self.grown;
         NetworkSettings::new(&self.recipe, self.land.clone(), stream_spacing, total_discharge)
     }
 
-    /// The settings by which the relief is made from the rivers.
+    /// Returns the settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
         let coasts = (self.land.as_ref(), self.low_stand.as_ref());
         relief_settings(&self.recipe, coasts, (&self.tree, self.trim), self.grown.total_discharge)

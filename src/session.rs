@@ -82,7 +82,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// Its name, lower case.
+    /// Returns the phase's name, lower case.
     pub fn name(self) -> &'static str {
         match self {
             Self::Growing => "growing",
@@ -155,18 +155,18 @@ impl Session {
         Ok(copy)
     }
 
-    /// The recipe.
+    /// Returns the recipe that the session follows.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 
-    /// The rectangle shown by the map.
+    /// Returns the rectangle shown by the map.
     pub fn domain(&self) -> Domain {
         Domain::of(&self.recipe)
     }
 
-    /// The land, either given or shaped by the recipe; `None` if all of the domain is land. Where the sea drowns valleys, it
-    /// is the land before that until [`Phase::Drowning`] has ended.
+    /// Returns the land, either given or shaped by the recipe; `None` if all of the domain is land. Where the sea drowns
+    /// valleys, it is the land before that until [`Phase::Drowning`] has ended.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.coasts.land()
     }
@@ -211,9 +211,9 @@ impl Session {
         Ok(stage)
     }
 
-    /// The factor by which rivers are wider under another recipe that differs at most in width; 1 if it does not
-    /// differ. `None` if it differs in more than width, or if it differs while rivers still change their courses, which
-    /// depend on the width.
+    /// Returns the factor by which rivers are wider under another recipe that differs at most in width; 1 if it does
+    /// not differ. `None` if it differs in more than width, or if it differs while rivers still change their courses,
+    /// which depend on the width.
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
         let times = other.number(NumberKey::Width) / self.recipe.number(NumberKey::Width);
         let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
@@ -240,19 +240,19 @@ impl Session {
         self.tree_generation = Generation::next();
     }
 
-    /// The current generation. It is replaced whenever results are discarded, by [`Session::change`],
+    /// Returns the current generation. It is replaced whenever results are discarded, by [`Session::change`],
     /// [`Session::restart`], a round of drainage or the rise of the sea. While it stays the same, the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
 
-    /// The id of the map that this session makes, or has made.
+    /// Returns the id of the map that this session makes or has made.
     pub(crate) fn map_id(&self) -> MapId {
         self.map_id
     }
 
-    /// The generation of the trimmed tree. It stays the same while rivers are made from the same trimmed tree, even
-    /// repeatedly.
+    /// Returns the generation of the trimmed tree. It stays the same while rivers are made from the same trimmed tree,
+    /// even repeatedly.
     pub(crate) fn tree_generation(&self) -> Generation {
         self.tree_generation
     }
@@ -289,7 +289,7 @@ impl Session {
         }
     }
 
-    /// The finished map, which shares its rivers with the session; `None` while there is more to do.
+    /// Returns the finished map, which shares its rivers with the session; `None` while there is more to do.
     pub fn map(&self) -> Option<Map> {
         let meander = self.meander().filter(|_| self.is_finished())?;
         Some(Map {
@@ -383,13 +383,13 @@ impl Session {
         Ok(true)
     }
 
-    /// The sea while it is to be seen rising; its lands are for pictures alone.
+    /// Returns the sea while it is to be seen rising, else `None`; its lands are for pictures alone.
     pub(crate) fn transgression(&self) -> Option<&Transgression> {
         self.coasts.transgression()
     }
 
-    /// The relief; `None` until rivers are finished, and in a style that shows none. It is kept for a later style that
-    /// shows it.
+    /// Returns the relief; `None` until rivers are finished, and in a style that shows none. It is kept for a later
+    /// style that shows it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.relief().filter(|_| self.shows_relief())
     }
@@ -399,7 +399,7 @@ impl Session {
         self.phase() == Phase::Finished
     }
 
-    /// The kind of the next step.
+    /// Returns the kind of the next step.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
             Some(shaping) if shaping.is_finished() && self.wants_relief() => Phase::Relief,
@@ -412,8 +412,8 @@ impl Session {
         }
     }
 
-    /// The progress of the current phase, from 0 to 1. It never decreases. Growth is measured by the share that is
-    /// drained, meandering by its rounds, relief by the land that is raised. It is 0 while rivers are made from the
+    /// Returns the progress of the current phase, from 0 to 1. It never decreases. Growth is measured by the share that
+    /// is drained, meandering by its rounds, relief by the land that is raised. It is 0 while rivers are made from the
     /// tree, and 1 once everything is finished.
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
@@ -426,7 +426,7 @@ impl Session {
         }
     }
 
-    /// The rivers; `None` until there are any.
+    /// Returns the rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
         self.meander().map(|meander| &**meander.drawn())
     }
@@ -435,39 +435,39 @@ impl Session {
         self.shaping.as_ref().and_then(Shaping::meander)
     }
 
-    /// The former courses of great rivers, as far as they have meandered; `None` until there are rivers.
+    /// Returns the former courses of great rivers, as far as they have meandered; `None` until there are rivers.
     pub fn past(&self) -> Option<&PastCourses> {
         self.meander().map(|meander| &**meander.past())
     }
 
-    /// Number of rounds that the rivers have meandered; `None` until there are rivers.
+    /// Returns the number of rounds that the rivers have meandered; `None` until there are rivers.
     pub fn rounds(&self) -> Option<u32> {
         self.meander().map(Meander::rounds)
     }
 
-    /// The settings by which rivers are made from the tree of this recipe.
+    /// Returns the settings by which rivers are made from the tree of this recipe.
     pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
         NetworkSettings::new(&self.recipe, self.land().cloned(), growth.stream_spacing(), growth.total_discharge())
     }
 
-    /// The untrimmed tree, as far as it has grown; after the sea has risen, what is left of it.
+    /// Returns the untrimmed tree, as far as it has grown; after the sea has risen, what is left of it.
     pub fn tree(&self) -> &Tree {
         self.growth.tree()
     }
 
-    /// Growth in progress.
+    /// Returns the growth in progress.
     pub fn growth(&self) -> &Growth {
         &self.growth
     }
 
-    /// The trimmed tree with its hydrology, as far as the tree has grown.
+    /// Returns the trimmed tree with its hydrology, as far as the tree has grown.
     pub fn pruned(&self) -> Pruned {
         let tree = self.growth.tree();
         prune::trim(tree, &Hydrology::of(tree), self.trim())
     }
 
-    /// The rule that decides which branches of the tree are trimmed.
+    /// Returns the rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
         let trim =
             Trim::new(self.recipe.number(NumberKey::Trim), self.growth.node_length(), !self.growth.mouths_are_chosen());
@@ -480,7 +480,7 @@ impl Session {
         }
     }
 
-    /// The rule by which channels begin. Only drainage has hillsides without any.
+    /// Returns the rule by which channels begin. Only drainage has hillsides without any.
     fn heads(&self) -> Heads {
         /// The wavelength of uneven heads, in spacings.
         const WAVELENGTH: f32 = 30.0;
@@ -495,7 +495,7 @@ impl Session {
         }
     }
 
-    /// The picture in numbers. During growth this costs nothing, and order and sources are still 0.
+    /// Summarises the rivers in numbers. During growth this costs nothing, and order and sources are still 0.
     pub fn summary(&self) -> Summary {
         let so_far = Summary::of_growth(&self.growth);
         match self.shaping.as_ref().zip(self.meander()) {

@@ -8,7 +8,7 @@ use glam::{DVec2, Vec2};
 /// A straight piece of a line.
 pub(crate) type Segment = (Vec2, Vec2);
 
-/// Twice the signed area of a triangle. Only the last operation rounds, so the sign can be trusted.
+/// Returns twice the signed area of a triangle. Only the last operation rounds, so the sign can be trusted.
 pub(crate) fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let (a, b, c): (DVec2, DVec2, DVec2) = (a.into(), b.into(), c.into());
     (b - a).perp_dot(c - a)
@@ -24,32 +24,32 @@ pub fn meet((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> bool {
     !apart(doubled_area(a, b, c), doubled_area(a, b, d)) && !apart(doubled_area(c, d, a), doubled_area(c, d, b))
 }
 
-/// The position along the first segment, from 0 to 1, at which it meets the line of the second; 0 if they are parallel.
+/// Returns the position along the first segment, from 0 to 1, at which it meets the line of the second; 0 if parallel.
 pub(crate) fn meeting((a, b): Segment, (c, d): Segment) -> f32 {
     let (from, to) = (doubled_area(c, d, a), doubled_area(c, d, b));
     if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) as f32 }
 }
 
-/// The length of a vector.
+/// Returns the length of a vector.
 #[inline]
 pub(crate) fn length(vector: Vec2) -> f32 {
     vector.length_squared().sqrt()
 }
 
-/// The distance between two points.
+/// Returns the distance between two points.
 #[inline]
 pub(crate) fn distance(a: Vec2, b: Vec2) -> f32 {
     a.distance_squared(b).sqrt()
 }
 
-/// The direction of a vector as a unit vector; zero if the vector is too short to have one.
+/// Returns the direction of a vector as a unit vector; zero if the vector is too short to have one.
 #[inline]
 pub(crate) fn direction(vector: Vec2) -> Vec2 {
     let length = length(vector);
     if length > 1e-12 { vector / length } else { Vec2::ZERO }
 }
 
-/// The distance between two segments that do not cross.
+/// Returns the distance between two segments that do not cross.
 #[inline]
 pub fn gap((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
     let to_second = fast_min(squared_distance(a, c, d), squared_distance(b, c, d));
@@ -57,7 +57,7 @@ pub fn gap((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
     fast_min(to_second, to_first).sqrt()
 }
 
-/// The squared distance between a point and a segment.
+/// Returns the squared distance between a point and a segment.
 #[inline]
 fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     let (along, out) = (b - a, point - a);
@@ -74,19 +74,19 @@ fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     }
 }
 
-/// The smaller of two numbers. `f32::min` compiles to several jumps in wasm.
+/// Returns the smaller of two numbers. `f32::min` compiles to several jumps in wasm.
 #[inline]
 pub(crate) fn fast_min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The greater of two numbers. `f32::max` compiles to several jumps in wasm.
+/// Returns the greater of two numbers. `f32::max` compiles to several jumps in wasm.
 #[inline]
 pub(crate) fn fast_max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The distance along a line from its first point to each of its points.
+/// Returns the distance along a line from its first point to each of its points.
 #[inline(never)] // each copy weighs two hundred bytes
 pub(crate) fn lengths(line: &[Vec2]) -> Vec<f32> {
     let mut along = vec![0.0; line.len()];
@@ -106,7 +106,7 @@ pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
     (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)
 }
 
-/// The distance of a point from the line through `a` and `b`, or from `a` if both are the same point.
+/// Returns the distance of a point from the line through `a` and `b`, or from `a` if both are the same point.
 pub(crate) fn height(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     squared_distance(point, a, b).sqrt()
 }

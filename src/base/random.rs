@@ -142,7 +142,7 @@ impl ItemHash {
     }
 }
 
-/// The bits of an item by the hash's own. Four numbers are handed over in less code than a list of three.
+/// Mixes a hash with an item's three numbers. Four numbers are handed over in less code than a list of three.
 #[inline(never)] // each copy weighs two hundred bytes
 fn bits_of(hash: u64, a: u32, b: u32, c: u32) -> u32 {
     let hash = mix(hash ^ (u64::from(a) << 32 | u64::from(b)));
@@ -151,7 +151,7 @@ fn bits_of(hash: u64, a: u32, b: u32, c: u32) -> u32 {
 
 const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The finaliser of SplitMix64, after one step of its counter.
+/// Mixes bits as the finaliser of SplitMix64 does, after one step of its counter.
 fn mix(bits: u64) -> u64 {
     let z = bits.wrapping_add(GOLDEN_GAMMA);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -14,9 +14,9 @@ use areas::Areas;
 /// Marks a missing neighbour.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// The importance of each point of a line: the area of its triangle, or that of a point removed before it if greater.
-/// Dropping all points below a threshold simplifies the line. Infinite for points that are never removed: the ends of
-/// an open line, and the last three points of a closed one. O(n log n).
+/// Returns the importance of each point of a line: the area of its triangle, or that of a point removed before it if
+/// greater. Dropping all points below a threshold simplifies the line. Infinite for points that are never removed: the
+/// ends of an open line, and the last three points of a closed one. O(n log n).
 pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
     let count = points.len() as u32;
     let end = |i: u32| if is_closed { i } else { NONE };
@@ -49,13 +49,14 @@ pub(crate) struct Lines {
 /// The importance of a point between its neighbours.
 type Importance = fn([Vec2; 3]) -> f32;
 
-/// The area of the triangle.
+/// Returns the area of a triangle.
 fn area([a, b, c]: [Vec2; 3]) -> f32 {
     ((a - b).perp_dot(c - b) * 0.5).abs()
 }
 
-/// The area of the triangle, less where the line turns back on itself: from half a right angle between the legs down to
-/// nothing at 26°. So spikes go first, whatever their length (as in the weighted area of the program Mapshaper).
+/// Returns the area of a triangle, less where the line turns back on itself: from half a right angle between the legs
+/// down to nothing at 26°. So spikes go first, whatever their length (as in the weighted area of the program
+/// Mapshaper).
 pub(crate) fn area_unless_spike([a, b, c]: [Vec2; 3]) -> f32 {
     const BLUNT: f32 = 0.7;
     const SHARP: f32 = 0.9;
@@ -97,12 +98,12 @@ impl Lines {
         self.is_gone[i as usize]
     }
 
-    /// The position of a point.
+    /// Returns the position of point `i`.
     pub fn at(&self, i: u32) -> Vec2 {
         self.places[i as usize].at
     }
 
-    /// A point between its neighbours; `None` if one of them is missing.
+    /// Returns point `i` between its neighbours; `None` if one of them is missing.
     fn triangle(&self, i: u32) -> Option<[u32; 3]> {
         let Place { before, after, .. } = self.places[i as usize];
         (before != NONE && after != NONE).then_some([before, i, after])

@@ -30,8 +30,8 @@ pub(crate) fn thin(pixels: &mut [u8], width: usize) {
     }
 }
 
-/// The eight neighbours as bits, clockwise from the one above (the paper's P2 to P9). Pixels outside the picture are
-/// not set.
+/// Returns the eight neighbours of pixel `i` as bits, clockwise from the one above (the paper's P2 to P9). Pixels
+/// outside the picture are not set.
 fn neighbours(pixels: &[u8], width: usize, i: usize) -> u8 {
     const CLOCKWISE: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1)];
     let (x, y) = ((i % width) as isize, (i / width) as isize);

@@ -66,13 +66,13 @@ pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
     argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
-/// The quantile of some values: the least for a share of 0, the greatest for 1. Returns 0 if there are none.
+/// Returns the quantile of values: the least for a share of 0, the greatest for 1; 0 if there are none.
 pub(crate) fn quantile(values: &[f32], share: f32) -> f32 {
     let index = (share * values.len().saturating_sub(1) as f32) as usize;
     sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
-/// The key of a number. Keys are ordered as by `f32::total_cmp`.
+/// Returns a whole number that stands for a number in sorts: they are ordered as by `f32::total_cmp`.
 pub(crate) fn key(value: f32) -> u32 {
     let bits = value.to_bits();
     if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }

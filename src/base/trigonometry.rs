@@ -1,7 +1,7 @@
 //! Sines and cosines.
 
-/// The sine and cosine of an angle of up to π, either way, by power series, as exactly as numbers allow. A general function
-/// carries a table of π's digits, a hundredth of the page's module.
+/// Returns the sine and cosine of an angle of up to π, either way, by power series, as exactly as numbers allow. A general
+/// function carries a table of π's digits, a hundredth of the page's module.
 pub(crate) fn sine_and_cosine(angle: f32) -> (f32, f32) {
     /// The reciprocals of the factorials of 1, 3, 5 … and of 0, 2, 4 …, with alternating signs.
     const SINE: [f64; 12] = series(1);

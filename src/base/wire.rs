@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A point of two numbers.
+/// Reads a point from the bits of its two numbers.
 pub(crate) fn point(at: [u32; 2]) -> Vec2 {
     Vec2::from_array(at.map(f32::from_bits))
 }

@@ -11,7 +11,7 @@ thread_local! {
     static STEPS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// The number of elementary steps that this thread has taken since it began. Only differences are meaningful.
+/// Returns the number of elementary steps that this thread has taken since it began. Only differences are meaningful.
 pub fn steps() -> u64 {
     STEPS.get()
 }

@@ -52,8 +52,8 @@ impl Banks {
         if line.len() > 2 { Self::along(&line, CourseShape::Smooth) } else { Self::default() }
     }
 
-    /// The outline as a valid polygon ring, on the grid that places are rounded to. It is counterclockwise on a map
-    /// with north up, and its last point is its first. If it crosses itself, the parts of a bank that run backward are
+    /// Makes a valid polygon ring of the outline, on the grid that places are rounded to. It is counterclockwise on a
+    /// map with north up, and its last point is its first. If it crosses itself, parts of a bank that run backward are
     /// left out; if that is not enough, the banks are moved nearer to each other; if they still cross, the first half,
     /// quarter and so on without a crossing stands for the whole. `None` only if the outline is narrower than the grid.
     pub(super) fn simple_ring(&self, rounded: impl Fn(Vec2) -> GridPoint) -> Option<Vec<GridPoint>> {
@@ -65,8 +65,8 @@ impl Banks {
             .find_map(simple_ring)
     }
 
-    /// The whole outline, then shorter and shorter stretches. Each is half as long as those before, and the next starts
-    /// at its middle.
+    /// Returns the whole outline as a range of places, then shorter and shorter stretches of it. Each is half as long
+    /// as those before, and the next starts at its middle.
     fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
         let count = self.left.len();
         let lengths = std::iter::successors(Some(count), |&length| (length > 2).then_some(length.div_ceil(2)));
@@ -76,8 +76,8 @@ impl Banks {
         })
     }
 
-    /// A ring down a stretch of the right bank and up the left one, at a share of their distance from the centerline.
-    /// `forward` leaves out the parts of a bank that run backward.
+    /// Makes a ring down a stretch of the right bank and up the left one, at a share of their distance from the
+    /// centerline. `forward` leaves out the parts of a bank that run backward.
     fn ring_of(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
         let (left, right) = (&self.left[stretch.clone()], &self.right[stretch]);
         let middle: Vec<Vec2> = left.iter().zip(right).map(|(left, right)| (*left + *right) * 0.5).collect();

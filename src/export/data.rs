@@ -26,24 +26,24 @@ pub enum Json<'a> {
 }
 
 impl<'a> Json<'a> {
-    /// A list.
+    /// Makes a list of `count` values, each made when it is written.
     pub(super) fn list(count: usize, item: impl Fn(usize) -> Self + 'a) -> Self {
         Self::List(count, Box::new(item))
     }
 
-    /// A list of numbers.
+    /// Makes a list of numbers.
     #[inline(never)]
     pub(super) fn singles(numbers: Vec<f32>) -> Self {
         Self::list(numbers.len(), move |i| Self::Single(numbers[i]))
     }
 
-    /// A list of numbers.
+    /// Makes a list of numbers.
     #[inline(never)]
     pub(super) fn doubles(numbers: Vec<f64>) -> Self {
         Self::list(numbers.len(), move |i| Self::Double(numbers[i]))
     }
 
-    /// A list of whole numbers.
+    /// Makes a list of whole numbers.
     #[inline(never)]
     pub(super) fn wholes(numbers: Vec<u32>) -> Self {
         Self::list(numbers.len(), move |i| Self::Whole(numbers[i].into()))

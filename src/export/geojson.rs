@@ -87,7 +87,7 @@ struct Features<'a> {
 }
 
 impl<'a> Features<'a> {
-    /// Number of features for names that do not belong to a river.
+    /// Returns the number of features for names that do not belong to a river.
     fn named(&self) -> usize {
         self.names.reaches.len() + self.names.places.len()
     }
@@ -145,7 +145,7 @@ impl<'a> Features<'a> {
         feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
-    /// The river whose mouth a river's water reaches the sea through.
+    /// Returns the number of the river through whose mouth a river's water reaches the sea.
     fn mouth(&self, mut id: u32) -> u32 {
         while let Some(river) = self.network.rivers.get(id as usize).filter(|river| river.parent != NONE) {
             id = river.parent;
@@ -162,7 +162,7 @@ impl<'a> Features<'a> {
         self.grid(at).map(degrees)
     }
 
-    /// A place in hundred-thousandths of a degree east and north of the middle.
+    /// Returns a place in hundred-thousandths of a degree east and north of the middle.
     fn grid(&self, at: Vec2) -> GridPoint {
         let from_middle = at - self.domain.size * 0.5;
         // A thousandth of a unit is a hundred-thousandth of a degree.
@@ -213,7 +213,7 @@ impl Ground {
     }
 }
 
-/// The rings of a polygon.
+/// Writes the rings of a polygon as lists of degrees.
 fn parts<'a>(polygon: Polygon) -> Json<'a> {
     let count = polygon.len();
     let ring = move |i: usize| positions(polygon[i].iter().map(|at: &GridPoint| at.map(degrees)).collect());

@@ -78,8 +78,8 @@ pub fn write(out: impl std::io::Write, map: &Map, attractors: Option<&[Vec2]>) -
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// All values of a recipe, including defaults, so that the recipe keeps its meaning if a default changes. Numbers are
-/// numbers, everything else is text.
+/// Writes all values of a recipe as JSON, including defaults, so that the recipe keeps its meaning if a default
+/// changes. Numbers are numbers, everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     values(recipe, true)
 }
@@ -96,7 +96,7 @@ fn values<'a>(recipe: &Recipe, is_named: bool) -> Json<'a> {
     members.into()
 }
 
-/// The values used, with lengths in domain units.
+/// Writes the values that a map was made with as JSON, with lengths in domain units.
 fn resolved<'a>(map: &Map) -> Members<'a> {
     let (recipe, grown, shaped) = (map.recipe(), map.grown(), map.network_settings());
     let mut members = Members::default();
@@ -141,7 +141,7 @@ fn growth<'a>(map: &Map) -> Members<'a> {
     members
 }
 
-/// The measures of a network, by their names in the table of measures; null if the network is too small.
+/// Writes the measures of a network as JSON, by their names in the table of measures; null if the network is too small.
 pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     let mut members = Members::default();
     for measure in &statistics::TABLE {
@@ -150,7 +150,7 @@ pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     members.into()
 }
 
-/// The network's distances from the patterns of drainage, nearest first; null if it is too small.
+/// Writes a network's distances from the patterns of drainage as JSON, nearest first; null if it is too small.
 pub fn pattern<'a>(measured: &Measures) -> Json<'a> {
     let Some(pattern) = measured.pattern() else { return Json::Null };
     let mut members = Members::default();
@@ -223,7 +223,7 @@ fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
     members.into()
 }
 
-/// The coordinates of a vertex, and a share of its width.
+/// Returns the coordinates of a vertex, and a share of its width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }

@@ -13,7 +13,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The finest scale for heights in units that leaves `free` steps above the highest.
+    /// Makes the finest scale for heights in units that leaves `free` steps above the highest.
     fn of(heights: &[f32], free: u16) -> Self {
         let most = f64::from(u16::MAX - free);
         let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
@@ -23,14 +23,14 @@ impl Scale {
         Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (most - sea_level) }
     }
 
-    /// The nearest step to a height in units. Land is at least a step above the sea.
+    /// Returns the step nearest to a height in units. Land is at least a step above the sea.
     pub fn step(&self, height: f32) -> u16 {
         let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
         let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
         (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
     }
 
-    /// The height of a step, in metres above the sea.
+    /// Returns the height of a step, in metres above the sea.
     pub fn metres(&self, step: u16) -> f64 {
         (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
     }
@@ -91,7 +91,7 @@ fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, 
 mod tests {
     use super::*;
 
-    /// A slope whose first cell lies in the sea; water runs to the cell before.
+    /// Makes a slope whose first cell lies in the sea, and whose water runs to the cell before.
     fn slope(heights: &[f32]) -> Levels {
         Levels::new(heights, |cell| cell.checked_sub(1)).unwrap()
     }

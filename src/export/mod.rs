@@ -46,7 +46,7 @@ pub enum ExportError {
     },
 }
 
-/// The rivers of a map, if there is enough memory for each of their vertices.
+/// Returns the rivers of a map, if there is enough memory for each of their vertices.
 fn rivers(map: &Map, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
     let network: &Network = map.network();
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::data::{Json, Members};
 use crate::annotate::names::{Names, PlaceName, ReachName, RiverName};
 
-/// A name, or null if it is empty.
+/// Writes a name as JSON: null if it is empty.
 fn name<'a>(name: &str) -> Json<'a> {
     if name.is_empty() { Json::Null } else { Json::Owned(name.into()) }
 }
@@ -32,7 +32,7 @@ pub(super) fn title<'a>(members: &mut Members<'a>, names: &Names) {
     }
 }
 
-/// All names except those of rivers, as a list for JSON.
+/// Writes all names except those of rivers as a list for JSON.
 pub(super) fn list<'a>(names: Names) -> Json<'a> {
     let Names { reaches, places, title, .. } = names;
     let entry = |kind, identity, text: &str| {
@@ -54,7 +54,8 @@ pub(super) enum Feature<'a, 'b> {
     Point(String, Vec2, Members<'a>),
 }
 
-/// The feature of a name that does not belong to a river: reaches as lines, places as points.
+/// Makes the feature of name `i` of those that do not belong to a river, reaches as lines, then places as points;
+/// `None` past the last.
 pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Option<Feature<'a, 'b>> {
     match i.checked_sub(names.reaches.len()) {
         None => names.reaches.get(i).map(reach),

@@ -85,7 +85,7 @@ mod tests {
 
     const SIDE: usize = 40;
 
-    /// A picture whose colour changes after every `run` pixels.
+    /// Makes a picture whose colour changes after every `run` pixels.
     fn striped(run: usize) -> Option<Pixmap> {
         let mut pixmap = Pixmap::new(SIDE as u32, SIDE as u32)?;
         for (i, pixel) in pixmap.pixels_mut().iter_mut().enumerate() {

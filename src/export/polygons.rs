@@ -49,7 +49,7 @@ fn apart(ring: Vec<GridPoint>) -> Vec<Vec<GridPoint>> {
     rings.into_iter().filter(|ring| ring.len() > 2).collect()
 }
 
-/// Two positions of the same place in a ring, the earlier first.
+/// Finds two positions of one place in a ring, the earlier first; `None` if all places differ.
 fn met_twice(ring: &[GridPoint]) -> Option<(usize, usize)> {
     // The sort is stable: equal places end up side by side, in the order of the ring.
     let by_north = argsort(ring.iter().map(|at| at[1] as u32));
@@ -89,7 +89,7 @@ fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
 mod tests {
     use super::*;
 
-    /// A square around a place, with this half side.
+    /// Makes a square around a place on the axis, with this half side.
     fn square(x: i32, half: i32) -> Vec<GridPoint> {
         [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[dx, y]| [x + dx, y]).to_vec()
     }

@@ -75,8 +75,8 @@ impl Layer {
     /// All layers.
     pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
 
-    /// The subject of its values, in English. [`Rasters::meaning`] begins with these words, and no two layers have the
-    /// same.
+    /// Returns the subject of a layer's values, in English. [`Rasters::meaning`] begins with these words, and no two
+    /// layers have the same.
     pub fn subject(self) -> &'static str {
         match self {
             Self::Heights => "16-bit heights",
@@ -87,7 +87,7 @@ impl Layer {
         }
     }
 
-    /// The name, as in `kauri.heights.png`.
+    /// Returns the layer's name, as in `kauri.heights.png`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Heights => "heights",
@@ -136,7 +136,7 @@ impl Rasters {
         Self::of(map, network, finer.into(), &settings)
     }
 
-    /// The grid of rasters with `size` pixels on the longer side.
+    /// Makes the grid of rasters with `size` pixels on the longer side.
     ///
     /// # Errors
     /// Fails if rasters of this map cannot have that size.
@@ -181,14 +181,14 @@ impl Rasters {
         Ok(Self { columns: side, rows: side, before, ..self })
     }
 
-    /// The columns and rows of the map itself; `None` if it fills the rasters.
+    /// Returns the columns and rows of the map itself; `None` if it fills the rasters.
     pub fn part(&self) -> Option<[Range<usize>; 2]> {
         let (columns, rows) = (self.relief.columns(), self.relief.rows());
         let (west, north) = self.before;
         ((columns, rows) != (self.columns, self.rows)).then_some([west..west + columns, north..north + rows])
     }
 
-    /// The values of a raster.
+    /// Makes the values of a layer's raster, row by row.
     pub fn values(&self, layer: Layer) -> Values {
         match (self.values_of_map(layer), layer) {
             (values, _) if self.part().is_none() => values,
@@ -227,7 +227,7 @@ impl Rasters {
         }
     }
 
-    /// The meaning of a raster's values, in English.
+    /// Writes what the values of a layer's raster mean, in English.
     pub fn meaning(&self, layer: Layer) -> String {
         let Scale { sea_level, metres_a_step } = self.scale;
         let more = match layer {
@@ -249,7 +249,7 @@ impl Rasters {
         format!("{}{more}", layer.subject())
     }
 
-    /// The texts in a raster's file, with their keywords, in ASCII.
+    /// Writes the texts for a layer's file, with their keywords, in ASCII.
     pub fn texts(&self, layer: Layer) -> Vec<(&'static str, String)> {
         let mut texts = vec![
             (LINK_KEYWORD, self.link.clone()),
@@ -270,12 +270,12 @@ impl Rasters {
         texts
     }
 
-    /// Flow directions and basins.
+    /// Returns the flow directions and basins of the map's cells.
     pub fn flow(&self) -> &Flow {
         &self.flow
     }
 
-    /// The relief that the rasters are made from.
+    /// Returns the relief that the rasters are made from.
     pub fn relief(&self) -> &Relief {
         &self.relief
     }
@@ -303,12 +303,13 @@ pub(super) fn shortest(number: f64, places: u32) -> String {
     decimal(number, if number.fract() == 0.0 { 0 } else { places })
 }
 
-/// A width in thousandths, rounded up so that it stays above 0.
+/// Returns a width in thousandths of a unit, rounded up so that it stays above 0.
 fn thousandths(width: f32) -> u16 {
     (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
 }
 
-/// The width of the widest river in each cell that it passes, or whose middle lies between its banks.
+/// Returns for each cell the width of the widest river that passes it or has its middle between its banks, in units; 0
+/// where there is none.
 fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
     let mut widths = vec![0.0f32; relief.heights().len()];
     for river in &network.rivers {

@@ -38,7 +38,7 @@ fn cut_small_loops(ring: &mut Vec<GridPoint>) {
     }
 }
 
-/// Twice the area that a ring encloses counterclockwise, in cells of the grid.
+/// Returns twice the area that a ring encloses counterclockwise, in cells of the grid.
 pub(super) fn doubled_area(ring: &[GridPoint]) -> i64 {
     (2..ring.len()).map(|i| turn(ring[0], ring[i - 1], ring[i])).sum()
 }
@@ -56,13 +56,13 @@ fn is_simple(ring: &[GridPoint]) -> bool {
     (0..count).all(|i| !folds_back(i) && (i + 2..count).all(|j| is_apart(i, j)))
 }
 
-/// Twice the area of a triangle; negative if it is clockwise.
+/// Returns twice the area of a triangle, negative if it is clockwise.
 fn turn(a: GridPoint, b: GridPoint, c: GridPoint) -> i64 {
     let ([px, py], [qx, qy]) = (way(a, b), way(a, c));
     px * qy - py * qx
 }
 
-/// The dot product of two ways from one place.
+/// Returns the dot product of two ways from one place.
 fn along(from: GridPoint, a: GridPoint, b: GridPoint) -> i64 {
     let ([px, py], [qx, qy]) = (way(from, a), way(from, b));
     px * qx + py * qy
@@ -91,7 +91,7 @@ mod tests {
         assert_eq!(simple_ring(square.clone()), Some(square));
     }
 
-    /// A figure of eight with this number of points.
+    /// Makes a figure of eight with this number of points on either side.
     fn eight(points: i32) -> Vec<GridPoint> {
         let half = points / 2;
         let right = (1..=points).map(|i| [10 + 3 * i.min(points - i), 3 * (i - half)]);

@@ -51,7 +51,7 @@ impl Coasts {
         Self { planted: Some(land), are_given: true, low_stand: None, rising: None, drowned: None }
     }
 
-    /// The same coasts before the sea has risen, for a recipe that differs in its growth at most.
+    /// Returns these coasts as they are before the sea has risen, for a recipe that differs in its growth at most.
     pub fn before_growth(&self, recipe: &Recipe) -> Self {
         if self.are_given || self.low_stand.is_some() == LowStand::is_wanted(recipe) {
             let (planted, low_stand) = (self.planted.clone(), self.low_stand.clone());
@@ -60,22 +60,22 @@ impl Coasts {
         Self::of(recipe)
     }
 
-    /// The land that the tree is planted on; `None` if all of the domain is land.
+    /// Returns the land that the tree is planted on; `None` if all of the domain is land.
     pub fn planted(&self) -> Option<&Arc<Land>> {
         self.planted.as_ref()
     }
 
-    /// The land at present.
+    /// Returns the land at present.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.drowned.as_ref().map(|risen| &risen.drowned.land).or(self.planted.as_ref())
     }
 
-    /// The distances from the coast of the low stand; `None` if the sea has not risen.
+    /// Returns the distances from the coast of the low stand; `None` if the sea has not risen.
     pub fn low_stand(&self) -> Option<&Arc<CoastDistance>> {
         self.drowned.as_ref().map(|risen| &risen.from)
     }
 
-    /// The land that the risen sea has left, and the land that it rose over.
+    /// Returns the land that the risen sea has left, and the land that it rose over.
     pub fn drowned(&self) -> Option<(&Drowned, &Land)> {
         Some((&self.drowned.as_ref()?.drowned, self.planted.as_deref()?))
     }
@@ -108,7 +108,7 @@ impl Coasts {
         (self.drowned, self.rising) = (from.map(|from| Risen { drowned, from }), None);
     }
 
-    /// The sea on its way to its level; `None` before that is known, and after it is reached.
+    /// Returns the sea on its way to its level; `None` before that is known, and after it is reached.
     pub fn transgression(&self) -> Option<&Transgression> {
         match &self.rising {
             Some(Rise::Seen(transgression)) => Some(transgression),
@@ -116,7 +116,7 @@ impl Coasts {
         }
     }
 
-    /// The progress of the rise, from 0 to 1.
+    /// Returns the progress of the sea's rise, from 0 to 1.
     pub fn progress(&self) -> f32 {
         /// The share of the search for the level: in an animation it takes its time, and there is nothing to see.
         const SEARCH: f32 = 0.2;
@@ -127,7 +127,7 @@ impl Coasts {
         }
     }
 
-    /// The approximate memory of a copy, in bytes. Lands are shared.
+    /// Returns the approximate memory of a copy of these coasts, in bytes. Lands are shared.
     pub fn bytes(&self) -> usize {
         const OF_SEARCH: usize = Drowning::MEGABYTES as usize * 1_000_000;
         match &self.rising {

@@ -40,8 +40,8 @@ impl SessionDrafts {
         self.base.as_ref().is_some_and(|(of, _)| of.differs_in(wanted, &OF_RELIEF)).then_some(false)
     }
 
-    /// A preview of the relief under the other recipe, after `prepare`. If that is the session's own recipe and its
-    /// relief is solved, it is exact.
+    /// Makes a preview of the relief under another recipe, for which `prepare` has been called; the exact relief, once
+    /// it is solved, for the session's own recipe.
     pub fn relief(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Relief>> {
         let (of, drafts) = self.base.as_ref()?;
         if let Some(relief) = session.relief().filter(|_| of == wanted) {
@@ -55,10 +55,9 @@ impl SessionDrafts {
         self.last.as_ref().map(|(_, relief)| relief.clone())
     }
 
-    /// A preview of the land under a recipe that differs from the session's in its coasts alone, over the valleys of its tree where the
-    /// sea rises; the exact land for the
-    /// session's own recipe. `None` if the recipe differs in more, if there is no sea, or if the session's land was
-    /// given.
+    /// Makes a preview of the land under a recipe that differs from the session's in its coasts alone, over the valleys of its tree
+    /// where the sea rises; the exact land for the session's own recipe. `None` if the recipe differs in more, if there is no sea, or
+    /// if the session's land was given.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
         let own =
             session.land().filter(|_| !session.coasts.are_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
@@ -74,8 +73,8 @@ impl SessionDrafts {
 }
 
 impl Session {
-    /// The land of a recipe with other coasts after the sea has risen, nearly: over the valleys of this session's tree,
-    /// which does not grow anew. `None` if the sea does not rise, or there is not enough memory.
+    /// Approximates the land of a recipe with other coasts after the sea has risen: over the valleys of this session's
+    /// tree, which does not grow anew. `None` if the sea does not rise, or there is not enough memory.
     fn drowned_draft(&self, wanted: &Recipe) -> Option<Arc<Land>> {
         let low_stand = Arc::new(LowStand::of(wanted, CoastDistance::SPACING)?);
         let mut drowning = match self.coasts.drowned() {

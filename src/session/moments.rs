@@ -26,7 +26,7 @@ pub struct Timeline {
 }
 
 impl Session {
-    /// The moment that the session has reached.
+    /// Returns the moment that the session has reached.
     pub fn moment(&self) -> Moment {
         match self.phase() {
             Phase::Growing => Moment::Growth(self.ticks),
@@ -47,7 +47,7 @@ impl Session {
 }
 
 impl Timeline {
-    /// The timeline of a finished session; `None` for an unfinished one. Copies are kept only once somebody goes back.
+    /// Makes the timeline of a finished session; `None` for an unfinished one. Copies are kept once somebody goes back.
     pub fn new(session: &Session) -> Option<Self> {
         /// Limit on the memory of all copies, and the measured bytes of each for a node or an attractor.
         const MOST_BYTES: usize = 24_000_000;
@@ -62,12 +62,12 @@ impl Timeline {
         Some(Self { kept: Vec::new(), ticks: session.ticks, rounds, stride })
     }
 
-    /// Number of ticks that the session grows.
+    /// Returns the number of ticks that the session grows.
     pub fn ticks(&self) -> u32 {
         self.ticks
     }
 
-    /// The last round after which the session is not finished.
+    /// Returns the last round after which the session is not finished.
     pub fn rounds(&self) -> u32 {
         self.rounds
     }

@@ -31,7 +31,7 @@ impl ReliefStage {
         Ok(())
     }
 
-    /// The relief, once it is solved.
+    /// Returns the relief, or `None` until it is solved.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         match self {
             Self::Solved(relief) => Some(relief),
@@ -39,7 +39,7 @@ impl ReliefStage {
         }
     }
 
-    /// The progress, from 0 to 1.
+    /// Returns the progress of the relief, from 0 to 1.
     pub fn progress(&self) -> f32 {
         match self {
             Self::Waiting => 0.0,
@@ -48,7 +48,7 @@ impl ReliefStage {
         }
     }
 
-    /// The approximate memory of a copy, in bytes. A solved relief is shared.
+    /// Returns the approximate memory of a copy of this state, in bytes. A solved relief is shared.
     pub fn bytes(&self) -> usize {
         match self {
             Self::Solving(solver) => solver.bytes(),

@@ -33,7 +33,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The summary during growth.
+    /// Summarises a tree during its growth.
     pub(super) fn of_growth(growth: &Growth) -> Self {
         let tree = growth.tree();
         Self {
@@ -65,7 +65,7 @@ impl Summary {
         }
     }
 
-    /// The reason why rivers leave much of the land dry, once growth has ended; `None` if they do not.
+    /// Returns the reason why rivers leave much of the land dry, once growth has ended; `None` if they do not.
     pub fn shortfall(&self) -> Option<Shortfall> {
         match self.ending {
             Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
@@ -92,7 +92,7 @@ pub enum Shortfall {
 }
 
 impl Shortfall {
-    /// Its name, lower case, with hyphens between words.
+    /// Returns the reason's name, lower case, with hyphens between words.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoRiver => "no-river",

@@ -46,7 +46,7 @@ fn finished(text: &str) -> Session {
     session
 }
 
-/// The visible state of a session.
+/// Returns the visible state of a session.
 fn seen(session: &Session) -> (&Recipe, Summary, Phase, &Tree, Option<&Network>) {
     (session.recipe(), session.summary(), session.phase(), session.tree(), session.network())
 }
@@ -359,7 +359,7 @@ fn relief_of_a_file_is_refused_where_there_is_no_memory_for_it() {
     assert!(refused.to_string().contains("needs about 13 MB"), "{refused}");
 }
 
-/// The share of cells that are land in one of two lands alone.
+/// Returns the share of cells that are land in one of two lands alone.
 fn difference(one: &Land, other: &Land) -> f32 {
     let cells = || (0..one.rows()).flat_map(|row| (0..one.columns()).map(move |column| (column, row)));
     let is_other = |&(column, row): &(i32, i32)| {
@@ -409,7 +409,7 @@ fn each_step_of_the_seas_rise_can_be_refused_and_made_again() {
     assert!(session.finish().unwrap().land() == finished(text).land());
 }
 
-/// A session of drowned coasts whose sea is about to be seen rising.
+/// Makes a session of drowned coasts whose sea is about to be seen rising.
 fn before_the_transgression(text: &str) -> Session {
     let mut session = Session::new(link::read(text).unwrap()).unwrap();
     while session.transgression().is_none() {

@@ -158,7 +158,7 @@ impl Form {
         Self::ALL.into_iter()
     }
 
-    /// Returns the ending of such a file's name, without the dot before it.
+    /// Returns the ending of the names of a form's files, without the dot before it.
     pub fn name(self) -> &'static str {
         self.row().0
     }

@@ -65,7 +65,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
     grid(out, size, palette);
 }
 
-/// The colour of water at the coast, as the shades of the sea have it.
+/// Returns the colour of water at the coast, as the shades of the sea have it.
 pub(super) fn water(palette: &Palette) -> Colour {
     if palette.fade > 0.0 { mix(palette.shallows, palette.deep, 1.0 / SHADES as f32) } else { palette.shallows }
 }
@@ -185,7 +185,7 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
     }
 }
 
-/// The rings around everything above a level, as a path.
+/// Makes a path of the rings around everything above a level, with one of every `every` points.
 pub(super) fn level(land: &SmoothedDistance, level: f32, every: usize) -> Path {
     path_of(land.rings_above(level), every)
 }

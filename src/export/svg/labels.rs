@@ -29,9 +29,9 @@ pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
     AnnotationText { halo: halo.into_string(), labels: letters.into_string() }
 }
 
-/// How far the halo fades around its edge: the standard deviation of a blur, in units.
+/// The width over which the halo fades around its edge, as the standard deviation of a blur, in units.
 const FEATHER: f32 = 1.0;
-/// How strong a halo is that every letter has: pictures lay it only where the ground asks for it.
+/// The strength of the halo that every letter has; pictures lay it only where the ground asks for it.
 const EVERYWHERE: f32 = 0.5;
 
 /// Writes the mask that leaves rivers out around letters, fading outward.
@@ -190,7 +190,7 @@ fn halo(out: &mut Text, label: &Label, look: LabelLook) {
     }
 }
 
-/// A label's lines of type with their letters; a title may have two lines.
+/// Returns a label's lines of type, each as its text and its letters; a title may have two.
 fn lines(label: &Label) -> Vec<(&str, &[Placed])> {
     let lines: Vec<&[Placed]> = label.letters.chunk_by(|a, b| (b.at - a.at).dot(a.along) > 0.0).collect();
     let (mut rest, mut texts) = (label.text.as_str(), Vec::new());
@@ -205,7 +205,7 @@ fn lines(label: &Label) -> Vec<(&str, &[Placed])> {
     texts
 }
 
-/// The line under the letters, from the start of the first to the end of the last.
+/// Makes the line under letters, from the start of the first to the end of the last.
 fn baseline(letters: &[Placed], em: f32) -> Path {
     let mut path = Path::default();
     let ends = points(letters, em);
@@ -225,7 +225,7 @@ fn length(letters: &[Placed], em: f32) -> f32 {
     points(letters, em).windows(2).map(|pair| distance(pair[0], pair[1])).sum()
 }
 
-/// The outlines of all letters.
+/// Makes a path of the outlines of a label's letters.
 fn outlines(label: &Label) -> Path {
     let mut path = Path::default();
     for letter in &label.letters {

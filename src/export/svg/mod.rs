@@ -121,7 +121,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     Ok(out.into_string())
 }
 
-/// The end of the attributes of a group that the halo masks.
+/// Writes the end of the attributes of a group that the halo masks and, if there is a shore, the shore clips.
 fn masked(clip: &str) -> &'static str {
     if clip.is_empty() { "\" mask=\"url(#halo)" } else { "\" clip-path=\"url(#shore)\" mask=\"url(#halo)" }
 }
@@ -139,7 +139,7 @@ fn width(lines: Lines) -> Width {
 /// Basins with their colours.
 type InBasins = (Basins, &'static BasinColours);
 
-/// The basins, if the style has colours for them.
+/// Makes the map's basins with their colours; `None` if the style has no colours for them or shows no relief.
 fn basins(map: &Map, network: &Network, palette: &Palette) -> Option<InBasins> {
     let look = palette.relief.and_then(|look| look.basins.as_ref())?;
     Some((Basins::new(map.shown_relief()?, network, look.colours), look))

@@ -22,7 +22,7 @@ pub(super) fn draw(
 ) {
     /// The number of steps in which the sea fades, each a ramp.
     const STOPS: u32 = 8;
-    /// How far tongues reach beyond the line of the coast, so that nothing of its edge shines through, in units.
+    /// The distance that tongues reach beyond the line of the coast, so that nothing of its edge shines through, in units.
     const BEYOND: f32 = 0.2;
     let (shown, sea) = (SmoothedDistance::of(land.coast_distance()), water(drawn.palette));
     let tongues = drawn.tongues(network, &shown);
@@ -51,7 +51,7 @@ pub(super) fn draw(
     out.text("</g>\n");
 }
 
-/// A tongue from bank to bank, with straight ends.
+/// Makes the outline of a tongue, from bank to bank with straight ends.
 fn outline(tongue: &Tongue, courses: CourseShape) -> Path {
     let mut path = Path::default();
     let Banks { left, mut right, .. } = Banks::of_reach(tongue.whole_line(), courses);

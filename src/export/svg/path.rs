@@ -24,7 +24,7 @@ impl Text {
 }
 
 impl Path {
-    /// The data for the attribute `d`.
+    /// Returns the path as data for the attribute `d`.
     pub fn data(&self) -> &str {
         self.data.as_str()
     }

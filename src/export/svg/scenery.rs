@@ -117,7 +117,7 @@ fn strokes(out: &mut Text, strokes: &[PenStroke]) {
     }
 }
 
-/// The path around an area.
+/// Makes the path around an area of a sign.
 fn area(edge: &PenStroke) -> Path {
     let mut path = Path::default();
     path.start(edge.start * SIZE);

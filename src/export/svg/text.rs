@@ -12,12 +12,12 @@ use crate::paint::palette::Colour;
 pub(super) struct Text(String);
 
 impl Text {
-    /// The text so far.
+    /// Returns the text written so far.
     pub fn as_str(&self) -> &str {
         &self.0
     }
 
-    /// The finished text.
+    /// Returns the finished text.
     pub fn into_string(self) -> String {
         self.0
     }
