@@ -14,7 +14,6 @@ import { fileURLToPath } from "node:url";
 // Modules whose comments have not been rewritten. A module is a folder or a file without its extension.
 const NOT_YET = [
   "crates/wasm",
-  "src/analyse",
   "src/annotate",
   "src/paint",
   "src/picture",

@@ -38,7 +38,7 @@ impl RiverBasins {
         Some(Self { grid: settings.grid, rivers })
     }
 
-    /// The rings around the cells of the wanted rivers, in units.
+    /// Returns the rings around the cells of the wanted rivers, in units.
     pub fn rings(&self, is_wanted: impl Fn(u32) -> bool) -> Vec<Vec<Vec2>> {
         let mut cells = Vec::new();
         // Neighbouring cells mostly belong to one river.
@@ -55,7 +55,7 @@ impl RiverBasins {
     }
 }
 
-/// The cell that a direction leads to; `None` if it leads off the map.
+/// Returns the cell that a direction leads to from another; `None` if it leads off the map.
 fn downstream(cell: usize, code: u8, grid: &Grid) -> Option<usize> {
     const OFFSETS: [(isize, isize); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
     let &(east, south) = OFFSETS.get(code.trailing_zeros() as usize)?;

@@ -10,9 +10,9 @@ use crate::tree::{Hydrology, NO_PARENT};
 /// The most ways that readers of a map can tell apart.
 const MOST: usize = 40;
 
-/// The former ways of captured streams. Each line begins where the stream was turned aside, goes to the parcel that it
-/// drained to before, and follows the present drainage from there to the next stream. Streams that drain the most come
-/// first. Parcels that drained directly to the sea before have none. Only drainage has captures.
+/// Traces the former ways of captured streams. Each line begins where the stream was turned aside, goes to the parcel
+/// that it drained to before, and follows the present drainage from there to the next stream. Streams that drain the
+/// most come first. Parcels that drained directly to the sea before have none. Only drainage has captures.
 pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     let (growth, tree) = (session.growth(), session.tree());
     let (places, nodes) = (growth.scattered(), growth.nodes_of_parcels());
@@ -40,7 +40,7 @@ pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     by_discharge.into_iter().take(MOST).map(former_way).collect()
 }
 
-/// The last capture of each parcel, in the order of parcels, without those that were never captured.
+/// Returns the last capture of each parcel, in the order of parcels, without those that were never captured.
 fn last_of_each_parcel(captures: &[Capture], parcels: usize) -> Vec<Capture> {
     let mut last = vec![None; parcels];
     for &capture in captures {

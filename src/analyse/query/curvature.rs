@@ -15,8 +15,8 @@ const LONGEST: f32 = 4.0;
 const ORDERS: u8 = 2;
 
 impl Inspector {
-    /// Short lines on the great rivers, from the middle towards the outside of the bend: the sharper, the longer. Lines
-    /// that would not reach the bank are left out.
+    /// Draws short lines on the great rivers, from the middle towards the outside of the bend: the sharper, the longer.
+    /// Lines that would not reach the bank are left out.
     pub fn curvature(&self) -> Vec<Vec<Vec2>> {
         let highest = self.orders.iter().fold(0, |highest, &order| highest.max(order));
         let mut lines = Vec::new();
@@ -41,8 +41,8 @@ impl Inspector {
     }
 }
 
-/// The direction away from the centre of the circle through three points, as long as the circle's curvature; zero if
-/// the points lie on a line.
+/// Returns the direction away from the centre of the circle through three points, as long as the circle's curvature; zero
+/// if they lie on a line.
 fn outward(a: Vec2, b: Vec2, c: Vec2) -> Vec2 {
     let (before, after, across) = (b - a, c - b, c - a);
     let lengths = length(before) * length(after) * across.length_squared();

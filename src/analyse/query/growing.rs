@@ -6,8 +6,8 @@ use crate::prune::channel_depth;
 use crate::session::Session;
 use crate::tree::Hydrology;
 
-/// The sources of a session's rivers. While the tree grows, these are the ends of the part that is longer than even
-/// trimming removes, which is also the part that pictures show.
+/// Returns the sources of a session's rivers. While the tree grows, these are the ends of the part that is longer than
+/// even trimming removes, which is also the part that pictures show.
 pub fn tips(session: &Session) -> Vec<Vec2> {
     let mut tips = Vec::new();
     if let Some(network) = session.network() {
@@ -48,7 +48,7 @@ mod tests {
         places
     }
 
-    /// The nodes that are certain to stay and have no such node above them, found by walking down from every node.
+    /// Finds the nodes that are certain to stay and have no such node above them, by walking down from every node.
     fn certain_tips(tree: &Tree, trim: Trim) -> Vec<Vec2> {
         let mut discharge = vec![0; tree.len()];
         let below = |node: usize| std::iter::successors(Some(node), |&node| tree.parent_of(node));

@@ -52,19 +52,19 @@ impl CourseLines {
         Self { index: Index::new(&middles, widest), places, starts, segments, widest }
     }
 
-    /// The middle line of a river.
+    /// Returns the middle line of a river.
     pub fn line(&self, river: u32) -> &[Place] {
         &self.places[self.starts[river as usize] as usize..self.starts[river as usize + 1] as usize]
     }
 
-    /// The source of a river.
+    /// Returns the spot at a river's source; `None` if there is no such river.
     pub fn source(&self, river: u32) -> Option<Spot> {
         let &[place, _, ..] = self.line(river) else { return None };
         Some(Spot { river, segment: 0, place, off: 0.0 })
     }
 
-    /// The nearest spot to a point, of those whose bank is within reach. Among equally near spots the first river's
-    /// wins.
+    /// Finds the spot nearest to a point, of those whose bank is within reach. Among equally near spots the first
+    /// river's wins.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
         let mut nearest: Option<Spot> = None;
         if at.is_finite() && reach.is_finite() {
@@ -82,7 +82,7 @@ impl CourseLines {
         nearest
     }
 
-    /// The nearest place on a segment to a point.
+    /// Returns the spot on a segment that is nearest to a point.
     fn on(&self, segment: usize, at: Vec2) -> Spot {
         let (first, river) = self.segments[segment];
         let [from, to] = [self.places[first as usize], self.places[first as usize + 1]];
@@ -109,7 +109,7 @@ mod tests {
         CourseLines::new(session.finish().unwrap().network())
     }
 
-    /// The nearest spot, found by looking at every segment.
+    /// Returns how far a point is off the nearest spot, by looking at every segment; `None` if that is out of reach.
     fn nearest_of_all(lines: &CourseLines, at: Vec2, reach: f32) -> Option<f32> {
         let off = (0..lines.segments.len()).map(|segment| lines.on(segment, at).off);
         Some(off.fold(f32::INFINITY, f32::min)).filter(|&off| off <= reach)

@@ -81,17 +81,17 @@ impl Inspector {
         })
     }
 
-    /// The rivers.
+    /// Returns the rivers that are asked about.
     pub fn network(&self) -> &Network {
         &self.network
     }
 
-    /// The order at each vertex.
+    /// Returns the Strahler order of the river at each vertex.
     pub fn orders(&self) -> &[u8] {
         &self.orders
     }
 
-    /// The parts of rivers whose vertices satisfy `is_so`, each extended to the next vertex below.
+    /// Returns the parts of rivers whose vertices satisfy `is_so`, each extended to the next vertex below.
     pub fn stretches(&self, is_so: impl Fn(usize) -> bool) -> Vec<Vec<Vec2>> {
         let mut stretches: Vec<Vec<Vec2>> = Vec::new();
         for (number, river) in (0..).zip(&self.network.rivers) {
@@ -108,18 +108,18 @@ impl Inspector {
         stretches
     }
 
-    /// The nearest place on a river to a point, measured from the banks, if it is within `reach` units.
+    /// Finds the place on a river that is nearest to a point, measured from the banks, if it is within `reach` units.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
         self.lines.nearest(at, reach)
     }
 
-    /// The source of the river with an identity.
+    /// Finds the source of the river with an identity; `None` if there is none.
     pub fn source(&self, identity: u32) -> Option<Spot> {
         let river = self.network.rivers.iter().position(|river| river.identity == identity)?;
         self.lines.source(river as u32)
     }
 
-    /// The properties of the river at a place.
+    /// Returns the properties of the river at a place.
     pub fn facts(&self, spot: &Spot) -> RiverFacts {
         let river = &self.network.rivers[spot.river as usize];
         let share = f64::from(self.network.discharge(river)) / f64::from(self.all);
@@ -142,7 +142,7 @@ impl Inspector {
         }
     }
 
-    /// The way from a place to the sea, along its river and then along the rivers that it joins.
+    /// Traces the way from a place to the sea, along its river and then along the rivers that it joins.
     pub fn way_to_the_sea(&self, spot: &Spot) -> Vec<Place> {
         let mut way = vec![spot.place];
         let (mut river, mut next) = (spot.river, spot.segment as usize + 1);
@@ -159,7 +159,7 @@ impl Inspector {
         }
     }
 
-    /// The rings around the land that a river and its tributaries drain, in units.
+    /// Returns the rings around the land that a river and its tributaries drain, in units.
     pub fn basin(&self, river: u32) -> Vec<Vec<Vec2>> {
         self.basins.rings(|other| self.is_above(other, river))
     }

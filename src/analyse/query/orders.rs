@@ -3,8 +3,8 @@
 use crate::base::sort;
 use crate::network::{Network, River};
 
-/// The order of the river at each vertex, including the rivers that join there: 1 at a source, and never lower
-/// downstream.
+/// Counts Strahler's order of the river at each vertex, including the rivers that join there: 1 at a source, and never
+/// lower downstream.
 pub(super) fn along(network: &Network) -> Vec<u8> {
     let rivers = &network.rivers;
     let arms = sort::argsort(rivers.iter().map(|river| river.junction));
@@ -22,7 +22,7 @@ pub(super) fn along(network: &Network) -> Vec<u8> {
     orders
 }
 
-/// The order below a junction. If several rivers have the highest order, it rises by one.
+/// Returns the order of a river below a junction: one above the highest, if several that meet have it.
 fn below<'a>(order: u8, arms: impl Iterator<Item = &'a River>) -> u8 {
     let (highest, times) = arms.fold((order, 1), |(highest, times), arm| match arm.order.cmp(&highest) {
         std::cmp::Ordering::Less => (highest, times),

@@ -22,7 +22,7 @@ pub fn along_coast(network: &Network, spacing: f32, inland: impl Fn(Vec2) -> f32
     beside.map(|(vertex, &below)| f64::from(distance(at(vertex), at(below)))).fold(0.0, |sum, length| sum + length)
 }
 
-/// The distance of each vertex from its mouth, along the water.
+/// Returns the distance of each vertex from its mouth, along the water.
 fn distances_to_sea(network: &Network, downstream: &[u32]) -> Vec<f32> {
     let mut to_sea = vec![f32::NAN; downstream.len()];
     let mut upward = Vec::new();

@@ -6,14 +6,14 @@ use super::fit;
 use crate::base::geometry::{direction, distance};
 use crate::network::{NONE, Network, River};
 
-/// The median sinuosity of the rivers of order 2 and higher: length over the straight line from source to end. `None`
-/// if there are none.
+/// Measures the median sinuosity of the rivers of order 2 and higher: length over the straight line from source to end.
+/// `None` if there are none.
 pub fn sinuosity(network: &Network) -> Option<f32> {
     let great = network.rivers.iter().filter(|river| river.order >= 2);
     fit::median(&great.map(|river| network.sinuosity(river)).collect::<Vec<_>>())
 }
 
-/// The total length of all rivers, in units.
+/// Sums up the length of all rivers, in units.
 pub fn total_length(network: &Network) -> f64 {
     network.rivers.iter().map(|river| f64::from(network.length(river))).fold(0.0, |sum, length| sum + length)
 }
@@ -61,7 +61,7 @@ fn junction_angle(network: &Network, river: &River, upstream: f32) -> Option<f64
     Some(libm::atan2f(tributary.perp_dot(stem).abs(), tributary.dot(stem)).to_degrees().into())
 }
 
-/// The point at a distance from the start of a line, measured along it; `None` if the line is shorter.
+/// Returns the point at a distance from the start of a line, measured along it; `None` if the line is shorter.
 fn along(start: Vec2, line: &[Vec2], mut far: f32) -> Option<Vec2> {
     let mut from = start;
     for &to in line {
@@ -80,7 +80,7 @@ mod tests {
     use super::super::samples::{into, network, to_sea};
     use super::*;
 
-    /// Three rivers, 7, 6 and 5 units long, whose ends are 5, 6 and 5 units apart.
+    /// Measures three rivers, 7, 6 and 5 units long, whose ends are 5, 6 and 5 units apart.
     #[test]
     fn sinuosity_is_that_of_the_river_in_the_middle_of_order_2_at_least() {
         let bent = to_sea(&[(0.0, 0.0), (3.0, 0.0), (3.0, 4.0)]);

@@ -60,7 +60,7 @@ impl Directions {
     }
 }
 
-/// The middles and directions of all chords of one spacing along the rivers.
+/// Returns the middles and directions of all chords of one spacing along the rivers.
 fn chords(network: &Network, spacing: f32) -> Vec<(Vec2, Vec2)> {
     let mut chords = Vec::new();
     for river in &network.rivers {

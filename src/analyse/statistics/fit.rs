@@ -1,6 +1,6 @@
 //! Fits of power laws: straight lines of least squares through logarithms.
 
-/// The slope of the least-squares line, y over x; `None` for fewer than two different x.
+/// Returns the slope of the least-squares line, y over x; `None` for fewer than two different x.
 pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -10,7 +10,7 @@ pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| common / spread)
 }
 
-/// The ratio of the geometric series nearest to the values; `None` for fewer than two, and if one is not above 0.
+/// Returns the ratio of the geometric series nearest to the values; `None` for fewer than two, or if one is not positive.
 pub(super) fn ratio(values: &[f64]) -> Option<f64> {
     if values.iter().any(|&value| value <= 0.0) {
         return None;
@@ -19,25 +19,25 @@ pub(super) fn ratio(values: &[f64]) -> Option<f64> {
     slope(&logs).map(|slope| libm::expf(slope as f32).into())
 }
 
-/// The natural logarithm, with the precision of a 32-bit float: a 64-bit one would add a kilobyte to the page's engine.
+/// Returns the natural logarithm, with the precision of a 32-bit float: a 64-bit one would add a kilobyte to the page.
 pub(super) fn log(value: f64) -> f64 {
     libm::logf(value as f32).into()
 }
 
-/// The median, which is the mean of the middle two for an even number of values; `None` for an empty list.
+/// Returns the median, which is the mean of the middle two for an even number of values; `None` for an empty list.
 pub(super) fn median(values: &[f32]) -> Option<f32> {
     let sorted = crate::base::sort::sorted(values);
     let upper = *sorted.get(sorted.len() / 2)?;
     Some((sorted[(sorted.len() - 1) / 2] + upper) / 2.0)
 }
 
-/// The median of numbers, with the precision of 32-bit floats.
+/// Returns the median of numbers, with the precision of 32-bit floats.
 #[inline(never)] // it has several callers
 pub(super) fn median_of(values: &[f64]) -> Option<f64> {
     median(&values.iter().map(|&value| value as f32).collect::<Vec<_>>()).map(f64::from)
 }
 
-/// The mean; `None` for an empty list.
+/// Returns the mean of values; `None` for an empty list.
 #[inline(never)] // it has several callers
 pub(super) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)

@@ -42,7 +42,7 @@ mod tests {
     use crate::property::cases;
     use proptest::prelude::*;
 
-    /// All places against all others.
+    /// Counts knots by comparing all places with all others.
     fn twin(network: &Network, spacing: f32) -> f64 {
         let lines = network.rivers.iter().map(|river| evenly(&network.places(river), STEP * spacing));
         let lines: Vec<Vec<Vec2>> = lines.collect();

@@ -117,8 +117,8 @@ impl Measures {
     }
 }
 
-/// The spacing, the ruler for all lengths. Space colonization is measured by that of drainage with as many parcels; a
-/// Brownian tree has its own.
+/// Returns the spacing of streams, the ruler for all lengths. Space colonization is measured by that of drainage with
+/// as many parcels; a Brownian tree has its own.
 fn ruler(map: &Map) -> f32 {
     match map.recipe().get() {
         GrowthMethod::Colonize => parcel_spacing(map.recipe()),
@@ -126,7 +126,7 @@ fn ruler(map: &Map) -> f32 {
     }
 }
 
-/// The area of land, in square units.
+/// Returns the area of a map's land, in square units.
 pub(crate) fn land_area(map: &Map) -> f64 {
     let domain = map.domain().size;
     let of_cells = |cells: u32| f64::from(cells) * f64::from(CELL_SIZE * CELL_SIZE);
@@ -134,8 +134,8 @@ pub(crate) fn land_area(map: &Map) -> f64 {
     map.land().map_or_else(all, |land| land.regions().iter().map(|region| of_cells(region.cells)).sum())
 }
 
-/// The distance of a point from the coast, in units; positive inland. In a rectangle everything is land, and the sides
-/// with mouths are its coasts.
+/// Returns the distance of a point from the coast, in units; positive inland. In a rectangle everything is land, and
+/// the sides with mouths are its coasts.
 fn inland(map: &Map, at: Vec2) -> f32 {
     let beyond = map.domain().size - at;
     let sides = map.recipe().sides();

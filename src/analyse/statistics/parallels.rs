@@ -98,14 +98,14 @@ impl Stretches {
     }
 }
 
-/// The places along a course, half a spacing apart.
+/// Returns places along a course, half a spacing apart.
 fn places(network: &Network, river: &River, course: u32, spacing: f32) -> Vec<Place> {
     let line = evenly(&network.places(river), STEP * spacing);
     let heading = |i: usize| direction(line[(i + AROUND).min(line.len() - 1)] - line[i.saturating_sub(AROUND)]);
     line.iter().enumerate().map(|(i, &at)| Place { at, direction: heading(i), course }).collect()
 }
 
-/// Points along a line, starting at its first point, `step` apart.
+/// Returns points along a line, starting at its first point, `step` apart.
 #[inline(never)] // each copy weighs two hundred bytes
 pub(super) fn evenly(line: &[Vec2], step: f32) -> Vec<Vec2> {
     let mut points = Vec::new();

@@ -57,13 +57,13 @@ impl Pattern {
         Self { distances: std::array::from_fn(|i| (CLASSES[i].name, distance(&features, &CLASSES[i].means))) }
     }
 
-    /// The names and distances of the patterns, the nearest first: the network is named after it.
+    /// Returns the names and distances of the patterns, first the nearest, after which the network is named.
     pub fn nearest_first(&self) -> [(&'static str, f64); PATTERNS] {
         let order = sort::argsort(self.distances.iter().map(|(_, distance)| sort::key(*distance as f32)));
         std::array::from_fn(|i| self.distances[order[i]])
     }
 
-    /// The name of the nearest pattern.
+    /// Returns the name of the nearest pattern.
     pub fn name(&self) -> &'static str {
         self.nearest_first()[0].0
     }

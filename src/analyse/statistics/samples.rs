@@ -13,17 +13,17 @@ pub(super) struct Sample<'a> {
     pub width: f32,
 }
 
-/// A river to the sea with discharge 1, a unit wide.
+/// Makes a river to the sea with discharge 1, a unit wide.
 pub(super) fn to_sea(points: &[(f32, f32)]) -> Sample<'_> {
     Sample { points, joins: None, discharge: 1, width: 1.0 }
 }
 
-/// A river like `to_sea` that joins a vertex of another river.
+/// Makes a river like `to_sea` that joins a vertex of another river.
 pub(super) fn into(points: &[(f32, f32)], river: usize, vertex: u32) -> Sample<'_> {
     Sample { joins: Some((river, vertex)), ..to_sea(points) }
 }
 
-/// A network of rivers, all of order 2.
+/// Makes a network of rivers, all of order 2.
 pub(super) fn network(samples: &[Sample<'_>]) -> Network {
     let mut network = Network::default();
     for sample in samples {

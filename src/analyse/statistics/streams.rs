@@ -45,30 +45,30 @@ impl Streams {
         this
     }
 
-    /// Horton's bifurcation ratio R_B: the factor by which the number of streams falls from each order to the next. It
-    /// is fitted by least squares to the logarithms of the numbers over the orders. A single stream of the highest
+    /// Returns Horton's bifurcation ratio R_B: the factor by which the number of streams falls from each order to the next.
+    /// It is fitted by least squares to the logarithms of the numbers over the orders. A single stream of the highest
     /// order is left out. `None` for fewer than three orders.
     pub fn bifurcation_ratio(&self) -> Option<f64> {
         let counts: Vec<f64> = self.counts[..self.fitted()?].iter().map(|&count| count.into()).collect();
         fit::ratio(&counts).map(|ratio| 1.0 / ratio)
     }
 
-    /// Horton's length ratio R_L: the factor by which the mean length of streams rises from each order to the next,
-    /// fitted in the same way.
+    /// Returns Horton's length ratio R_L: the factor by which the mean length of streams rises from each order to the
+    /// next, fitted in the same way.
     pub fn length_ratio(&self) -> Option<f64> {
         let orders = self.lengths.iter().zip(&self.counts);
         let means: Vec<f64> = orders.map(|(length, &count)| length / f64::from(count)).collect();
         fit::ratio(&means[..self.fitted()?])
     }
 
-    /// The number of orders used in a fit; `None` if there are too few.
+    /// Returns the number of orders used in a fit; `None` if there are too few.
     fn fitted(&self) -> Option<usize> {
         let orders = self.counts.len() - usize::from(self.counts.last() == Some(&1));
         (orders >= LEAST_ORDERS).then_some(orders)
     }
 
-    /// Tokunaga's T_k: the mean number of side branches of order w − k in a stream of order w, over all streams of
-    /// orders above k. `None` if there are no such streams.
+    /// Returns Tokunaga's T_k: the mean number of side branches of order w − k in a stream of order w, over all streams
+    /// of orders above k. `None` if there are no such streams.
     pub fn side_branches(&self, k: usize) -> Option<f64> {
         let orders = k..self.counts.len();
         let branches: u32 = orders.clone().map(|own| self.branches(own - k, own)).sum();
@@ -76,24 +76,24 @@ impl Streams {
         (streams > 0).then(|| f64::from(branches) / f64::from(streams))
     }
 
-    /// Number of side branches of one order in all streams of a higher one. The two branches of the order below that
+    /// Counts the side branches of one order in all streams of a higher one. The two branches of the order below that
     /// form a stream do not count.
     fn branches(&self, order: usize, own: usize) -> u32 {
         let forming = if order + 1 == own { 2 * self.counts[own] } else { 0 };
         self.joins[order][own] - forming
     }
 
-    /// Tokunaga's c: the factor by which the number of side branches grows with each lower order, T_k = a c^(k−1). It
-    /// is fitted by least squares to the logarithms of T_1, T_2 and T_3 (Peckham 1995). `None` for fewer than four
-    /// orders, and if one of the three is 0.
+    /// Returns Tokunaga's c: the factor by which the number of side branches grows with each lower order, T_k =
+    /// a c^(k−1). It is fitted by least squares to the logarithms of T_1, T_2 and T_3 (Peckham 1995). `None` for fewer
+    /// than four orders, and if one of the three is 0.
     pub fn tokunaga_c(&self) -> Option<f64> {
         let numbers: Option<Vec<f64>> = (1..=3).map(|k| self.side_branches(k)).collect();
         fit::ratio(&numbers?)
     }
 }
 
-/// Hack's exponent h in L ∝ A^h (Hack 1957), where L is the length of the longest river in a basin of area A. It is
-/// fitted by least squares to their logarithms. There is a basin for each stream of order 2 and higher, above the
+/// Returns Hack's exponent h in L ∝ A^h (Hack 1957), where L is the length of the longest river in a basin of area A.
+/// It is fitted by least squares to their logarithms. There is a basin for each stream of order 2 and higher, above the
 /// stream's lower end. `None` for fewer than ten basins.
 pub fn hack_exponent(tree: &Tree, order: &[u8], area: &[u32]) -> Option<f64> {
     const LEAST_BASINS: usize = 10;
@@ -109,7 +109,7 @@ pub fn hack_exponent(tree: &Tree, order: &[u8], area: &[u32]) -> Option<f64> {
     if basins.len() < LEAST_BASINS { None } else { fit::slope(&basins) }
 }
 
-/// The length of the longest river above each node, in units.
+/// Returns the length of the longest river above each node, in units.
 fn longest_above(tree: &Tree) -> Vec<f32> {
     let mut longest = vec![0.0f32; tree.len()];
     for node in (0..tree.len()).rev().filter(|&node| tree.parent[node] != NO_PARENT) {
@@ -125,7 +125,7 @@ mod tests {
     use crate::tree::Hydrology;
     use glam::Vec2;
 
-    /// A mouth without a river.
+    /// Makes a tree of a mouth without a river.
     fn mouth() -> Tree {
         Tree { at: vec![Vec2::ZERO], parent: vec![NO_PARENT], drained: vec![1], ..Tree::default() }
     }
@@ -217,8 +217,8 @@ mod tests {
         assert_eq!(streams(&Tree::default()).bifurcation_ratio(), None);
     }
 
-    /// A tree without side branches: 16, 8, 4 and 2 streams of orders 1 to 4, and one of order 5, which is left out.
-    /// Each is three times as long as those of the order below.
+    /// Measures a tree without side branches: 16, 8, 4 and 2 streams of orders 1 to 4, and one of order 5, which is
+    /// left out. Each is three times as long as those of the order below.
     #[test]
     fn ratios_are_those_of_a_forked_tree() {
         let streams = streams(&of_order(5, |order| 3u32.pow(order) as f32, |_| 0));
@@ -227,9 +227,9 @@ mod tests {
         assert_eq!(streams.tokunaga_c(), None);
     }
 
-    /// Each stream has one side branch of the order below, then two, four and eight of the lower ones: a = 1, c = 2. In
-    /// the long run there are then 4 times as many streams of an order as of the next; the line through 683, 171, 43,
-    /// 11 and 3 gives e^1.35996.
+    /// Measures a tree each of whose streams has one side branch of the order below, then two, four and eight of the
+    /// lower ones: a = 1, c = 2. In the long run there are then 4 times as many streams of an order as of the next; the
+    /// line through 683, 171, 43, 11 and 3 gives e^1.35996.
     #[test]
     fn side_branches_are_those_of_a_self_similar_tree() {
         let streams = streams(&of_order(6, |_| 1.0, |k| 1 << (k - 1)));

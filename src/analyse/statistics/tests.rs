@@ -74,7 +74,7 @@ fn a_small_map_has_no_ratios_but_lengths() {
     assert!(measures.drainage_density > 0.0);
 }
 
-/// A network without rivers is measured too: its land is shut off from the sea.
+/// Measures a network without rivers: its land is shut off from the sea.
 #[test]
 fn a_map_without_rivers_has_lengths_of_nothing() {
     let measures = |network: &Network| (umbrellas(network), parallels(network, 10.0), total_length(network));

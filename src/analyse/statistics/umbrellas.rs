@@ -67,8 +67,8 @@ impl<'a> Arms<'a> {
         self.by_junction[first..].iter().map(|&river| &rivers[river]).take_while(move |river| river.junction == vertex)
     }
 
-    /// The discharges of all trunks three widths above a mouth, measured along their courses. Rivers with a nearer
-    /// source do not count.
+    /// Returns the discharges of all trunks three widths above a mouth, measured along their courses. Rivers with a
+    /// nearer source do not count.
     fn above(&self, mouth: &River) -> Vec<u32> {
         let vertex = |vertex: u32| &self.network.vertices[vertex as usize];
         let mut trunks = Vec::new();

@@ -63,7 +63,8 @@ mod tests {
     use super::super::super::samples::{network, to_sea};
     use super::*;
 
-    /// A river across a map of 60 by 25 units, 4 pixels to a unit: two pieces, with 20 pixels left over on either side.
+    /// Cuts a river across a map of 60 by 25 units, 4 pixels to a unit, into two pieces, with 20 pixels left over on
+    /// either side.
     #[test]
     fn what_is_around_the_middle_is_cut_into_pieces() {
         let pieces = pieces(&network(&[to_sea(&[(0.0, 12.6), (60.0, 12.6)])]), Vec2::new(60.0, 25.0), 4.0);

@@ -36,7 +36,7 @@ impl Gaps {
     }
 }
 
-/// The distance of each pixel from the nearest line in its column; twice a side where there is none.
+/// Returns the distance of each pixel from the nearest line in its column; twice a side where there is none.
 fn above_or_below(pixels: &[u8]) -> Vec<usize> {
     let mut distances: Vec<usize> = pixels.iter().map(|&pixel| if pixel == 0 { 2 * SIDE } else { 0 }).collect();
     for i in SIDE..pixels.len() {

@@ -61,7 +61,7 @@ impl Lines {
         this
     }
 
-    /// The smoothed lines of rivers, which go through junctions: at each, the two lines that are straightest are one.
+    /// Makes smoothed lines of rivers, which go through junctions: at each, the two lines that are straightest are one.
     /// Points are a pixel apart.
     pub fn rivers(&self) -> Vec<Vec<Vec2>> {
         let mates = self.mates();
@@ -78,7 +78,8 @@ impl Lines {
         rivers
     }
 
-    /// The river that begins with an arm: twice the number of a line, plus one to run it backward.
+    /// Follows the river that begins with an arm, which is twice the number of a line, plus one to run it backward.
+    /// `None` if its line was used.
     fn river(&self, mut arm: usize, mates: &[usize], used: &mut [bool]) -> Option<Vec<Vec2>> {
         let mut line: Vec<Vec2> = Vec::new();
         while arm != usize::MAX && !std::mem::replace(&mut used[arm / 2], true) {
@@ -98,7 +99,7 @@ impl Lines {
         line
     }
 
-    /// The arm that each goes on to beyond the node at which it begins.
+    /// Pairs the arms at each node, the straightest two: the arm that each goes on to, or `usize::MAX`.
     fn mates(&self) -> Vec<usize> {
         let mut mates = vec![usize::MAX; 2 * self.chains.len()];
         let by_node = sort::argsort((0..mates.len()).map(|arm| self.ends[arm / 2][arm % 2]));
@@ -180,7 +181,8 @@ impl Tracing<'_> {
         Some((line, self.node[here]))
     }
 
-    /// The pixels of the line next to one. A diagonal neighbour is none if there is a way around the corner.
+    /// Returns the pixels of the line next to one of its pixels. A diagonal neighbour is none if there is a way around
+    /// the corner.
     #[inline(never)] // it has many callers
     fn links(&self, i: usize) -> Vec<usize> {
         let (x, y) = ((i % self.width) as isize, (i / self.width) as isize);
@@ -203,7 +205,7 @@ impl Tracing<'_> {
     }
 }
 
-/// The length of a line after smoothing, in pixels.
+/// Measures the length of a line after smoothing, in pixels.
 pub(super) fn length(line: &[Vec2]) -> f64 {
     lengths(&smoothed_ends(line)).last().copied().unwrap_or_default().into()
 }
@@ -277,7 +279,7 @@ mod tests {
         assert_eq!(traced(&["###", "#.#", "###"]).chains.len(), 0);
     }
 
-    /// Every second pixel of the line is a step to the side.
+    /// Smooths a line of which every second pixel is a step to the side.
     #[test]
     fn smoothing_takes_stairs_away_and_leaves_ends() {
         let stairs: Vec<Vec2> = (0..40).map(|i| Vec2::new(i as f32, (i / 2) as f32)).collect();

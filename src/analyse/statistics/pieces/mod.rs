@@ -20,7 +20,7 @@ pub const SIDE: usize = 100;
 /// The mean distance of lines on the world's maps, in pixels: the area of a piece over the length of its lines.
 const LINE_SPACING: f32 = 16.0;
 
-/// What is measured of pieces. A measure is `None` if there is too little of what it measures.
+/// The measures of pieces. A measure is `None` if there is too little of what it measures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Look {
@@ -34,7 +34,7 @@ pub struct Look {
     pub turn_autocorrelation: Option<f64>,
     /// The variation of distances from the nearest line: standard deviation over mean.
     pub gap_variation: Option<f64>,
-    /// How much directions have in common: |mean e^(2iθ)|.
+    /// The degree to which directions agree: |mean e^(2iθ)|.
     pub anisotropy: Option<f64>,
 }
 
@@ -64,7 +64,7 @@ impl Look {
         })
     }
 
-    /// The medians of pieces; of what has to do with turns and neighbours the means.
+    /// Sums up pieces by medians; what has to do with turns and neighbours, by means.
     pub fn typical(pieces: &[Self]) -> Self {
         let median = |of: fn(&Self) -> Option<f64>| fit::median_of(&known(pieces, of));
         let mean = |of: fn(&Self) -> Option<f64>| fit::mean(&known(pieces, of));

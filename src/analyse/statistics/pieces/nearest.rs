@@ -68,7 +68,7 @@ mod tests {
         assert_eq!(nearest_line(&[stem]), None);
     }
 
-    /// All places against all others.
+    /// Measures how lines run beside each other by comparing all places with all others.
     fn twin(rivers: &[Vec<Vec2>]) -> Option<f64> {
         let mut all = Vec::new();
         for (own, at) in rivers.iter().enumerate().flat_map(|(i, line)| (0..line.len()).map(move |at| (i, at))) {

@@ -47,8 +47,8 @@ impl Turns {
         this
     }
 
-    /// The kurtosis: 3 for turns that deviate normally, higher where straight reaches change with elbows. `None` for
-    /// fewer than 20 turns.
+    /// Returns the kurtosis of turns: 3 for turns that deviate normally, higher where straight reaches change with
+    /// elbows. `None` for fewer than 20 turns.
     pub fn kurtosis(&self) -> Option<f64> {
         let [mean, second, third, fourth] = self.powers.map(|sum| sum / self.count as f64);
         let squared = mean * mean;
@@ -57,15 +57,15 @@ impl Turns {
         (self.count >= LEAST && variance > 0.0).then(|| moment / (variance * variance))
     }
 
-    /// How turns go with those 8 pixels farther along the same line: −1 if each is undone, 0 if they have nothing to do
-    /// with each other, 1 in a circle. `None` for fewer than 20 pairs.
+    /// Measures how turns go with those 8 pixels farther along the same line: −1 if each is undone, 0 if they have
+    /// nothing to do with each other, 1 in a circle. `None` for fewer than 20 pairs.
     pub fn autocorrelation(&self) -> Option<f64> {
         let mean_square = self.powers[1] / self.count as f64;
         (self.pairs >= LEAST && mean_square > 0.0).then(|| self.products / self.pairs as f64 / mean_square)
     }
 }
 
-/// The turns of a line whose points are a pixel apart, in radians.
+/// Returns the turns of a line whose points are a pixel apart, in radians.
 fn turns(line: &[Vec2]) -> Vec<f64> {
     let chord = |i: usize| line[i + CHORD] - line[i];
     let turn = |i: usize| libm::atan2f(chord(i).perp_dot(chord(i + APART)), chord(i).dot(chord(i + APART))).into();
@@ -76,7 +76,7 @@ fn turns(line: &[Vec2]) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// A gently winding line of 500 pixels with bends of this length.
+    /// Makes a gently winding line of 500 pixels with bends of this length.
     fn winding(length: f32) -> Vec<Vec<Vec2>> {
         let at = |i: i32| Vec2::new(i as f32, 0.2 * libm::sinf(std::f32::consts::TAU * i as f32 / length));
         vec![(0..500).map(at).collect()]
