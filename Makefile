@@ -11,10 +11,8 @@ npm := $(run) npm --silent --prefix www run
 lap := @scripts/laps.sh lap
 wasm32 := --target wasm32-unknown-unknown --no-default-features
 
-# The files in tests/ that also run as wasm, in a browser.
-WASM_TESTS := digest
-# Those that compare with committed files.
-GOLDEN_TESTS := --test digest --test all -- digest golden schema
+# The tests that compare with committed files.
+GOLDEN_TESTS := --test all -- digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
@@ -67,27 +65,23 @@ wheel: widget ## the Python package as a wheel, in target/package
 # ---- prove it
 
 # The first tier, of minutes, tries each promise once; the second is everything else. In the browser a test of the first has @core in its
-# title; in Rust and as wasm a test of the second is ignored (`#[ignore = "second tier"]`); in TypeScript without a browser `tests/tier.ts` divides the cases.
+# title; in Rust a test of the second is ignored (`#[ignore = "second tier"]`); in TypeScript without a browser `tests/tier.ts` divides the cases.
 .PHONY: test
-test: clock test-rust test-page test-wasm test-browser ## the tests of the first tier, and how long each part of them takes
+test: clock test-rust test-page test-browser ## the tests of the first tier, and how long each part of them takes
 	@scripts/laps.sh table
 
 .PHONY: test-all
 test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
-# Tests with other people's programs. They come last: .ci/run leaves them out where its time would not do.
-outside := test-hydrology test-gis test-batch test-notebooks test-integrations
-
 .PHONY: test-more
-test-more: test-own $(outside)
+test-more: test-scripts test-rust-more test-crate test-python test-page-more test-browser-more lighthouse test-firefox test-package \
+  test-hydrology test-gis test-batch test-notebooks test-integrations
 
-.PHONY: test-own
-test-own: test-scripts test-rust-more test-crate test-python test-page-more test-wasm-more test-browser-more lighthouse test-firefox test-package
-
-.PHONY: outside
-outside:
-	@echo $(outside)
+# What no landing waits for: every test there is, other processors, newest versions, fresh seeds, foreign input, faults put in.
+.PHONY: nightly
+nightly: ## everything, some hours; then the line to add to docs/nightly.txt
+	@scripts/nightly.sh
 
 .PHONY: clock
 clock:
@@ -106,9 +100,9 @@ test-rust: ## the core and the command line, natively
 	$(lap) "Rust, natively"
 
 .PHONY: test-rust-more
-test-rust-more: ## the slow ones of them
-	@$(setup) rust
-	$(run) cargo test --all-features --tests -- --ignored
+test-rust-more: ## the slow ones of them; SHARE=turn the share whose turn it is, with what was touched
+	@$(setup) rust node
+	scripts/suite.sh rust
 	$(lap) "Rust, natively: what is slow"
 
 .PHONY: test-crate
@@ -151,23 +145,6 @@ test-notebooks: widget ## its widget in JupyterLab and marimo, in Chromium, and 
 	@scripts/notebooks.sh
 	$(lap) "the Python package, in notebooks"
 
-.PHONY: webdriver
-webdriver:
-	@$(setup) rust wasm browser
-	@mkdir -p target
-	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-
-.PHONY: test-wasm
-test-wasm: webdriver ## the core as wasm, in headless Chromium: the same pictures to the bit, of a third of the committed recipes
-	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %)
-	$(lap) "wasm, in a browser: a third of the recipes"
-
-# The runner takes `--ignored` and then runs nothing. So the first tier is named: under another name it would run twice, never the second not at all.
-.PHONY: test-wasm-more
-test-wasm-more: webdriver ## the same of the other recipes
-	$(wasm) cargo test $(wasm32) --features names $(WASM_TESTS:%=--test %) -- --include-ignored --skip every_third_recipe
-	$(lap) "wasm, in a browser: the other recipes"
-
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
 	$(npm) test
@@ -188,9 +165,9 @@ test-browser: site widget ## the page and the widget in Chromium, end to end: ea
 	$(lap) "page and element in Chromium: each promise once"
 
 .PHONY: test-browser-more
-test-browser-more: site widget ## the same in all windows, colours and inputs
+test-browser-more: site widget ## the same in all windows, colours and inputs; SHARE=turn the share whose turn it is, with what was touched
 	@$(setup) browser
-	@$(e2e) --grep-invert @core
+	@scripts/suite.sh browser
 	$(lap) "page and element in Chromium: all else"
 
 # Skipped, with a word, where its package cannot be had.
@@ -233,8 +210,8 @@ test-integrations: tarball program ## blogs by five generators, a WordPress page
 
 .PHONY: check
 check: clock widget ## format, lints, types, documentation, weights and licences: not one warning
-	@$(setup) lint supply
-	$(run) scripts/supply.sh check
+	@$(setup) lint
+	@scripts/supply.sh passed || { $(setup) supply && scripts/supply.sh check; }
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
 	@$(run) node scripts/prose.mjs
@@ -247,7 +224,6 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features names -- -D warnings
 	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features steer -- -D warnings
 	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace,write -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features

@@ -6,8 +6,8 @@
 #   scripts/env.sh --wasm COMMAND…    the same, with a Rust that can compile to wasm32
 #   source scripts/env.sh             take it over into a script
 #
-# A browser of your own choice: set CHROME and CHROMEDRIVER (of one version), or FIREFOX. What drives pages by the
-# hundred takes HEADLESS_SHELL, Chromium without windows; unless that is there, or where you chose CHROME, it takes CHROME.
+# A browser of your own choice: set CHROME, or FIREFOX. What drives pages by the hundred takes HEADLESS_SHELL, Chromium without
+# windows; unless that is there, or where you chose CHROME, it takes CHROME.
 
 RIVERSEED_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export RIVERSEED_ROOT
@@ -33,20 +33,14 @@ first_of() {
   return 0
 }
 
-own_shell=${HEADLESS_SHELL-} own_chrome=${CHROME-} own_chromedriver=${CHROMEDRIVER-} own_firefox=${FIREFOX-}
+own_shell=${HEADLESS_SHELL-} own_chrome=${CHROME-} own_firefox=${FIREFOX-}
 find_browsers() {
   export CHROME=${own_chrome:-$(first_of chromium chromium-browser google-chrome-stable google-chrome)}
   HEADLESS_SHELL=${own_shell:-${own_chrome:-$(first_of chromium-headless-shell)}}
   export HEADLESS_SHELL=${HEADLESS_SHELL:-$CHROME}
-  export CHROMEDRIVER=${own_chromedriver:-$(first_of chromedriver)}
   export FIREFOX=${own_firefox:-$(first_of firefox-esr firefox)}
 }
 find_browsers
-
-# Wasm tests are programs that a browser runs.
-export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER=wasm-bindgen-test-runner
-export WASM_BINDGEN_TEST_TIMEOUT=${WASM_BINDGEN_TEST_TIMEOUT:-600} # seconds for a test file; by itself it allows 20
-export WASM_BINDGEN_TEST_WEBDRIVER_JSON=$RIVERSEED_ROOT/target/webdriver.json
 
 # With any of these set, cargo would leave out flags of .cargo/config.toml, or add to them: another module than everybody's.
 drop_rustflags() {

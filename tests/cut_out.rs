@@ -1,6 +1,5 @@
 //! Pictures without their ground, and the progress of a picture.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use riverseed::domain::Domain;
 use riverseed::paint::{Painted, View};

@@ -1,6 +1,5 @@
 //! The programs in `examples/` do what they say; `documents.rs` runs the one that draws figures.
 #![allow(clippy::unwrap_used, dead_code, reason = "a test fails by panicking, and runs all of an example but `main`")]
-#![cfg(all(feature = "json", feature = "png"))]
 
 #[path = "../examples/geojson.rs"]
 mod geojson_example;

@@ -1,6 +1,5 @@
 //! Exported files open in readers written by others.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "pack")]
 
 use std::collections::{BTreeMap, BTreeSet};
 

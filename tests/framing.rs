@@ -1,6 +1,5 @@
 //! Pictures of a part of a map, and of its surroundings.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use riverseed::paint::Framing;
 use riverseed::{Picture, Recipe, Session};

@@ -1,6 +1,5 @@
 //! Answers of a finished map about its rivers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "pack")]
 
 use crate::common::property::cases;
 use crate::common::random_link;

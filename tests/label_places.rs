@@ -1,7 +1,6 @@
 //! Promises of labels over pictures of all sizes: places are chosen once a map, so larger pictures and views of parts have the labels of
 //! smaller ones where those have them; a river's own name comes before others; no letter stands on its head.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::collections::BTreeMap;
 

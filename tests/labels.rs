@@ -1,7 +1,6 @@
 //! Promises of labels: they equal those of the twin, which goes through all rivers for every sample; they keep apart
 //! from each other and from their rivers; they are upright, and hardly bent.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,6 @@
 //! Promises of the title and of what stands with it: the sea's freest place, the same in pictures of all sizes; scales that measure; plates
 //! that tell what the network does.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use riverseed::annotate::labels;
 use riverseed::annotate::names::Names;

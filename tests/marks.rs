@@ -2,7 +2,6 @@
 //! letters are those of the grid's columns; the legend counts rivers; the seal has the seed's initials; and none of
 //! them is in the way of anything.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,5 @@
 //! No word becomes markup: whatever a seed or a name of one's own says, an SVG file is XML with the elements and attributes of a harmless one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::collections::BTreeSet;
 use std::sync::{LazyLock, OnceLock};

@@ -1,6 +1,5 @@
 //! Names are distinct within a map and the same whatever is trimmed or shaped; own names are kept, and none breaks a
 //! file.
-#![cfg(feature = "pack")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -18,7 +18,7 @@ const COLUMNS: usize = 12;
 
 /// The looks of the world's pieces, in the order of the picture.
 fn real() -> Vec<Look> {
-    let file = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/real-rivers/snippets.png")).unwrap();
+    let file = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/real-rivers/snippets.png")).unwrap();
     let image = png::read(Cursor::new(file)).unwrap();
     let pixel = |x: usize, y: usize| u8::from(image.rgba[4 * (y * image.width as usize + x)] > 127);
     let piece = |tile: usize| -> Vec<u8> {

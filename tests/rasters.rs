@@ -1,6 +1,5 @@
 //! Rasters: water runs down from every cell of land to the sea, along rivers, and files hold what was computed.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "pack")]
 
 use std::io::Cursor;
 

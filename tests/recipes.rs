@@ -1,5 +1,4 @@
 //! Recipes come from strangers: reading any text ends, and its result is in range.
-#![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::property::{cases, large};

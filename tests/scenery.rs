@@ -1,7 +1,6 @@
 //! Promises of woods and hills: they keep off the water, measured exactly from the true banks, and off letters and the
 //! coast; trees stay where they are whatever moves around them; and the picture is the same however it is painted.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,6 @@
 //! A finished map on its way to another module: what arrives is the same map, and what was damaged on the way is none, or is read without a
 //! panic.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![cfg(feature = "names")]
 
 use std::sync::LazyLock;
 

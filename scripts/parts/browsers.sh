@@ -1,4 +1,4 @@
-# The parts browser (Chromium, its driver, and Chromium without windows) and firefox.
+# The parts browser (Chromium, and Chromium without windows) and firefox.
 # shellcheck shell=bash
 
 setup_browser() {
@@ -12,22 +12,14 @@ setup_browser() {
 
 setup_chromium() {
   is_chromium_there && return
-  apt_get "1 minute" chromium chromium-driver || true
+  apt_get "1 minute" chromium || true
   find_browsers
   is_chromium_there && return
-  die "Chromium and chromedriver are needed, of one version. Here are:" \
-    "  $(told_of "${CHROME:-chromium}")" "  $(told_of "${CHROMEDRIVER:-chromedriver}")" \
-    "Install both (on Debian: chromium, chromium-driver), or name yours in CHROME and CHROMEDRIVER. Ubuntu's archive has" \
-    "neither: 'npx @puppeteer/browsers install chrome@stable', and the same with chromedriver@stable, gets them."
+  die "Chromium is missing, or does not run ($(told_of "${CHROME:-chromium}")). Install it (on Debian: chromium), or name yours in CHROME." \
+    "Ubuntu's archive has none: 'npx @puppeteer/browsers install chrome@stable' gets it."
 }
 
-# A driver drives browsers of its own major version.
-is_chromium_there() {
-  [[ -n $CHROME && -n $CHROMEDRIVER ]] || return
-  local browser
-  browser=$(version_of "$CHROME")
-  [[ -n $browser && ${browser%%.*} == "$(version_of "$CHROMEDRIVER" | cut -d . -f 1)" ]]
-}
+is_chromium_there() { [[ -n $CHROME && -n $(version_of "$CHROME") ]]; }
 
 setup_firefox() {
   is_firefox_there && return

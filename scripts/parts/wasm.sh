@@ -11,7 +11,7 @@ setup_bindgen() {
   (use_wasm_rust) || get_wasm_rust
   local bindgen
   bindgen=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p;}' Cargo.lock)
-  cargo_tool wasm-bindgen-cli "$bindgen" 3 wasm-bindgen wasm-bindgen-test-runner
+  cargo_tool wasm-bindgen-cli "$bindgen" 3 wasm-bindgen
 }
 
 get_wasm_rust() {

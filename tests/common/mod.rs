@@ -4,7 +4,6 @@
 
 pub mod lands;
 pub mod literal;
-#[cfg(feature = "names")]
 pub mod literal_ground;
 pub mod pairs;
 pub mod parts;

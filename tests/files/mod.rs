@@ -1,7 +1,6 @@
 //! What files say is what the session holds: every value of SVG, GeoJSON and JSON is worked out again, by its definition, from the
 //! tree and the rivers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "pack")]
 
 mod definitions;
 mod geojson;

@@ -4,17 +4,16 @@ load machine
 setup() {
   new_machine
   offer chromium 156.0.8078.79-1
-  offer chromium-driver 156.0.8078.79-1
   offer chromium-headless-shell 156.0.8078.79-1
   offer firefox-esr 153.7.0esr-1
 }
 
-@test "Chromium and its driver come together, once" {
+@test "Chromium is installed where there is none, once" {
   set_up browser
   succeeded
   set_up browser
   succeeded
-  called 1 "apt-get install chromium chromium-driver"
+  called 1 "apt-get install chromium$"
 }
 
 @test "a Chromium without windows comes with it, once" {
@@ -34,38 +33,27 @@ setup() {
 
 @test "beside a browser of one's own no other is installed" {
   program my-chrome 156.0.1.2
-  program my-driver 156.0.7.7
-  variables=(CHROME="$usr/bin/my-chrome" CHROMEDRIVER="$usr/bin/my-driver")
+  variables=(CHROME="$usr/bin/my-chrome")
   set_up browser
   succeeded
   called 0 "apt-get install"
 }
 
-@test "a Chromium whose driver is of another version is renewed with it" {
-  program chromium 140.0.1.2
-  program chromedriver 139.0.7.7
-  set_up browser
-  succeeded
-  called 1 "apt-get install chromium chromium-driver"
-}
-
 @test "packages that old lists name, and the archive has no more, are found after refreshing them" {
   offer chromium 140.0.1.2-1 156.0.8078.79-1
-  offer chromium-driver 140.0.1.2-1 156.0.8078.79-1
   touch "$machine/only-the-newest"
   set_up browser
   succeeded
   called 1 "apt-get update"
 }
 
-@test "a browser and a driver of one's own that differ are both named" {
-  program my-chrome 140.0.1.2
-  program my-driver 139.0.7.7
-  variables=(CHROME="$usr/bin/my-chrome" CHROMEDRIVER="$usr/bin/my-driver")
+@test "a browser of one's own that does not run is named" {
+  printf '#!/bin/sh\nexit 1\n' >"$usr/bin/my-chrome"
+  chmod +x "$usr/bin/my-chrome"
+  variables=(CHROME="$usr/bin/my-chrome")
   set_up browser
   failed
-  said "my-chrome: 140.0.1.2"
-  said "my-driver: 139.0.7.7"
+  said "my-chrome: does not say its version"
 }
 
 @test "a machine whose archive has no Chromium, as Ubuntu's, is told where one is" {

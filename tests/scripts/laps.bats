@@ -3,6 +3,7 @@
 load machine
 setup() {
   new_machine
+  mkdir -p "$checkout/target"
   put date
   at 1000
 }
@@ -19,9 +20,9 @@ laps() { run on_machine "$checkout/scripts/laps.sh" "$@"; }
   at 1019
   laps table
   succeeded
-  said "12 s  Rust, natively"
-  said "3 s  the page"
-  said "15 s  in all"
+  said "12 s      0 s of processors  Rust, natively"
+  said "3 s      0 s of processors  the page"
+  said "15 s      0 s of processors  in all"
 }
 
 @test "a new run forgets the last one" {
@@ -33,7 +34,29 @@ laps() { run on_machine "$checkout/scripts/laps.sh" "$@"; }
   laps lap "now"
   laps table
   never_said "long ago"
-  said "1 s  in all"
+  said "1 s      0 s of processors  in all"
+}
+
+@test "a part has the processor time that its make has spent on it, whichever make that is" {
+  printf '1000 5 70 start\n1010 25 70 Rust\n1020 40 70 the page\n1030 8 71 Firefox\n' >"$checkout/target/laps"
+  laps table
+  said "10 s     20 s of processors  Rust"
+  said "10 s     15 s of processors  the page"
+  said "10 s      8 s of processors  Firefox"
+  said "30 s     43 s of processors  in all"
+}
+
+@test "what make has run and ended counts, through the shells between" {
+  cat >"$checkout/busy.mk" <<'END'
+all:
+	@scripts/laps.sh start
+	-@bash -c 'ulimit -t 2; while :; do :; done'
+	@bash -c 'scripts/laps.sh lap busy; true'
+END
+  run on_machine make --silent --directory "$checkout" --file busy.mk
+  succeeded
+  read -r _ spent make _ < <(tail -n 1 "$checkout/target/laps")
+  ((make > 1 && spent >= 1)) || fail "$spent seconds of make $make"
 }
 
 @test "a part that is made by itself is not noted" {

@@ -36,7 +36,7 @@ real_tools() {
   [[ ! -d $real ]] || return 0
   mkdir "$real"
   read -r -d "" -a tools < <(type -P awk basename bash sh env cat cmp cp cut cksum chmod diff dirname find flock grep gzip \
-    head ln ls make mkdir mktemp mv od readlink rm rmdir sed shuf sleep sort tail tar touch wc xargs) || true
+    head ln ls make mkdir mktemp mv od readlink rm rmdir sed shuf sleep sort tail tar sha256sum touch wc xargs) || true
   ln -s "${tools[@]}" "$real"
 }
 
@@ -123,7 +123,6 @@ offer_debian_rust() {
 # What the part wasm needs besides the Rust.
 put_wasm_tools() {
   program wasm-bindgen 0.2.130
-  program wasm-bindgen-test-runner 0.2.130
   put wasm-pack
   program wasm-opt "version 132"
 }

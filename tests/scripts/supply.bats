@@ -24,6 +24,17 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   done
 }
 
+@test "what has passed once is known, until a file changes" {
+  supply passed
+  failed
+  supply check
+  supply passed
+  succeeded
+  echo "[workspace]" >>"$checkout/Cargo.toml"
+  supply passed
+  failed
+}
+
 @test "notices that are out of date stop the check, and are left as they are" {
   echo "MIT: the authors of libm" >>"$machine/notices"
   supply check
