@@ -223,12 +223,9 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
-	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
 	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features steer -- -D warnings
 	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace,write -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features steer,tell,trace,write
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint

@@ -2,7 +2,7 @@
 # The crate as it would be published: packed without a warning, small, and with the notices that it must carry.
 #
 #   scripts/crate.sh pack       only packed
-#   scripts/crate.sh verify     also compiled by itself, as its users have it
+#   scripts/crate.sh verify     also unpacked and checked by itself, as its users have it
 #   scripts/crate.sh publish    everything but the upload: the registry is asked as well
 #
 # It ends up in target/package. Uncommitted changes are packed too; `cargo publish` without --dry-run refuses them.
@@ -12,12 +12,8 @@ source scripts/env.sh
 
 limit_kb=1005 # of a download: it is to catch pictures and builds, not source
 
-# Whether it compiles is asked, not how fast it is: optimised it has been for the tests.
-plainly=(--config profile.dev.opt-level=0 --config profile.dev.package.riverseed.opt-level=0 --config profile.dev.debug=false)
-
 case ${1-} in
-  pack) command=(cargo package --offline --no-verify --package riverseed --all-features) ;;
-  verify) command=(cargo package --offline --package riverseed --all-features "${plainly[@]}") ;;
+  pack | verify) command=(cargo package --offline --no-verify --package riverseed --all-features) ;;
   publish) command=(cargo publish --dry-run --package riverseed --all-features) ;;
   *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
@@ -41,3 +37,13 @@ for paper in LICENSE-APACHE LICENSE-MIT THIRD-PARTY.txt; do
   tar xzOf "$crate" "riverseed-$version/$paper" 2>/dev/null | cmp -s - $paper ||
     { echo "The crate lacks $paper as it is here: see 'include' in Cargo.toml." >&2; exit 1; }
 done
+
+# Whether it compiles is asked, not how fast it is: optimised it has been for the tests.
+if [[ $1 == verify ]]; then
+  unpacked=target/package/unpacked
+  rm -rf "$unpacked"
+  mkdir -p "$unpacked"
+  tar xzf "$crate" -C "$unpacked" --strip-components 1
+  echo '[workspace]' >>"$unpacked/Cargo.toml"
+  cargo check --quiet --offline --all-features --manifest-path "$unpacked/Cargo.toml" --target-dir target
+fi

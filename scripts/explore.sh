@@ -31,7 +31,7 @@ list_properties() {
   sed -n 's/^ *Executable \(unittests \)\?\([^ ]*\) (\(.*\))$/\3 \2/p' <<<"$build" | while read -r program file; do
     case $file in
       src/lib.rs) of=--lib; folder=src ;;
-      tests/all.rs) of=--test=all; folder=tests ;;
+      ../../tests/all.rs) of=--test=all; folder=tests ;;
       tests/main.rs) of=--test=program; folder=crates/cli/tests ;;
       *) continue ;;
     esac

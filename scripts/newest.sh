@@ -18,4 +18,4 @@ export CARGO_TARGET_DIR=$PWD/target/newest-build
 cd "$copy"
 cargo update --quiet
 diff ../../Cargo.lock Cargo.lock | sed -n 's/^> version = /now /p' | sort | uniq -c || true
-cargo test --quiet --all-features --test digest
+cargo test --quiet --all-features --test all digest

@@ -21,10 +21,12 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
   called 1 "cargo package --offline --no-verify"
 }
 
-@test "to verify is to compile it, to publish to ask the registry and upload nothing" {
+@test "to verify is to compile what is in it, to publish to ask the registry and upload nothing" {
+  echo "[package]" >"$packed/Cargo.toml"
   pack verify
   succeeded
-  called 0 ".*--no-verify"
+  called 1 "cargo check .*--manifest-path target/package/unpacked/Cargo.toml"
+  [[ $(cat "$checkout/target/package/unpacked/Cargo.toml") == $'[package]\n[workspace]' ]] || fail "it is no workspace of its own"
   pack publish
   succeeded
   called 1 "cargo publish --dry-run"

@@ -14,7 +14,7 @@ setup() {
   cp "$stand_ins/test-program" "$machine/unit-tests"
   cp "$stand_ins/test-program" "$machine/growth-tests"
   printf '  Executable %s (%s)\n' "unittests src/lib.rs" "$machine/unit-tests" "unittests src/bin/main.rs" "$machine/main" \
-    "tests/all.rs" "$machine/growth-tests" >"$machine/programs"
+    "../../tests/all.rs" "$machine/growth-tests" >"$machine/programs"
 }
 
 # properties FILE NAME…: a file with these properties, and a function beside them.
