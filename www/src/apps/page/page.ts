@@ -71,21 +71,21 @@ class Page {
   readonly #riverPointer = new RiverPointer(
     { ...elements, stage: elements.drawing.stage },
     {
-      river: (place) => this.#viewport.river(place),
+      river: (place) => this.#viewport.ask.river(place),
       greatest: () => this.#names.greatest(),
       covered,
       failed: (error) => this.#miss(error),
     },
   );
   readonly #naming = new Naming({ ...elements, stage: elements.drawing.stage }, this.#riverPointer, {
-    nameables: (place) => this.#viewport.nameables(place),
+    nameables: (place) => this.#viewport.ask.nameables(place),
     hasLabels: () => hasLetters(this.#recipe.values),
     isOwn: (mark) => this.#names.isOwn(mark),
     rename: (mark, name) => this.#names.rename(mark, name),
     failed: (error) => this.#miss(error),
   });
   readonly #inside = new LookInside(elements, {
-    overlay: (name) => this.#viewport.overlay(name),
+    overlay: (name) => this.#viewport.ask.overlay(name),
     middle: () => middleOf(covered()),
     failed: (error) => {
       if (named(error).code === "no-files") this.#failBeside(error);
@@ -93,7 +93,7 @@ class Page {
   });
   readonly #track = new Track(elements.bar, {
     making: async (to) => {
-      const making = await this.#viewport.making(to);
+      const making = await this.#viewport.ask.making(to);
       if (to) this.#inside.refresh();
       return making;
     },
@@ -142,7 +142,7 @@ class Page {
       elements.inside,
     );
     this.#measures = new MeasuresView(disclosures, {
-      measures: () => this.#viewport.measures(),
+      measures: () => this.#viewport.ask.measures(),
       copy: (text) => this.#copy(text, "Measures copied.", text),
     });
     elements.presets.replaceChildren(paper, this.#measures.element);
@@ -156,7 +156,7 @@ class Page {
     this.#choices.presets.append(this.#six.button);
     new Variations(elements.variations, table.parameters, {
       map: () => ({ values: this.#recipe.values, idle: this.#recipe.idle, kept: this.#choices.kept }),
-      picture: (link, size) => this.#viewport.picture(link, size),
+      picture: (link, size) => this.#viewport.ask.picture(link, size),
       take: (values) => this.#set(values, "still"),
     });
     this.#welcome = new Welcome(
@@ -201,7 +201,7 @@ class Page {
   #listen(): void {
     elements.reset.addEventListener("click", () => this.#reset());
     const downloads = new Downloads(this.#recipe, this.#country, {
-      make: (link, format, rasters) => this.#viewport.file(link, format, rasters),
+      make: (link, format, rasters) => this.#viewport.ask.file(link, format, rasters),
       failed: (error) => this.#failBeside(error),
     });
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
@@ -385,7 +385,7 @@ class Page {
   #refreshThumbnails(): Promise<void> {
     return this.#choices.strip.refresh(
       () => this.#recipe.link,
-      (styles, size) => this.#viewport.thumbnails(styles, size),
+      (styles, size) => this.#viewport.ask.thumbnails(styles, size),
     );
   }
 

@@ -1,6 +1,7 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { PageRenderHost } from "../../../src/apps/page/backend.ts";
-import { type MapLink, RiverViewport, type ViewportElements } from "../../../src/apps/page/map/viewport.ts";
+import type { PlaceElements } from "../../../src/apps/page/map/picture-place.ts";
+import { type MapLink, RiverViewport } from "../../../src/apps/page/map/viewport.ts";
 import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { Summary } from "../../../src/engine/types.ts";
 import type { Command, Report } from "../../../src/host/protocol.ts";
@@ -117,7 +118,7 @@ async function opened(isHeard = true, isFromElsewhere = false) {
   const events = { changed: vi.fn(), failed: vi.fn() };
   const viewport = new RiverViewport(
     host as unknown as PageRenderHost,
-    elements as unknown as ViewportElements,
+    elements as unknown as PlaceElements,
     map("seed=one"),
     () => ({ left: 0, top: 0, right: 0, bottom: 0 }),
   );
@@ -272,8 +273,8 @@ test("names are those of the link that was shown last, or none", async () => {
   const { host, viewport, shown } = await opened();
   shown("seed=one", 0, "finished");
   host.answer = { link: "seed=one", texts: ["t", "Kauri", ""] };
-  expect(await viewport.names(12)).toEqual(["t", "Kauri", ""]);
-  const asked = viewport.names(12);
+  expect(await viewport.ask.names(12)).toEqual(["t", "Kauri", ""]);
+  const asked = viewport.ask.names(12);
   viewport.show(map("seed=two"), "settle");
   expect(await asked).toEqual([]);
 });
@@ -281,7 +282,7 @@ test("names are those of the link that was shown last, or none", async () => {
 test("a name that is given while another is asked for is not lost", async () => {
   const { host, viewport } = await opened();
   let names = "";
-  const first = viewport.renamed(() => names, "1", "Home");
+  const first = viewport.ask.renamed(() => names, "1", "Home");
   names = "2.Away";
   host.answer = "1.Home_2.Away";
   expect(await first).toBe("1.Home_2.Away");
@@ -298,7 +299,7 @@ test("a viewport that is closed gives its river up, and files can be had from an
   host.client?.moved();
   viewport.toggle();
   expect(host.done.at(-1)).toBe("close");
-  await viewport.file("seed=one", "svg");
+  await viewport.ask.file("seed=one", "svg");
   expect(host.last("ask")).toMatchObject({ question: { about: "file", of: undefined, link: "seed=one" } });
   expect(events.failed).not.toHaveBeenCalled();
 });

@@ -50,7 +50,7 @@ export class MapNames {
    */
   async #all(): Promise<Named[]> {
     try {
-      return namedOf(await this.viewport.names(NAMED_RIVERS));
+      return namedOf(await this.viewport.ask.names(NAMED_RIVERS));
     } catch {
       return [];
     }
@@ -63,7 +63,7 @@ export class MapNames {
 
   /** Gives something on the map another name, or its usual one. Rejects if that is not possible. */
   async rename(mark: string, name: string | undefined): Promise<void> {
-    this.events.changed(await this.viewport.renamed(() => this.#own, mark, name));
+    this.events.changed(await this.viewport.ask.renamed(() => this.#own, mark, name));
   }
 
   /** The names that the visitor gave, as a link has them. */
