@@ -28,7 +28,7 @@ export function tellsOfMissingFiles(page: string): Plugin {
  * The script. An error event does not say why a file failed, so the server is asked for the file again: the site has
  * changed only if the server does not have the file, or sends a page in its place. If the server cannot be reached or a
  * browser extension blocks the file, the page's other text stays. Once the page's own script runs, that reports missing
- * scripts: src/apps/page/page.ts. A style sheet may be found missing after that.
+ * scripts: src/apps/page/begin.ts. A style sheet may be found missing after that.
  */
 const SCRIPT = `addEventListener("error", async ({ target }) => {
   const isScript = target instanceof HTMLScriptElement;

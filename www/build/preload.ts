@@ -46,7 +46,7 @@ function beginsWorker(fileName: string): string {
 } catch {}`;
 }
 
-/** Writes the script that requests the engine. src/apps/page/page.ts clears the timer when it runs. */
+/** Writes the script that requests the engine. src/apps/page/begin.ts clears the timer when it runs. */
 function asksFor(fileName: string): string {
   const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
   return `{
