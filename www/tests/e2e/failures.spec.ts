@@ -65,7 +65,7 @@ for (const [what, files] of [
 
 test("the connection breaks", async ({ page }) => {
   await page.route("**/*.wasm", (route) => route.abort());
-  await page.goto("./");
+  await page.goto("./?attractors=300");
   await expectFailure(page, "wasm-fetch", /reload the page/);
   await page.unroute("**/*.wasm");
   await page.getByRole("button", { name: "Load again" }).click();
@@ -192,7 +192,7 @@ test("a panic while growing stops the river and says so, once @core", async ({ p
     if (message.type() === "warning" && message.text() !== BLOCKED) warnings.push(message.text());
   });
   await trapOn(page, "river_advance");
-  await openStopped(page);
+  await openStopped(page, "attractors=1000");
   await page.clock.runFor(100);
   await expect(page.locator("#caption")).toContainText("Growing");
   await trap(page);
@@ -207,7 +207,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
   page,
 }) => {
   await trapOn(page, "river_advance", "no-memory");
-  await openBegun(page);
+  await openBegun(page, "attractors=1000");
   await trap(page);
   await page.clock.resume();
   await expectFailure(page, "no-memory", /fewer attractors/);

@@ -20,7 +20,7 @@ import { core } from "./tiers.ts";
 
 for (const link of [
   "seed=kauri",
-  "seed=wai%20%26%20roto&preset=trimmed-curl&sides=nw&mouths=5",
+  "seed=wai%20%26%20roto&preset=trimmed-curl&sides=nw&mouths=5&attractors=900",
   "seed=kea&style=skeleton&preset=momentum&attractors=900&aspect=0.7",
   "land=archipelago&attractors=900&sea=0.6",
 ]) {
@@ -84,13 +84,13 @@ test("loading the address bar's link again shows the same picture", async ({ pag
 });
 
 test("what had to be corrected in a link is shown, can be dismissed, and a river is there @core", async ({ page }) => {
-  await openFinished(page, "curl=99&mouths=junk&depth=3&seed=rimu");
+  await openFinished(page, "curl=99&mouths=junk&depth=3&seed=rimu&attractors=300");
   const notes = page.locator("#notices");
   await expect(notes.getByRole("listitem")).toHaveCount(3);
   await expect(notes).toContainText("curl: 99 is not between 0 and 2: 2 is used");
   await expect(notes).toContainText("depth");
   const { width, height, sha256, framing } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=rimu&curl=2", width, height, framing).sha256);
+  expect(sha256).toBe(pictureOf("seed=rimu&curl=2&attractors=300", width, height, framing).sha256);
   await notes.getByRole("button", { name: "Dismiss" }).click();
   await expect(notes).toBeHidden();
 });
@@ -107,7 +107,13 @@ test("what a social network hangs on to a link is not reported, and not kept", a
 
 test("hostile text stays text @core", async ({ page }) => {
   const evil = `<img src=x onerror="globalThis.harmed=1"><script>globalThis.harmed=1</script>`;
-  const query = new URLSearchParams({ seed: evil.slice(0, 60), [evil]: "1", style: evil, labels: "none" });
+  const query = new URLSearchParams({
+    seed: evil.slice(0, 60),
+    [evil]: "1",
+    style: evil,
+    labels: "none",
+    attractors: "300",
+  });
   await openFinished(page, query.toString());
   await expect(page.locator("#title")).toHaveText(evil.slice(0, 60));
   await expect(page.locator("#notices")).toContainText("<img src=x");
@@ -116,9 +122,9 @@ test("hostile text stays text @core", async ({ page }) => {
 });
 
 for (const [name, query] of [
-  ["an endless link", `seed=${"x".repeat(6000)}`],
-  ["broken escapes", "seed=%FF%FE&%=%&&&==&curl=%"],
-  ["half a surrogate", "seed=%ED%A0%80"],
+  ["an endless link", `attractors=300&seed=${"x".repeat(6000)}`],
+  ["broken escapes", "seed=%FF%FE&%=%&&&==&attractors=300&curl=%"],
+  ["half a surrogate", "attractors=300&seed=%ED%A0%80"],
   ["everything at its smallest", smallest()],
 ] as const) {
   test(`${name} leaves no blank page${core(name === "broken escapes")}`, async ({ page }) => {

@@ -23,8 +23,8 @@ for (const [where, sizes] of Object.entries(ROWS)) {
     await open(page, link);
   };
 
-  for (const link of ["seed=kauri", "aspect=4", "aspect=0.25"]) {
-    test(`all of the map is in sight, beside what lies over the picture, and nothing scrolls sideways: ${where}, ?${link}${core(link === "seed=kauri")}`, async ({
+  for (const link of ["attractors=300", "attractors=300&aspect=4", "attractors=300&aspect=0.25"]) {
+    test(`all of the map is in sight, beside what lies over the picture, and nothing scrolls sideways: ${where}, ?${link}${core(link === "attractors=300")}`, async ({
       page,
     }) => {
       await opened(page, openFinished, link);

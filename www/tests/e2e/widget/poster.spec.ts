@@ -8,7 +8,7 @@ import { canonical, expectPicture, frames, type Heard, heard, listen, post } fro
 const PICTURE = `<img alt="A map" width="800" height="500" src="data:image/svg+xml,${encodeURIComponent(
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 5"><path fill="green" d="M0 0h8v5H0z"/></svg>',
 )}">`;
-const RECIPE = "seed=rimu&style=ink&labels=none";
+const RECIPE = "seed=rimu&style=ink&labels=none&attractors=2000";
 const NAMED = "seed=rimu&style=ink&labels=some&attractors=1500";
 
 /** The element's phase and progress at one of its events. */
