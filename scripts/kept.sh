@@ -22,22 +22,18 @@ digest() {
 
 # The names that files of our own crates begin with, as cargo writes them: of packages and of their targets.
 own_names() {
-  cargo metadata --quiet --no-deps --format-version 1 |
-    node -e 'const { packages } = JSON.parse(require("fs").readFileSync(0)); const names = packages.flatMap((one) => [one.name, ...one.targets.map((target) => target.name)]);
-      console.log([...new Set(names.flatMap((name) => [name, name.replaceAll("-", "_")]))].join("\n"))'
-  printf '%s\n' riverseed-python riverseed_python riverseed-fuzz riverseed_fuzz _native
+  sed -n 's/^name = "\(.*\)"/\1/p' {.,crates/*,python,fuzz}/Cargo.toml 2>/dev/null | sed 'p; s/-/_/g'
+  basename --multiple --suffix=.rs examples/*.rs benches/*.rs fuzz/fuzz_targets/*.rs
 }
 
-# copy FROM TO: what cargo made of other people's crates in a folder.
+# copy FROM TO: what cargo made of other people's crates in a folder. It calls files by their crate and sixteen digits.
 copy() {
-  local part entry name
+  local part entry
   for part in .fingerprint build deps; do
     [[ -d $1/$part ]] || continue
     mkdir -p "$2/$part"
     for entry in "$1/$part"/*; do
-      name=${entry##*/}
-      name=${name#lib}
-      grep --quiet --line-regexp --fixed-strings -- "${name%-*}" <<<"$own" || printf '%s\0' "$entry"
+      if [[ ${entry##*/} =~ ^(lib)?(.*)-[0-9a-f]{16} && -z ${own[${BASH_REMATCH[2]}]-} ]]; then printf '%s\0' "$entry"; fi
     done | xargs --null --no-run-if-empty cp --archive --target-directory "$2/$part"
   done
 }
@@ -52,8 +48,9 @@ take() {
 # Only the newest are kept: a lock file changes every few weeks.
 keep() {
   [[ ! -d $kept ]] || return 0
-  local folder own new
-  own=$(own_names)
+  local folder name new
+  local -A own=()
+  while read -r name; do own[$name]=ours; done < <(own_names)
   mkdir -p "$RIVERSEED_CACHE/crates"
   new=$(mktemp -d "$RIVERSEED_CACHE/crates/new.XXXXXX")
   for folder in "${folders[@]}"; do copy "target/$folder" "$new/$folder"; done
