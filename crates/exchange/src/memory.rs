@@ -42,7 +42,7 @@ pub fn ask_for_picture(map: &Map, picture: &Pixmap) -> Result<()> {
 /// # Errors
 /// Fails if there is not enough memory.
 pub(crate) fn ask_for_file(map: &Map, form: Form) -> Result<()> {
-    /// Those of a pack's members, with their buffers.
+    /// The compressors of a pack's members, with their buffers, in bytes.
     const COMPRESSORS: usize = 6_000_000;
     ask(form.copies() * bytes_of(map) + if form.has_files() { COMPRESSORS } else { 0 })
 }

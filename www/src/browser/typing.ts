@@ -44,7 +44,7 @@ export class Typing<Press> {
     this.#timer = setTimeout(() => this.#rest(), TYPING_MS);
   }
 
-  /** Nothing has been typed for a while. */
+  /** Ends the typing of a word, when no letter has come for a while, and acts on the presses held back. */
   #rest(): void {
     const held = this.#isTyping ? undefined : this.#held;
     this.#timer = this.#held = undefined;

@@ -49,8 +49,8 @@ export class PresetButtons {
   #last: HTMLButtonElement | undefined;
 
   /**
-   * `pictureOf` returns the address of a preset's picture, if they have any. `first` is the number of presets that are
-   * in sight before somebody asks for more.
+   * Makes the buttons. `pictureOf` returns the address of a preset's picture, if they have any. `first` is the number of
+   * presets in sight before somebody asks for more.
    */
   constructor(
     name: string,

@@ -23,7 +23,7 @@ const QUALITY: u8 = 86;
 pub struct Shots {
     /// The picture as PNG, with the link inside.
     pub png: Vec<u8>,
-    /// The same as JPEG, which pages show: it is much smaller.
+    /// The picture as JPEG, which pages show: it is much smaller.
     pub jpeg: Vec<u8>,
     /// The card, as JPEG.
     pub card: Vec<u8>,

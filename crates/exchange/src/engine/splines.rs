@@ -22,7 +22,7 @@ use crate::memory::ask;
 pub enum Axes {
     /// Metres: x east, y north, z up, from the map's centre.
     Plain,
-    /// Those of an engine, from a corner of its landscape.
+    /// The axes of an engine, from a corner of its landscape.
     Of(Engine),
 }
 

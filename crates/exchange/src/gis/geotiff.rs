@@ -168,7 +168,7 @@ where
     Ok(file.into_inner())
 }
 
-/// GDAL's metadata with the link, which is escaped twice, as GDAL writes and reads it.
+/// Writes GDAL's metadata with the link, which is escaped twice, as GDAL writes and reads it.
 pub(crate) fn metadata(link: &str) -> String {
     format!("<GDALMetadata>\n  <Item name=\"riverseed\">{}</Item>\n</GDALMetadata>\n", escaped(&escaped(link)))
 }

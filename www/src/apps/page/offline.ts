@@ -16,7 +16,7 @@ export function hideWhatIsAway(links: Iterable<HTMLAnchorElement>): void {
   if (isControlled()) look();
 }
 
-/** True if a service worker gave this page. Where storage is refused, even asking fails. */
+/** Says whether a service worker gave this page. Where storage is refused, even asking fails. */
 function isControlled(): boolean {
   try {
     return navigator.serviceWorker.controller !== null;

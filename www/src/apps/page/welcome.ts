@@ -95,7 +95,7 @@ export class Welcome {
   }
 }
 
-/** Storage may be refused. */
+/** Says whether a visitor has been welcomed before; false if storage is refused. */
 function isWelcomed(keeper: () => Keeper): boolean {
   try {
     return keeper().getItem(KEPT_AS) !== null;

@@ -81,7 +81,7 @@ export class OwnLand {
   }
 }
 
-/** The values of a drawn land. */
+/** Makes the values of a link that shows a drawn land. */
 function drawn(outline: string): [key: string, value: string][] {
   return [
     ["land", "drawn"],

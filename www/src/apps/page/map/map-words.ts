@@ -26,7 +26,7 @@ export class MapWords {
   /** The caption's words about the greatest river, once its name is known. */
   #greatest = "";
 
-  /** `elements.canvas` may be replaced later. */
+  /** Takes the elements; `elements.canvas` may be replaced later. */
   constructor(private readonly elements: MapWordsElements) {
     this.#announcer = new Announcer(elements.announcement);
   }

@@ -27,7 +27,7 @@ export interface PlacedMap {
   readonly isFinished: boolean;
 }
 
-/** Paper has another size, and nobody waits there for another picture. */
+/** Says whether the page is being printed: paper has another size, and nobody waits there for another picture. */
 const isOnPaper = (): boolean => window.matchMedia("print").matches;
 
 export class PicturePlace {
