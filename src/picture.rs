@@ -2,6 +2,7 @@
 
 #[doc(hidden)]
 pub mod builder;
+mod composition;
 mod drafts;
 
 use std::num::NonZero;
