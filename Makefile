@@ -40,7 +40,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	$(lap) "the element, built"
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg-make, www/pkg-steer, www/pkg-tell, www/pkg-trace and www/pkg-write, and weigh them
+wasm: ## build the wasm packages into www/pkg-make, www/pkg-label and www/pkg-engine, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 	$(lap) "the wasm packages, built"
@@ -223,8 +223,8 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
-	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features steer -- -D warnings
-	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features tell,trace,write -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features engine -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	scripts/crate.sh pack
 	$(npm) types
@@ -291,4 +291,4 @@ docs: ## write what is generated again: the parameters (docs/ and www/src/engine
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg-make www/pkg-steer www/pkg-tell www/pkg-trace www/pkg-write www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg-make www/pkg-label www/pkg-engine www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

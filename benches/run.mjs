@@ -285,6 +285,11 @@ async function labels() {
   const [bare, labelled] = await inTurn(15, [native, "labelled none"], [native, "labelled some"]);
   row("native: with labels / without", median(ratios(labelled, bare)), "×", atMost(1.2, 1.12));
   guide("with labels", median(labelled), "ms");
+  for (const many of ["some", "many"]) {
+    const [first, moved] = await inTurn(15, [native, `labels ${many} anew`], [native, `labels ${many} kept`]);
+    row(`native: ${many} labels of a moved picture / of a first one`, median(ratios(moved, first)), "×", atMost(0.3, 0.22));
+    guide("of a first one", median(first), "ms");
+  }
 }
 
 async function woods() {
@@ -389,18 +394,14 @@ function widget() {
 
 function size() {
   const files = {
-    "the element's": "www/pkg-make/riverseed_bg.wasm",
-    "the page's": "www/pkg-steer/riverseed_steer_bg.wasm",
-    "the teller's": "www/pkg-tell/riverseed_tell_bg.wasm",
-    "that of drawn land,": "www/pkg-trace/riverseed_trace_bg.wasm",
-    "the writer's": "www/pkg-write/riverseed_write_bg.wasm",
+    "the element's, without labels,": "www/pkg-make/riverseed_bg.wasm",
+    "the element's, with labels,": "www/pkg-label/riverseed_label_bg.wasm",
+    "the page's": "www/pkg-engine/riverseed_engine_bg.wasm",
   };
   const bars = {
-    "the element's": atMost(150, 130),
-    "the page's": atMost(150, 130),
-    "the teller's": atMost(190, 170),
-    "that of drawn land,": atMost(22, 20),
-    "the writer's": atMost(190, 170),
+    "the element's, without labels,": atMost(208, 200),
+    "the element's, with labels,": atMost(361, 340),
+    "the page's": atMost(452, 440),
   };
   for (const [whose, file] of Object.entries(files)) {
     const bytes = readFileSync(file);

@@ -14,6 +14,7 @@ mod drawing;
 #[cfg(feature = "png")]
 mod files;
 mod growth;
+mod labels;
 #[path = "../tests/common/literal.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod literal;
@@ -92,6 +93,9 @@ fn repetition(task: &str) -> Option<Repetition> {
             link::read(&format!("land=island&style=ink&labels=none&woods={woods}&hills={woods}")).ok()?,
         ),
         ["labelled", labels] => pictures::pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
+        ["labels", labels, places] => {
+            labels::of_parts(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?, places == "kept")
+        }
         ["pen"] => pictures::changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| pictures::differing_bytes().unwrap_or(u32::MAX))),
         _ => None,

@@ -68,21 +68,15 @@ function buildPackages() {
 }
 
 /**
- * Nothing is optimised across crates, nothing is made small, and packages that share a build hold all that is in it: what they draw is
- * the same to the bit. Packages that `make wasm` has built are taken as they are.
+ * Compiles one module that holds all that any package has, under the name of each. Nothing is optimised across crates and
+ * nothing is made small: what it draws is the same to the bit. Packages that `make wasm` has built are taken as they are.
  */
 function buildDemo() {
   const made = madeOf();
   const quickly = { ...made, demo: true };
-  for (const names of settings.demo.builds) {
-    const together = names.map((name) => ({ ...settings.build, ...settings.packages[name] }));
-    if (!together.every((one) => isFresh(one, made) || isFresh(one, quickly))) buildTogether(together, quickly);
-  }
-}
-
-function buildTogether(together, made) {
-  console.log(`Building ${together.map((one) => one["out-dir"]).join(", ")} (half a minute the first time)`);
-  const features = [...new Set(together.flatMap((one) => one.features))].join(",");
+  if (packages.every((one) => isFresh(one, made) || isFresh(one, quickly))) return;
+  console.log(`Building ${packages.map((one) => one["out-dir"]).join(", ")} (a minute the first time)`);
+  const features = [...new Set(packages.flatMap((one) => one.features))].join(",");
   forgetCrate();
   run(
     ...[
@@ -100,10 +94,10 @@ function buildTogether(together, made) {
     ...["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"],
   );
   const module = `${process.env.CARGO_TARGET_DIR ?? "target"}/wasm/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
-  for (const { target, "out-dir": dir, "out-name": name } of together) {
+  for (const { target, "out-dir": dir, "out-name": name } of packages) {
     rmSync(dir, { recursive: true, force: true });
     run("wasm-bindgen", "--target", target, "--out-dir", dir, "--out-name", name, module);
-    writeFileSync(stampOf(dir), JSON.stringify({ ...made, outputs: outputs(dir) }));
+    writeFileSync(stampOf(dir), JSON.stringify({ ...quickly, outputs: outputs(dir) }));
   }
 }
 

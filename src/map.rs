@@ -1,13 +1,10 @@
 //! The finished map: the results of all stages before painting, as plain, immutable data.
 //!
 //! [`Session::map`](crate::Session::map) returns it. Files, names, labels, measures and queries need nothing else. It
-//! can therefore be moved to another thread, or to another wasm module (`read.rs` and `write.rs`), which then knows as
-//! much about it as the session did. Large parts are shared: a clone copies none of them.
+//! can therefore be moved to another thread. Large parts are shared: a clone copies none of them.
 
-mod read;
 #[cfg(test)]
 mod tests;
-mod write;
 
 use std::num::NonZero;
 use std::sync::Arc;

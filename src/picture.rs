@@ -1,8 +1,8 @@
 //! The picture of a session or of a finished map. It is brought up to date by drawing only what is new.
 
+mod annotator;
 #[doc(hidden)]
 pub mod builder;
-mod composition;
 mod drafts;
 
 use std::num::NonZero;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-use self::builder::AnnotationBuilder;
+use self::annotator::Annotator;
 use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::land::Land;
@@ -50,10 +50,7 @@ pub struct Picture {
     transgression: Option<((Generation, u32), Arc<Land>)>,
     /// The relief on a finer grid than its map's own, for a large picture.
     finer: Option<(MapId, Arc<Relief>)>,
-    /// The next annotation, while it is being made.
-    builder: Option<(AnnotationKey, AnnotationBuilder)>,
-    /// Picture pixels per pixel of the unit in which letters are measured.
-    ratio: f32,
+    annotator: Annotator,
 }
 
 impl Picture {
@@ -70,8 +67,7 @@ impl Picture {
             drafts: SessionDrafts::default(),
             transgression: None,
             finer: None,
-            builder: None,
-            ratio: 1.0,
+            annotator: Annotator::default(),
         })
     }
 
@@ -82,7 +78,7 @@ impl Picture {
         self.painter.frame(&session.domain(), framing);
         if *self.view() != before {
             self.annotation = None;
-            self.builder = None;
+            self.annotator.begin_anew();
         }
     }
 
@@ -90,9 +86,17 @@ impl Picture {
     /// 11 CSS pixels times the recipe's `label-size`. The ratio is rounded to a quarter and clamped to 0.5-4.
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
-        self.ratio = ratio;
-        (self.annotation, self.builder) = (None, None);
+        self.annotator.set_ratio(ratio);
+        self.annotation = None;
         self.painter.reset();
+        self
+    }
+
+    /// Takes over the places of labels from a picture of another size, which this one replaces.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn in_place_of(mut self, before: Self) -> Self {
+        self.annotator.take_places(before.annotator);
         self
     }
 
@@ -131,6 +135,16 @@ impl Picture {
     /// one layer of a relief. The picture changes with the last part. If the session changes before that, a new picture
     /// is begun.
     pub fn paint_part(&mut self, session: &Session) -> Painted {
+        self.paint_part_with(session, is_to_be_annotated(session))
+    }
+
+    /// Does a part of painting a session like [`Picture::paint_part`], but leaves an annotation that is not made yet for later.
+    #[doc(hidden)]
+    pub fn paint_part_bare(&mut self, session: &Session) -> Painted {
+        self.paint_part_with(session, false)
+    }
+
+    fn paint_part_with(&mut self, session: &Session, is_annotated: bool) -> Painted {
         let tree = Some(session.tree_generation());
         let is_kept = match session.phase() {
             Phase::Shaping => true,
@@ -148,7 +162,7 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), land.as_deref());
         let key = AnnotationKey::of(session.map_id(), recipe);
-        if self.advance_annotation(key, is_to_be_annotated(session), || session.map()) {
+        if self.advance_annotation(key, is_annotated, || session.map()) {
             return Painted::Part;
         }
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
@@ -217,12 +231,6 @@ impl Picture {
         self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, coast, annotation, style })
     }
 
-    /// Returns `true` if the session is finished, its recipe wants an annotation, and this picture does not have that annotation
-    /// yet.
-    pub fn wants_annotation(&self, session: &Session) -> bool {
-        is_to_be_annotated(session) && !self.has_annotation(AnnotationKey::of(session.map_id(), session.recipe()))
-    }
-
     fn has_annotation(&self, key: AnnotationKey) -> bool {
         self.annotation.as_ref().is_some_and(|(of, _)| *of == key)
     }
@@ -264,23 +272,14 @@ impl Picture {
         if !self.has_annotation(now) {
             self.annotation = None;
         }
-        if cfg!(feature = "names")
-            && is_wanted
-            && self.annotation.is_none()
-            && let Some(map) = map()
-        {
-            let (view, ratio) = (*self.view(), self.ratio);
-            if self.builder.as_ref().is_none_or(|(of, _)| *of != now) {
-                self.builder = Some((now, AnnotationBuilder::default()));
-            }
-            let annotation = self.builder.as_mut().and_then(|(_, builder)| builder.advance(&map, &view, ratio));
-            if let Some(annotation) = annotation {
-                self.builder = None;
-                self.annotation = Some((now, Arc::new(annotation)));
-            }
-            return true;
+        if !cfg!(feature = "names") || !is_wanted || self.annotation.is_some() {
+            return false;
         }
-        false
+        let Some(map) = map() else { return false };
+        let view = *self.view();
+        let annotation = self.annotator.advance(now, &map, &view);
+        self.annotation = annotation.map(|annotation| (now, Arc::new(annotation)));
+        true
     }
 
     fn forget_what_is_over(&mut self, source: Source, domain: Domain, land: Option<&Arc<Land>>) {
@@ -334,7 +333,7 @@ impl AnnotationKey {
 }
 
 /// Returns `true` if a session is finished and its recipe wants an annotation.
-pub fn is_to_be_annotated(session: &Session) -> bool {
+fn is_to_be_annotated(session: &Session) -> bool {
     session.is_finished() && session.recipe().is_annotated()
 }
 

@@ -47,7 +47,6 @@ mod statistics;
 mod steady;
 mod timeline;
 mod trimming;
-mod wire;
 mod work;
 
 /// Cargo would not say so: a file that no program has is not compiled.

@@ -238,13 +238,6 @@ fn a_session_that_goes_back_or_on_to_another_recipe_has_the_same_land_as_a_new_o
 }
 
 #[test]
-fn hillsides_of_a_map_read_from_another_module_go_by_the_low_stand_too() {
-    let map = map("seed=skye&attractors=2000&land=island&drowning=0.8");
-    let other = Map::from_wire(&map.to_wire()).unwrap();
-    assert!(other == map && *other.make_relief().unwrap() == *map.make_relief().unwrap());
-}
-
-#[test]
 fn no_step_of_the_rise_takes_long() {
     use riverseed::base::work;
     for text in ["attractors=20000", "attractors=100000&land=valley&aspect=4", "land=archipelago&sea=0.2&aspect=0.25"] {

@@ -9,7 +9,7 @@ use crate::common::random_link;
 use crate::common::tier::{first, tiers};
 use proptest::prelude::*;
 use riverseed::annotate::labels;
-use riverseed::annotate::place::{Kind, Label, Raster, place};
+use riverseed::annotate::place::{Kind, Label, Places, Raster, place};
 use riverseed::glam::Vec2;
 use riverseed::recipe::link;
 use riverseed::{Map, Session};
@@ -85,6 +85,21 @@ proptest! {
         }
     }
 
+    fn labels_are_the_same_whatever_parts_of_the_map_were_shown_before(
+        link in random_link(1500), many in 0usize..3,
+        views in prop::collection::vec((0.8f32..8.0, [0.0f32..1.0, 0.0f32..1.0], 200.0f32..1500.0), 2..6),
+    ) {
+        let session = finished(&format!("{link}&labels={}", ["few", "some", "many"][many]));
+        let map = session.map().unwrap();
+        let (size, mut kept) = (map.domain().size, Places::default());
+        for (zoom, at, width) in views {
+            let corner = (size - size / zoom) * Vec2::from(at);
+            let input = labels::input(&map, [corner, corner + size / zoom], width / size.x * zoom).unwrap();
+            let raster = Raster::new(&input);
+            prop_assert_eq!(kept.place(&input, &raster), place(&input, &raster), "{} times", zoom);
+        }
+    }
+
     fn parts_of_a_map_have_the_labels_of_the_whole_that_they_show(
         link in random_link(1500), zoom in 1.1f32..8.0, at in [0.0f32..1.0, 0.0f32..1.0],
     ) {
@@ -123,6 +138,7 @@ proptest! {
 tiers!(
     larger_pictures_have_the_labels_of_smaller_ones_in_their_places,
     parts_of_a_map_have_the_labels_of_the_whole_that_they_show,
+    labels_are_the_same_whatever_parts_of_the_map_were_shown_before,
     no_letter_stands_on_its_head
 );
 

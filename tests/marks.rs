@@ -15,8 +15,6 @@ use riverseed::annotate::labels;
 use riverseed::annotate::place::{Input, Kind, Label, Piece, Raster, Stroke, place};
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::Vec2;
-use riverseed::paint::View;
-use riverseed::picture::builder::AnnotationBuilder;
 use riverseed::recipe::{Key, Recipe, Style, link};
 use riverseed::{Map, Picture, Session};
 
@@ -367,20 +365,6 @@ proptest! {
         let styles = [("survey", "few"), ("ink-wash", "few"), ("atlas", "few"), ("blueprint", "some")];
         let changes = styles.map(|(style, labels)| recipe(style, labels)).into_iter().zip(parts);
         paint_in_parts(recipe("ink", "none"), changes, || Picture::new(500, 320).unwrap())?;
-    }
-}
-
-/// The ways from a map to its annotation: as it is, and handed over to another module.
-#[test]
-fn a_map_that_is_handed_over_has_the_same_marks() {
-    for style in ["survey", "blueprint", "ink-wash"] {
-        let session = finished_link(&format!("land=island&seed=kauri&attractors=3000&labels=some&style={style}"));
-        let map = session.map().unwrap();
-        let own = Map::from_wire(&map.to_wire()).unwrap();
-        let view = View::new(&session.domain(), 900, 600).unwrap();
-        let masks = AnnotationBuilder::whole(&own, &view, 1.0);
-        assert!(masks == AnnotationBuilder::whole(&map, &view, 1.0), "{style}");
-        assert_eq!(masks.marks.is_empty(), style == "blueprint", "{style}");
     }
 }
 

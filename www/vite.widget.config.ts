@@ -21,11 +21,11 @@ const BUILDS: Record<string, readonly string[]> = {
 /** The stand-in for a module in the classic script, which can load no other file. */
 const STAND_INS: Record<string, string> = {
   "./backend.ts": "src/apps/widget/page-host.ts",
-  "../../engine/write.ts": "src/apps/widget/no-writer.ts",
+  "./engines.ts": "src/apps/widget/whole-engine.ts",
 };
 const GLUE_URL = /new URL\('\w+_bg\.wasm', import\.meta\.url\)/;
 
-/** Makes the classic script whole: stand-ins for what it cannot load, and one copy of each engine, the one that is asked for by name. */
+/** Makes the classic script whole: stand-ins for what it cannot load, and one copy of its engine, the one that is asked for by name. */
 function whole(): Plugin {
   return {
     name: "whole",

@@ -11,6 +11,5 @@ pub(crate) mod simplify;
 pub(crate) mod skeletonize;
 pub(crate) mod sort;
 pub(crate) mod trigonometry;
-pub(crate) mod wire;
 #[doc(hidden)]
 pub mod work;

@@ -137,6 +137,7 @@ impl CoastDistance {
 
     /// Makes a lattice with these heights at its corners, row by row; `None` if their number does not fit a domain of
     /// this size.
+    #[cfg(test)]
     pub(crate) fn of_heights(size: Vec2, spacing: f32, heights: Vec<f32>) -> Option<Self> {
         let [columns, rows] = size.to_array().map(|length| ((length / spacing) as usize).saturating_add(2));
         (columns.checked_mul(rows)? == heights.len()).then_some(Self { heights, columns, rows, spacing })

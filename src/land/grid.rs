@@ -62,18 +62,6 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    /// Makes a grid from the lengths of stretches of cells, water first, then land, and so on. Stretches may continue
-    /// over the ends of rows. `None` if they do not fit the domain.
-    pub fn of_stretches(domain: &Domain, stretches: &[u32]) -> Option<Self> {
-        let (columns, rows) = extent(domain.size);
-        let mut is_land = Vec::with_capacity(columns * rows);
-        for (length, kind) in stretches.iter().zip([false, true].into_iter().cycle()) {
-            let end = is_land.len() + *length as usize;
-            is_land.resize(end.min(columns * rows + 1), kind);
-        }
-        (is_land.len() == columns * rows).then(|| Self::of_cells(domain, &is_land, columns))
-    }
-
     fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {
         let (columns, rows) = extent(domain.size);
         let mut cells = vec![Cell::Water; columns * rows];

@@ -95,27 +95,6 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
-    /// Returns the lengths of stretches of cells, water first, then land, and so on, row after row. Ridges count as land.
-    pub(crate) fn stretches(&self) -> Vec<u32> {
-        let is_land = |cell: &Cell| *cell != Cell::Water;
-        let cells = &self.grid.cells;
-        let starts_dry = cells.first().is_some_and(is_land).then_some(0);
-        let lengths = cells.chunk_by(|a, b| is_land(a) == is_land(b)).map(|stretch| stretch.len() as u32);
-        starts_dry.into_iter().chain(lengths).collect()
-    }
-
-    /// Makes land from the lengths of [stretches](Self::stretches), with its coast distances, ridges and drawn rivers.
-    /// `None` if the number of cells does not fit the domain.
-    pub(crate) fn of_stretches(
-        domain: &Domain,
-        coast_distance: CoastDistance,
-        stretches: &[u32],
-        [ridges, rivers]: [Vec<Vec<Vec2>>; 2],
-    ) -> Option<Self> {
-        let grid = Grid::of_stretches(domain, stretches)?;
-        Some(Self { rivers, ..Self::on(grid, coast_distance, ridges) })
-    }
-
     /// Returns the share of the domain that is sea, by cells.
     pub(crate) fn share_of_sea(&self) -> f32 {
         1.0 - self.grid.share_of_land()

@@ -25,12 +25,7 @@ impl AnnotationBuilder {
     /// Makes all of an annotation at once, for a picture with `ratio` pixels to a CSS pixel, rounded to quarters from 0.5
     /// to 4.
     pub fn whole(map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
-        Self::whole_in(&mut Places::default(), map, view, ratio).0
-    }
-
-    /// The same, with labels in the places that have been chosen for other pictures of the map. Also returns these labels.
-    pub fn whole_in(places: &mut Places, map: &Map, view: &View, ratio: f32) -> (AnnotationMasks, Vec<Label>) {
-        Self::with(labels_of(places, map, view, ratio), map, view, ratio)
+        Self::default().rest(map, view, ratio)
     }
 
     /// Makes an annotation with the map's title as a heading in a box of the picture: its upper left and its lower right
@@ -42,26 +37,26 @@ impl AnnotationBuilder {
         labels.retain(|label| !label.kind.is_block() && label.text != names.title);
         let within = within.map(|corner| view.point(corner));
         labels.extend(heading(&names.title, &names.subtitle, within, LEAST_EM * ratio / view.scale));
-        Self::with(labels, map, view, ratio).0
+        Self { labels: Some(labels), ..Self::default() }.rest(map, view, ratio)
     }
 
-    /// Makes the rest of an annotation with its labels at once, and returns both.
+    /// Makes the rest of an annotation at once.
     // Once in a module, for all that call it.
     #[inline(never)]
-    fn with(labels: Vec<Label>, map: &Map, view: &View, ratio: f32) -> (AnnotationMasks, Vec<Label>) {
-        let mut this = Self { labels: Some(labels), ..Self::default() };
+    fn rest(mut self, map: &Map, view: &View, ratio: f32) -> AnnotationMasks {
+        let mut places = Places::default();
         loop {
-            if let Some(masks) = this.advance(map, view, ratio) {
-                return (masks, this.labels.unwrap_or_default());
+            if let Some(masks) = self.advance(&mut places, map, view, ratio) {
+                return masks;
             }
         }
     }
 
-    /// Does a part of that, which takes some milliseconds. Map and picture must be the same each time. Returns the
-    /// annotation after the last part.
-    pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<AnnotationMasks> {
+    /// Does a part of an annotation, which takes some milliseconds. Map and picture must be the same each time. Labels
+    /// get the places that have been chosen for other pictures of the map. Returns the annotation after the last part.
+    pub fn advance(&mut self, places: &mut Places, map: &Map, view: &View, ratio: f32) -> Option<AnnotationMasks> {
         let Some(labels) = &self.labels else {
-            self.labels = Some(labels_of(&mut Places::default(), map, view, ratio));
+            self.labels = Some(labels_of(places, map, view, ratio));
             return None;
         };
         if !self.is_placed {
@@ -80,6 +75,11 @@ impl AnnotationBuilder {
         }
         let [bodies, strokes] = self.painter.take().map(SceneryPainter::into_masks).unwrap_or_default();
         Some(AnnotationMasks { bodies, strokes, ..letters::masks(view, labels) })
+    }
+
+    /// Returns the labels that were placed.
+    pub fn into_labels(self) -> Vec<Label> {
+        self.labels.unwrap_or_default()
     }
 }
 

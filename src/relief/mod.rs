@@ -34,7 +34,6 @@ mod tests;
 use glam::Vec2;
 
 use crate::base::sort::quantile;
-use crate::domain::Domain;
 use crate::network::Network;
 
 pub(crate) use draft::ReliefDrafts;
@@ -74,7 +73,8 @@ impl Relief {
     }
 
     /// Makes the relief of a map from its heights, in units; `None` unless there is one for each cell of the map's own grid.
-    pub(crate) fn of_heights(domain: &Domain, heights: Vec<f32>) -> Option<Self> {
+    #[cfg(test)]
+    pub(crate) fn of_heights(domain: &crate::domain::Domain, heights: Vec<f32>) -> Option<Self> {
         let grid = Grid::of(domain);
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
     }

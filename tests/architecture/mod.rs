@@ -12,10 +12,11 @@ use std::path::{Path, PathBuf};
 type Uses = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
 
 /// The folders with a section in `docs/layers.toml`, and how their files are read.
-const FOLDERS: [(&str, fn(&Path) -> Uses); 5] = [
+const FOLDERS: [(&str, fn(&Path) -> Uses); 6] = [
     ("src", rust::uses),
     ("crates/exchange/src", rust::uses),
     ("crates/cli/src", rust::uses),
+    ("crates/wasm/src", rust::uses),
     ("python/src", rust::uses),
     ("python/riverseed", python::uses),
 ];

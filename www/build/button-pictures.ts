@@ -5,7 +5,7 @@
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
-import { initSync, readLink } from "../pkg-steer/riverseed_steer.js";
+import { initSync, readLink } from "../pkg-engine/riverseed_engine.js";
 import { Camera } from "../src/apps/page/map/camera.ts";
 import type { Preset } from "../src/engine/table.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
@@ -47,7 +47,7 @@ export function buttonPictures(): Plugin {
 }
 
 function pictures(): Picture[] {
-  initSync({ module: readFileSync(new URL("../pkg-steer/riverseed_steer_bg.wasm", import.meta.url)) });
+  initSync({ module: readFileSync(new URL("../pkg-engine/riverseed_engine_bg.wasm", import.meta.url)) });
   return [...table.countries.map(ofCountry), ...styles().map(ofStyle)];
 }
 

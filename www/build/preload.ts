@@ -10,7 +10,7 @@
 import type { Plugin } from "vite";
 import { withEarlyScript } from "./early.ts";
 
-const ENGINE = "riverseed_steer_bg.wasm";
+const ENGINE = "riverseed_engine_bg.wasm";
 /** The time after which a line is slow if the page's script has not arrived. */
 const SLOW_MS = 400;
 const WORKER = /page-worker-[\w-]+\.js$/;

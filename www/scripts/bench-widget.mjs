@@ -35,7 +35,7 @@ const server = createServer(async ({ url }, response) => {
     response.writeHead(200, { "content-type": "text/html" }).end(post(searchParams.get("recipe")));
     return;
   }
-  if (pathname.endsWith("/riverseed_bg.wasm")) response.on("finish", () => (sent = Date.now()));
+  if (pathname.endsWith("_bg.wasm")) response.on("finish", () => (sent = Date.now()));
   const file = await readFile(new URL(`../dist-widget${pathname}`, import.meta.url)).catch(() => undefined);
   response.writeHead(file ? 200 : 404, { "content-type": TYPES[extname(pathname)] ?? "text/plain" }).end(file);
 });

@@ -6,11 +6,10 @@ import { fileURLToPath } from "node:url";
 import { parentPort } from "node:worker_threads";
 import * as fontkit from "fontkit";
 import sharp from "sharp";
-import { River, initSync as startEngine } from "../pkg-steer/riverseed_steer.js";
-import { FinishedMap, initSync as startTeller } from "../pkg-tell/riverseed_tell.js";
+import { initSync, River } from "../pkg-engine/riverseed_engine.js";
 
-const { memory } = startEngine({ module: bytesOf("../pkg-steer/riverseed_steer_bg.wasm") });
-startTeller({ module: bytesOf("../pkg-tell/riverseed_tell_bg.wasm") });
+const wasm = new URL("../pkg-engine/riverseed_engine_bg.wasm", import.meta.url);
+const { memory } = initSync({ module: readFileSync(wasm) });
 // Threads by themselves are as many as there are cores.
 sharp.concurrency(1);
 
@@ -50,11 +49,6 @@ async function filesOf(link, shots) {
 function painted(river, { width, height, framing = [] }) {
   river.resize(width, height);
   river.frame(framing);
-  if (river.wantsAnnotation()) {
-    const map = new FinishedMap(river.mapData());
-    river.takeAnnotation(map.masks(width, height, 1, framing));
-    map.free();
-  }
   while (river.paint());
   return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
@@ -93,8 +87,4 @@ function isDarkAt(pixels, width, height) {
       sum += (pixels[at] + pixels[at + 1] + pixels[at + 2]) / 3;
     }
   return sum / count < 128;
-}
-
-function bytesOf(file) {
-  return readFileSync(new URL(file, import.meta.url));
 }

@@ -10,13 +10,7 @@ import { membersOf, newerThanFloor } from "./newer.mjs";
 const FOLDERS = ["src", "public"];
 
 const scripts = FOLDERS.flatMap(scriptsIn);
-const MODULES = [
-  "pkg-steer/riverseed_steer",
-  "pkg-tell/riverseed_tell",
-  "pkg-trace/riverseed_trace",
-  "pkg-write/riverseed_write",
-];
-const engine = MODULES.flatMap((name) => [...membersOf(read(`${name}.d.ts`), "dts")]);
+const engine = membersOf(read("pkg-engine/riverseed_engine.d.ts"), "dts");
 const ours = new Set([...engine, ...scripts.flatMap((file) => membersOf(read(file)))]);
 
 for (const file of scripts)

@@ -56,12 +56,7 @@ function declarations() {
   for (const name of readdirSync("package").filter((name) => name.endsWith(".d.ts"))) {
     cpSync(join("package", name), join(types, name));
   }
-  for (const declared of [
-    "pkg-make/riverseed.d.ts",
-    "pkg-steer/riverseed_steer.d.ts",
-    "pkg-tell/riverseed_tell.d.ts",
-    "pkg-write/riverseed_write.d.ts",
-  ]) {
+  for (const declared of ["pkg-make/riverseed.d.ts", "pkg-engine/riverseed_engine.d.ts"]) {
     mkdirSync(dirname(join(types, declared)));
     cpSync(declared, join(types, declared));
   }

@@ -2,9 +2,7 @@
 
 import { createHash } from "node:crypto";
 import type { Framing } from "../src/browser/canvas.ts";
-import { annotate } from "../src/player/annotator.ts";
-import { engine, memory } from "./steer.ts";
-import { teller } from "./tell.ts";
+import { engine, memory } from "./whole.ts";
 
 export { engine, memory };
 
@@ -30,7 +28,6 @@ function draw(link: string, width: number, height: number, framing?: Framing): P
   river.resize(width, height);
   if (framing) river.frame(new Float32Array(framing));
   while (river.advance(1000));
-  if (river.wantsAnnotation()) annotate(river, teller, 1, framing);
   while (river.paint());
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");

@@ -1,19 +1,10 @@
 //! The edge to JavaScript. No other code knows JavaScript. Features choose what a wasm package exports.
 #![cfg(target_arch = "wasm32")]
 
-#[cfg(feature = "make")]
+#[cfg(feature = "engine")]
+mod engine;
 mod make;
 mod objects;
-#[cfg(feature = "steer")]
-mod steer;
-#[cfg(feature = "tell")]
-mod tell;
-#[cfg(feature = "trace")]
-mod trace;
-#[cfg(any(feature = "tell", feature = "write"))]
-mod wire;
-#[cfg(feature = "write")]
-mod write;
 
 use wasm_bindgen::prelude::*;
 

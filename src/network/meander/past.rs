@@ -54,6 +54,7 @@ impl PastCourses {
     }
 
     /// Makes a past of recorded rounds and of the rivers that count as great.
+    #[cfg(test)]
     pub(crate) fn of_rounds(great: Vec<u32>, rounds: Vec<PastRound>) -> Self {
         Self { great, rounds }
     }

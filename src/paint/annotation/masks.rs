@@ -1,7 +1,7 @@
 //! Masks that lay an annotation over a picture: rivers give way to letters, and letters have their own colour.
 //!
-//! The masks are made for a picture of one size, in whatever style. Therefore another wasm module may make them
-//! (`letters.rs`), and the painter needs to know neither names nor type.
+//! The masks are made for a picture of one size, in whatever style (`letters.rs`). The painter needs to know neither
+//! names nor type.
 
 use std::sync::Arc;
 
@@ -64,40 +64,6 @@ impl SparseMask {
     pub fn pixels(&self) -> impl Iterator<Item = (usize, u8)> {
         let pixels = self.runs.iter().flat_map(|&[first, count]| first as usize..first as usize + count as usize);
         pixels.zip(self.shares.iter().copied())
-    }
-
-    fn write(&self, bytes: &mut Vec<u8>) {
-        let word = |bytes: &mut Vec<u8>, word: u32| bytes.extend(word.to_le_bytes());
-        word(bytes, self.runs.len() as u32);
-        word(bytes, self.shares.len() as u32);
-        self.runs.as_flattened().iter().for_each(|&number| word(bytes, number));
-        bytes.extend_from_slice(&self.shares);
-    }
-
-    /// Reads a mask that `write` wrote, and removes it from the bytes.
-    fn read(bytes: &mut &[u8]) -> Option<Self> {
-        let mut word = || Some(u32::from_le_bytes(*bytes.split_off(..4)?.first_chunk()?));
-        let (runs, shares) = (word()? as usize, word()? as usize);
-        let runs = bytes.split_off(..runs.checked_mul(8)?)?.as_chunks::<4>().0;
-        let numbers: Vec<u32> = runs.iter().map(|number| u32::from_le_bytes(*number)).collect();
-        Some(Self { runs: numbers.as_chunks().0.to_vec(), shares: bytes.split_off(..shares)?.to_vec() })
-    }
-}
-
-impl AnnotationMasks {
-    /// Serializes all layers, for another module.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        let layers = [&self.bodies, &self.strokes, &self.halo, &self.cleared, &self.panel, &self.letters, &self.marks];
-        layers.into_iter().for_each(|layer| layer.write(&mut bytes));
-        bytes
-    }
-
-    /// Reads the layers from bytes; `None` if the bytes are something else.
-    pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
-        let mut layer = || SparseMask::read(&mut bytes);
-        let (bodies, strokes, halo) = (layer()?, layer()?, layer()?);
-        Some(Self { bodies, strokes, halo, cleared: layer()?, panel: layer()?, letters: layer()?, marks: layer()? })
     }
 }
 
@@ -172,27 +138,10 @@ mod tests {
         #![proptest_config(cases(256))]
 
         #[test]
-        fn layers_come_out_as_they_were_put_in(halo in mask(), panel in mask(), letters in mask()) {
-            let [a, b, c] = [&halo, &panel, &letters].map(|mask| SparseMask::of(mask));
-            let annotation = AnnotationMasks {
-                bodies: b.clone(), strokes: c.clone(), halo: a.clone(), cleared: a.clone(), panel: b, letters: c, marks: a,
-            };
-            for (layer, mask) in [(&annotation.marks, &halo), (&annotation.panel, &panel), (&annotation.letters, &letters)] {
-                let mut filled = vec![0; mask.len()];
-                layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
-                prop_assert_eq!(&filled, mask);
-            }
-            prop_assert_eq!(AnnotationMasks::from_bytes(&annotation.to_bytes()), Some(annotation));
-        }
-
-        #[test]
-        fn other_bytes_are_no_annotation_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
-            if let Some(annotation) = AnnotationMasks::from_bytes(&bytes) {
-                prop_assert!(annotation.letters.pixels().count() <= bytes.len());
-                let mut pixmap = Pixmap::new(5, 5).unwrap();
-                lay(&mut pixmap, &annotation, Style::Survey);
-                take_away(&mut Coverage::new(5, 5).unwrap(), &annotation);
-            }
+        fn a_sparse_mask_has_the_pixels_that_it_was_made_of(mask in mask()) {
+            let mut filled = vec![0; mask.len()];
+            SparseMask::of(&mask).pixels().for_each(|(pixel, share)| filled[pixel] = share);
+            prop_assert_eq!(filled, mask);
         }
     }
 }

@@ -11,12 +11,7 @@ import type { Shot } from "./shots.ts";
 
 const DRAWER = new URL("../../scripts/draw-maps.mjs", import.meta.url);
 /** The files on which pictures depend besides their links. The lock names the encoder, and what sets titles. */
-const MAKERS = [
-  "../../pkg-steer/riverseed_steer_bg.wasm",
-  "../../pkg-tell/riverseed_tell_bg.wasm",
-  "../../scripts/draw-maps.mjs",
-  "../../package-lock.json",
-];
+const MAKERS = ["../../pkg-engine/riverseed_engine_bg.wasm", "../../scripts/draw-maps.mjs", "../../package-lock.json"];
 
 /** Pictures of one map. */
 export interface Order {

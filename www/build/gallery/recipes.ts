@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 import RECIPES from "../../gallery/recipes.json" with { type: "json" };
-import { initSync, readLink } from "../../pkg-steer/riverseed_steer.js";
+import { initSync, readLink } from "../../pkg-engine/riverseed_engine.js";
 import { table } from "../table.ts";
 
 /** A map of the gallery. The first six in the list are on the first screen. */
@@ -33,7 +33,7 @@ export interface Entry extends Recipe {
 export const recipes: readonly Recipe[] = RECIPES;
 
 export function entries(): Entry[] {
-  initSync({ module: readFileSync(new URL("../../pkg-steer/riverseed_steer_bg.wasm", import.meta.url)) });
+  initSync({ module: readFileSync(new URL("../../pkg-engine/riverseed_engine_bg.wasm", import.meta.url)) });
   const rows = new Map(table.parameters.map((parameter) => [parameter.key, parameter]));
   const worded = (key: string, text: string): string => {
     const { choices, unit } = rows.get(key) ?? {};

@@ -54,21 +54,6 @@ const ADVICE: Record<Code, Advice> = {
       "so, upload all .js and .wasm files of one build, the .wasm files beside the scripts.",
     reload: true,
   },
-  "no-files": {
-    title: "A part of Riverseed did not arrive",
-    text: "The part that makes files could not be downloaded. Check the connection and try again.",
-    reload: true,
-  },
-  "no-tracing": {
-    title: "A part of Riverseed did not arrive",
-    text: "The part that turns drawings and pictures into land did not arrive. Check the connection and try again.",
-    reload: true,
-  },
-  "no-labels": {
-    title: "A part of Riverseed did not arrive",
-    text: "The part that names rivers could not be downloaded. Check the connection and reload the page.",
-    reload: true,
-  },
   "bad-params": {
     title: "This recipe could not be read",
     text: "The river engine does not know one of its values. Start from a new river, then change one thing at a time.",

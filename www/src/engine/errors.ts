@@ -23,11 +23,3 @@ export function named(thrown: unknown): PageError {
   if (thrown instanceof RangeError) return new PageError("too-large", thrown.message);
   return new PageError("unknown", thrown.message);
 }
-
-/** Returns the error of a part that did not arrive: its name, the cause, and what follows for people. */
-export function missing(code: Code, what: string, thrown: unknown, then = CHECK): PageError {
-  const { code: cause, message } = named(thrown);
-  return new PageError(code, `${what} did not arrive (${cause}: ${message}). ${then}`);
-}
-
-const CHECK = "Check the connection and try again.";

@@ -1,13 +1,13 @@
 /**
- * The engine that takes a recipe to its pixels: all that an element loads to show a map. The page's has more
- * (`steer.ts`). What tells about a finished map is in `tell.ts`.
+ * The engine that takes a recipe to its pixels, without labels, woods and hills: all that an element loads to show a map
+ * that has none of them. `label.ts` has them, and `whole.ts` has everything.
  */
 
 import init, * as engine from "../../pkg-make/riverseed.js";
 import wasmUrl from "../../pkg-make/riverseed_bg.wasm?url";
 import { once, start } from "./wasm-module.ts";
 
-export type Engine = typeof engine;
+export type Engine = Pick<typeof engine, "River" | "readLink">;
 
 /** An engine with its memory. */
 export interface Core<Loaded = Engine> {

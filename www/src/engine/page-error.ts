@@ -12,15 +12,7 @@ export class PageError extends Error {
   }
 }
 
-const RECOVERABLE: ReadonlySet<Code> = new Set([
-  "no-files",
-  "no-tracing",
-  "no-labels",
-  "bad-params",
-  "too-large",
-  "no-land",
-  "bad-image",
-]);
+const RECOVERABLE: ReadonlySet<Code> = new Set(["bad-params", "too-large", "no-land", "bad-image"]);
 
 /** Returns whether the picture on the page is still good after a failure, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {

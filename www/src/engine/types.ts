@@ -1,12 +1,16 @@
 /** The types of the wasm modules' functions. Only this folder knows where the packages are. */
 
-export type * from "../../pkg-make/riverseed.js";
 export type {
-  FinishedMap,
+  Cells,
   Inspector,
   LabelFacts,
+  Making,
   Measure,
+  Moment,
+  NameFacts,
+  Part,
   PlaceFacts,
+  Raster,
   RiverFacts,
-} from "../../pkg-tell/riverseed_tell.js";
-export type { Cells, MapFiles } from "../../pkg-write/riverseed_write.js";
+} from "../../pkg-engine/riverseed_engine.js";
+export type * from "../../pkg-make/riverseed.js";

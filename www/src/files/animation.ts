@@ -16,9 +16,9 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import { PageError } from "../engine/errors.ts";
-import type { SteeredRiver } from "../engine/steer.ts";
+import type { WholeCore, WholeRiver } from "../engine/whole.ts";
 import { type Course, inSteps, partOf } from "./course.ts";
-import { type MakerCore, paint } from "./painting.ts";
+import { painted } from "./painting.ts";
 
 /** The longer side, in pixels, and frames to the second. */
 const LONGER_SIDE = 1200;
@@ -44,7 +44,7 @@ const CODECS: readonly (readonly [codec: VideoCodec, container: () => OutputForm
   ["av1", () => new WebMOutputFormat()],
 ];
 
-export async function animationOf(link: string, core: MakerCore, course: Course): Promise<Blob> {
+export async function animationOf(link: string, core: WholeCore, course: Course): Promise<Blob> {
   const river = new core.engine.River(link);
   try {
     const [width = 0, height = 0] = [...river.sidesFor(LONGER_SIDE)].map(even);
@@ -82,8 +82,8 @@ function even(length: number): number {
 /** The river that is filmed. */
 class Scenes {
   constructor(
-    private readonly river: SteeredRiver,
-    private readonly core: MakerCore,
+    private readonly river: WholeRiver,
+    private readonly core: WholeCore,
     readonly video: Video,
   ) {}
 
@@ -104,7 +104,7 @@ class Scenes {
     }
   }
 
-  async skip(phase: SteeredRiver["phase"], course: Course): Promise<void> {
+  async skip(phase: WholeRiver["phase"], course: Course): Promise<void> {
     const { river } = this;
     await inSteps(
       course,
@@ -115,14 +115,14 @@ class Scenes {
 
   /** Films the end: from the rivers to the finished map, which fades in and stays. */
   async finish(making: Course, showing: Course): Promise<void> {
-    const { river, core, video } = this;
+    const { river, video } = this;
     const before = this.#pixels();
     await inSteps(
       making,
       () => river.advance(1),
       () => 0,
     );
-    await paint(river, core, making);
+    await painted(river, making);
     const after = this.#pixels();
     const frames = FRAMES.all - video.frames;
     for (let frame = 1; frame <= frames; frame++) {

@@ -1,6 +1,6 @@
 /** The making of a file in steps; between them it reports its progress and lets others have their turn. */
 
-import type { SteeredRiver } from "../engine/steer.ts";
+import type { WholeRiver } from "../engine/whole.ts";
 
 /** The course of one file. */
 export interface Course {
@@ -33,7 +33,7 @@ export async function inSteps(course: Course, step: () => boolean, share: () => 
 const OVER = { growing: 0.6, drowning: 0.63, shaping: 0.66, meandering: 0.8, relief: 1, finished: 1 } as const;
 
 /** Takes a river to its end. */
-export function grow(river: SteeredRiver, course: Course): Promise<void> {
+export function grow(river: WholeRiver, course: Course): Promise<void> {
   let before = 0;
   const share = (): number => {
     const over = OVER[river.phase];

@@ -1,14 +1,20 @@
 /** Makes the files of finished rivers that widgets can make, too: pictures and shapes. */
 
 import type { River } from "../engine/types.ts";
+import type { WholeRiver } from "../engine/whole.ts";
 import type { Course } from "./course.ts";
-import { type FileMeans, labelled, written } from "./means.ts";
 import { riverPng } from "./river-png.ts";
 
 /** Pixels on the long side of a game pack's picture: a full page in print, and more than any screen has. */
 export const LONG_SIDE_PX = 3000;
 /** The time for growing at once, short so that the page keeps answering. */
 const SLICE_MS = 12;
+
+/** The means of making a file, besides its river. */
+export interface FileMeans {
+  /** Called before a long step: a file is painted or written in one. */
+  holdOn(): void;
+}
 
 /** The means of painting a file: the memory that holds the picture, and those of every file. */
 export interface Painting extends FileMeans {
@@ -21,10 +27,10 @@ export function pngOf(river: River, core: Painting, longSide: number): Promise<B
 }
 
 /** Grows a river to its end and makes an SVG of it. */
-export function svgOf(river: River, core: FileMeans): Promise<Blob> {
-  return finished(river, async () => {
-    const svg = await written(river, core, (map) => map.svg());
-    return new Blob([svg], { type: "image/svg+xml" });
+export function svgOf(river: WholeRiver, { holdOn }: FileMeans): Promise<Blob> {
+  return finished(river, () => {
+    holdOn();
+    return new Blob([river.svg()], { type: "image/svg+xml" });
   });
 }
 
@@ -53,10 +59,9 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 }
 
 /** Paints a finished river for a file, rather than enlarging it from the screen, and writes that as PNG. */
-export async function picture(river: River, core: Painting, longSide: number): Promise<Blob> {
+export function picture(river: River, core: Painting, longSide: number): Promise<Blob> {
   const [width = 1, height = 1] = river.sidesFor(Math.max(1, Math.round(longSide)));
   river.resize(width, height);
-  await labelled(river, core);
   core.holdOn();
   while (river.paint());
   return riverPng(river, core.memory, "rgb", SILENT);

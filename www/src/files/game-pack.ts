@@ -1,7 +1,8 @@
 /** A map's files for a game, in one archive: rasters, rivers, the picture, and a text that gives the scale. */
 
 import { strToU8, zipSync } from "fflate";
-import type { MapFiles } from "../engine/types.ts";
+import type { Raster } from "../engine/types.ts";
+import type { WholeRiver } from "../engine/whole.ts";
 import { SILENT } from "./files.ts";
 import type { RasterOrder } from "./format-names.ts";
 import { pngOf } from "./png.ts";
@@ -15,21 +16,12 @@ export interface Contents {
   rasters: Raster[];
 }
 
-interface Raster {
-  name: string;
-  values: Uint8Array | Uint16Array;
-  texts: Record<string, string>;
-}
-
-export function contentsOf(map: MapFiles, order?: RasterOrder): Contents {
-  const cells = map.cells(order?.longerSide, order?.isSquare);
+export function contentsOf(river: WholeRiver, order?: RasterOrder): Contents {
+  const cells = river.cells(order?.longerSide, order?.isSquare);
   try {
     const { columns, rows } = cells;
-    const rasters = cells.names().flatMap((name, number) => {
-      const values = cells.values(number);
-      return values ? [{ name, values, texts: paired(cells.texts(number)) }] : [];
-    });
-    return { readme: cells.readme(), geojson: JSON.stringify(map.geojson()), columns, rows, rasters };
+    const geojson = JSON.stringify(river.geojson());
+    return { readme: cells.readme(), geojson, columns, rows, rasters: cells.rasters() };
   } finally {
     cells.free();
   }
@@ -57,8 +49,3 @@ async function bytesOf(file: Blob): Promise<Uint8Array> {
 
 /** The date of all files, the first that the format knows, so that a river always gives the same archive. */
 const EARLIEST = new Date(1980, 0, 1);
-
-/** Turns a list of alternating keywords and texts into an object. */
-function paired(texts: string[]): Record<string, string> {
-  return Object.fromEntries(texts.flatMap((key, i) => (i % 2 === 0 ? [[key, texts[i + 1] ?? ""]] : [])));
-}

@@ -19,29 +19,22 @@ export const EMPTY_MS = 5000;
 
 type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
 
-export class RenderHost<Question, Answer> {
+export class RenderHost<Question, Answer, First extends readonly unknown[] = []> {
   readonly #clients = new Map<number, Client<Answer>>();
   #backend: Promise<Backend<Question>> | undefined;
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
-  /**
-   * `open` opens a renderer, in a worker or on the page. `wasmUrl` is the engine's address if that is not beside the
-   * script.
-   */
-  constructor(
-    private readonly open: (listener: Listener<Answer>, wasmUrl: string | undefined) => Promise<Backend<Question>>,
-  ) {}
+  /** `open` opens a renderer, in a worker or on the page. `first` is what its first client says of the engine. */
+  constructor(private readonly open: (listener: Listener<Answer>, ...first: First) => Promise<Backend<Question>>) {}
 
-  /**
-   * Adds a client once there is a renderer, and returns the client's number. Only the first client's `wasmUrl` counts.
-   */
-  async enter(client: Client<Answer>, wasmUrl?: string): Promise<number> {
+  /** Adds a client once there is a renderer, and returns the client's number. */
+  async enter(client: Client<Answer>, ...first: First): Promise<number> {
     clearTimeout(this.#leaving);
-    const backend = this.#opened(wasmUrl);
+    const backend = this.#opened(first);
     await backend;
     // It may have been replaced by now.
-    if (backend !== this.#backend) return this.enter(client, wasmUrl);
+    if (backend !== this.#backend) return this.enter(client, ...first);
     this.#clients.set(++this.#last, client);
     return this.#last;
   }
@@ -51,13 +44,13 @@ export class RenderHost<Question, Answer> {
   }
 
   /** Asks the renderer a question. If the renderer is lost before it answers, the next one is asked. */
-  ask(question: Question, wasmUrl?: string): Promise<Answer> {
+  ask(question: Question, ...first: First): Promise<Answer> {
     return new Promise((done, failed) => {
       let asked = 0;
       const ask = (): void => {
         // The question itself may have killed both workers, and the rivers need the third.
         if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice at this"));
-        else void this.enter(client, wasmUrl).then((id) => this.send(id, { do: "ask", question }), failed);
+        else void this.enter(client, ...first).then((id) => this.send(id, { do: "ask", question }), failed);
       };
       const client: Client<Answer> = {
         hear: (report) => {
@@ -77,7 +70,7 @@ export class RenderHost<Question, Answer> {
     if (this.#clients.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
   }
 
-  #opened(wasmUrl: string | undefined): Promise<Backend<Question>> {
+  #opened(first: First): Promise<Backend<Question>> {
     if (this.#backend) return this.#backend;
     const backend = this.open(
       {
@@ -85,7 +78,7 @@ export class RenderHost<Question, Answer> {
         collapsed: (message) => this.#collapse(message),
         lost: () => this.#moveAll(),
       },
-      wasmUrl,
+      ...first,
     );
     this.#backend = backend;
     // A failed load can be tried again.

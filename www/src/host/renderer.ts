@@ -2,15 +2,14 @@
 
 import { named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
-import type { RiverMaker, RiverPlayer } from "../player/river-player.ts";
+import type { RiverPlayer } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
-import { Scene } from "./scene.ts";
+import { type Makers, Scene } from "./scene.ts";
 
 /** A renderer's means of making rivers and of answering questions about them. */
-export interface Means<R extends River, Question, Answer> {
-  readonly maker: RiverMaker<R>;
+export interface Means<R extends River, Question, Answer> extends Makers<R> {
   /** The time of a frame that all rivers share, if not the usual. If it is given, a new river opens at once. */
   readonly shareMs?: number;
   /** The clock of rivers that grow in step. */
@@ -44,8 +43,9 @@ export class Renderer<R extends River, Question, Answer> {
   }
 
   #open(command: Opening): void {
-    const { maker, shareMs, clock } = this.means;
-    const scene = new Scene(maker, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
+    const { means } = this;
+    const { shareMs, clock } = means;
+    const scene = new Scene(means, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
     this.#scenes.set(command.id, scene);
     if (shareMs) scene.open();
     // In turn, since planting twenty rivers at once would hold up the page.

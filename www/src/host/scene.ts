@@ -5,24 +5,45 @@ import { isRecoverable, named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river-player.ts";
+import {
+  type LinkToRead,
+  type PlayerEvents,
+  type RiverMaker,
+  RiverPlayer,
+  type ShowMode,
+} from "../player/river-player.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Opening, Report, SceneCommand } from "./protocol.ts";
 
 /** A command to an open river. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
+/** The engines that rivers are made by. */
+export interface Makers<R extends River> {
+  /**
+   * Returns an engine for the river of a link: that of the river now on its canvas, if there is one and it will do. A
+   * promise if it has to be loaded.
+   */
+  makerFor(link: string, now?: RiverMaker<R>): Coming<R>;
+}
+
+/** An engine, or one that is being loaded. */
+type Coming<R extends River> = RiverMaker<R> | Promise<RiverMaker<R>>;
+
 export class Scene<R extends River = River> {
   #size: CanvasSize;
   #player: RiverPlayer<R> | undefined;
-  /** Commands from before the river was created. */
-  #early: Request[] = [];
+  #maker: RiverMaker<R> | undefined;
+  /** The number of links that earlier players of other engines were asked to show. */
+  #linksBefore = 0;
+  /** Commands that wait until the river is created, or until another engine has been loaded for it. */
+  #early: Request[] | undefined = [];
   #isOver = false;
   /** False after a failure that leaves the engine in an unknown state: then the river may not even be freed. */
   #mayFree = true;
 
   constructor(
-    private readonly maker: RiverMaker<R>,
+    private readonly makers: Makers<R>,
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
@@ -34,7 +55,8 @@ export class Scene<R extends River = River> {
 
   /** Plants the river and shows it. */
   open(): void {
-    this.#attempt(() => this.#open());
+    const { link, how } = this.opening;
+    this.#attempt(() => void this.#plant(this.makers.makerFor(link.text), link, how));
   }
 
   /** The player of its river; none before the river is created. */
@@ -43,32 +65,56 @@ export class Scene<R extends River = River> {
   }
 
   take(command: SceneCommand): void {
-    const player = this.#player;
     if (command.do === "close") this.#close();
-    else if (player) this.#attempt(() => this.#follow(command, player));
-    else this.#early.push(command);
+    else if (this.#early) this.#early.push(command);
+    else this.#attempt(() => this.#follow(command));
   }
 
-  #open(): void {
+  /** Plants the river of a link, once there is an engine for it. Commands wait until then. */
+  async #plant(maker: Coming<R>, link: LinkToRead, how: ShowMode): Promise<void> {
+    try {
+      this.#begin(maker instanceof Promise ? await maker : maker, link, how);
+    } catch (thrown) {
+      if (this.#player) this.#linksBefore++;
+      this.#fail(thrown);
+    }
+    if (this.#player) this.#takeEarly();
+  }
+
+  #begin(maker: RiverMaker<R>, link: LinkToRead, how: ShowMode): void {
     if (this.#isOver) return;
-    const { id, canvas, link, how } = this.opening;
-    const events: PlayerEvents = {
+    const { opening, clock } = this;
+    const player = new RiverPlayer(maker, opening.canvas, link, this.frames, this.#events, clock);
+    if (this.#player) this.#linksBefore += this.#player.links + 1;
+    this.#freePlayer();
+    [this.#player, this.#maker] = [player, maker];
+    player.start(how);
+  }
+
+  #takeEarly(): void {
+    const early = this.#early ?? [];
+    this.#early = undefined;
+    for (const command of early) this.take(command);
+  }
+
+  get #events(): PlayerEvents {
+    return {
       sizeFor: () => this.#size,
-      changed: (reading, status) => this.tell({ id, is: "shown", reading, ...status }),
+      changed: (reading, status) => {
+        const links = reading.links + this.#linksBefore;
+        this.tell({ id: this.opening.id, is: "shown", reading: { ...reading, links }, ...status });
+      },
       failed: (thrown) => this.#fail(thrown),
     };
-    const player = new RiverPlayer(this.maker, canvas, link, this.frames, events, this.clock);
-    this.#player = player;
-    player.start(how);
-    for (const command of this.#early) this.#follow(command, player);
-    this.#early = [];
   }
 
-  #follow(command: Request, player: RiverPlayer<R>): void {
+  #follow(command: Request): void {
+    const player = this.#player;
+    if (!player) return;
     switch (command.do) {
       case "show":
         this.#size = command.size;
-        player.show(command.link, command.how);
+        this.#show(command, player);
         break;
       case "resize":
         this.#size = command.size;
@@ -82,6 +128,16 @@ export class Scene<R extends River = River> {
         break;
       default:
         player[command.do]();
+    }
+  }
+
+  /** Shows another link, by another engine if the one that is there will not do. */
+  #show({ link, how }: { link: LinkToRead; how: ShowMode }, player: RiverPlayer<R>): void {
+    const maker = this.makers.makerFor(link.text, this.#maker);
+    if (maker === this.#maker) player.show(link, how);
+    else {
+      this.#early = [];
+      void this.#plant(maker, link, how);
     }
   }
 
@@ -102,12 +158,16 @@ export class Scene<R extends River = River> {
       is: "failed",
       code: error.code,
       message: error.message,
-      links: this.#player?.links ?? 0,
+      links: this.#linksBefore + (this.#player?.links ?? 0),
     });
   }
 
   #close(): void {
     this.#isOver = true;
+    this.#freePlayer();
+  }
+
+  #freePlayer(): void {
     if (this.#mayFree) this.#player?.free();
     this.#player = undefined;
   }

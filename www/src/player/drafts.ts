@@ -3,14 +3,14 @@
  * changes to that link.
  */
 
-import type { Drafted } from "../engine/steer.ts";
 import type { ReadOptions, River, Stage } from "../engine/types.ts";
+import type { Drafted } from "../engine/whole.ts";
 import type { Wanted } from "./showing.ts";
 
 /** The time for painting a draft in one go. The hand sees it sooner than if each part had to wait for a frame. */
 const AT_ONCE_MS = 46;
 
-/** The methods of the rivers of `steer` that drafts need. */
+/** The methods of the whole engine's rivers that drafts need. */
 export interface Drafting {
   draft(text: string, options?: ReadOptions): void;
   paintDraft(): Drafted;

@@ -5,8 +5,6 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { LabelFacts, Phase, ReadOptions, River } from "../engine/types.ts";
-import { Annotator } from "./annotator.ts";
-import type { LoadTeller } from "./asking.ts";
 import { Blitter } from "./blit.ts";
 import { type Drafting, Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
@@ -36,17 +34,16 @@ const COUNT_EVERY_MS = 250;
  */
 const AT_ONCE_MS = 16;
 
-/** The methods of the rivers of `steer` that those of `make` lack. */
+/** The methods of the whole engine's rivers that others lack. */
 interface Controlled extends Drafting {
   frame(framing: Float32Array): void;
+  labels(): LabelFacts[];
 }
 
 /** The part of an engine that makes rivers. */
 export interface RiverMaker<R> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
-  /** Fetches the teller. */
-  readonly loadTeller: LoadTeller;
 }
 
 export class RiverPlayer<R extends River & Partial<Controlled> = River> {
@@ -68,7 +65,6 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
-  readonly #annotator: Annotator;
   readonly #drafts: Drafts;
 
   /** Puts a river on the canvas at tick 0. Throws the core's errors. */
@@ -84,15 +80,6 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#river = new core.engine.River(link.text, link.options);
     this.#reading = this.#readRiver();
     this.#drafts = new Drafts(this.#river, () => frames.now());
-    this.#annotator = new Annotator(core.loadTeller, {
-      arrived: () => this.#attempt(() => this.#redraw()),
-      failed: (error) =>
-        this.#attempt(() => {
-          events.failed(error);
-          // No names are to be waited for.
-          this.#tell();
-        }),
-    });
     this.#growing = clock?.join(this.#river) ?? this.#river;
     this.#loop = new FrameLoop(this.#growing, frames, {
       draw: (asDraft) => this.#draw(asDraft),
@@ -124,9 +111,9 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return this.#loop.state;
   }
 
-  /** The names that were laid over the picture last. */
+  /** The names on the picture. */
   get labels(): readonly LabelFacts[] {
-    return this.#annotator.labels;
+    return this.river?.labels?.() ?? [];
   }
 
   set speed(speed: number) {
@@ -136,7 +123,6 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   /** Shows the first river. */
   start(how: ShowMode): void {
     this.#attempt(() => {
-      if (isLabelled(this.link)) this.#annotator.expect();
       this.#fit();
       this.#grow(how);
     });
@@ -340,9 +326,8 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
 
   /** Does a part of painting. Returns whether there is more to do. */
   #paint(): boolean {
-    const { ratio, framing } = this.#view;
     const mayLabel = !this.#labelling || this.frames.now() >= this.#labelling.from;
-    return (mayLabel && this.#annotator.lay(this.#river, ratio, framing)) || this.#river.paint();
+    return this.#river.paint(!mayLabel);
   }
 
   #tell(): void {
@@ -352,7 +337,6 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       state: this.state,
       phase,
       progress: progressOf(this.#river),
-      isUnnamed: this.#annotator.isAsking,
       summary: this.#river.summary(),
     });
   }
@@ -381,7 +365,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const isAsLarge = width === river.width && height === river.height && isAsDense;
     const isFramed = `${framing}` === `${before.framing}`;
     if (isAsLarge && isFramed && width === canvas.width && height === canvas.height) return;
-    if (!isAsLarge) river.resize(width, height);
+    if (!isAsLarge) river.resize(width, height, ratio);
     river.frame?.(new Float32Array(framing ?? []));
     this.#view = framing ? { ratio, framing } : { ratio };
     // Setting its size clears a canvas, so it is painted again before the browser can show that.
@@ -402,11 +386,6 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       this.events.failed(error);
     }
   }
-}
-
-/** Returns whether a canonical link asks for labels, as one does that says nothing of them. */
-function isLabelled(link: string): boolean {
-  return new URLSearchParams(link).get("labels") !== "none";
 }
 
 /** Returns a context that replaces pixels rather than mixing them. */

@@ -42,7 +42,5 @@ export interface Status {
   phase: Phase;
   /** The share of the way to the finished map, from 0 to 1. */
   progress: number;
-  /** True for a finished map whose names are still being fetched. */
-  isUnnamed: boolean;
   summary: Summary;
 }

@@ -1,8 +1,8 @@
 /** Small pictures of finished maps, made a little at a time: of one map in many styles, or of another map. */
 
 import { named } from "../engine/errors.ts";
-import type { SteeredRiver } from "../engine/steer.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
+import type { WholeRiver } from "../engine/whole.ts";
 
 /** The time for making them in one task. */
 const BUDGET_MS = 8;
@@ -26,7 +26,7 @@ type Pause = () => Promise<boolean>;
  * stopped.
  */
 export async function* thumbnails(
-  river: SteeredRiver,
+  river: WholeRiver,
   memory: WebAssembly.Memory,
   styles: readonly string[],
   { width, height }: { width: number; height: number },
@@ -54,7 +54,7 @@ export async function* thumbnails(
  * nothing if `pause` stopped it before.
  */
 export async function finishedPicture(
-  river: SteeredRiver,
+  river: WholeRiver,
   memory: WebAssembly.Memory,
   { width, height }: { width: number; height: number },
   pause: Pause,
@@ -74,7 +74,7 @@ export async function finishedPicture(
 
 async function pixelsIn(
   style: string,
-  river: SteeredRiver,
+  river: WholeRiver,
   memory: WebAssembly.Memory,
   pause: Pause,
 ): Promise<Picture["pixels"] | "stopped"> {
@@ -83,7 +83,7 @@ async function pixelsIn(
 }
 
 async function pixelsOf(
-  river: SteeredRiver,
+  river: WholeRiver,
   memory: WebAssembly.Memory,
   pause: Pause,
 ): Promise<Picture["pixels"] | "stopped"> {

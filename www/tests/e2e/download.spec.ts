@@ -2,8 +2,7 @@ import { expect, test } from "@playwright/test";
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { pictureOf } from "../core.ts";
-import { engine } from "../steer.ts";
-import { written } from "../tell.ts";
+import { engine } from "../whole.ts";
 import { complaints, countCalls, openBegun, openFinished, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton, saved, saving } from "./saving.ts";
 import { core } from "./tiers.ts";
@@ -57,7 +56,7 @@ for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
 function dataOf(link: string): { network: object; geojson: object } {
   const river = new engine.River(link);
   while (river.advance(1000));
-  const [network, geojson] = written(river, (map) => [map.network(), map.geojson()] as const);
+  const [network, geojson] = [river.network(), river.geojson()];
   river.free();
   return { network: plain(network), geojson: plain(geojson) };
 }
@@ -177,8 +176,7 @@ test("for data and shapes of finished rivers nothing is fetched but what names t
   expect(await created()).toEqual({ onPage: 0, inWorker: 1 });
   // Each is asked once whether there is more to do.
   expect(await advanced()).toEqual({ onPage: 0, inWorker: before + formats.length });
-  const others = fetched.filter((url) => !url.startsWith("blob:"));
-  expect(others.map((url) => /riverseed_write_bg[^/]*\.(js|wasm)$/.exec(url)?.[1])).toEqual(["wasm"]);
+  expect(fetched.filter((url) => !url.startsWith("blob:"))).toEqual([]);
 });
 
 test("a file is of what the page showed when it was asked for, whatever is on the canvas", async ({ page }) => {

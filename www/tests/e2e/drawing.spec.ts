@@ -1,7 +1,6 @@
 import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
-import { traceImage } from "../tracing.ts";
 import { violations } from "./axe.ts";
 import {
   address,
@@ -283,7 +282,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const { outline } = traceImage(
+  const { outline } = engine.traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,
@@ -363,47 +362,6 @@ test("a picture that cannot be a land is refused with a message, and the map sta
     });
 });
 
-test("a picture is refused while the part that traces does not arrive, and traced when it does", async ({ page }) => {
-  await openFinished(page, SMALL);
-  await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
-  await choose(page, ISLAND);
-  await expect(page.locator("#notices")).toContainText("did not arrive");
-  await page.unroute("**/riverseed_trace*.wasm");
-  await choose(page, ISLAND);
-  await expectAddress(page, "land", "drawn");
-});
-
-test("what is drawn while the part that makes land is on its way is seen, and is the land once it is there", async ({
-  page,
-}) => {
-  let arrive = (): void => {};
-  const gate = new Promise<void>((open) => {
-    arrive = open;
-  });
-  await page.route("**/riverseed_trace*.wasm", async (route) => {
-    await gate;
-    await route.continue();
-  });
-  await openTool(page);
-  await draw(page, BLOB);
-  await expect(page.locator("#sketch path")).not.toHaveCount(0);
-  await expect(page.getByRole("button", { name: "Undo line" })).toBeEnabled();
-  arrive();
-  await expectAddress(page, "land", "drawn");
-});
-
-test("without the part that makes land the tool closes and says so, and opens again", async ({ page }) => {
-  await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
-  await openFinished(page, SMALL);
-  await page.getByRole("button", { name: "Draw", exact: true }).click();
-  await expect(page.locator("#notices")).toContainText("did not arrive");
-  await expect(page.getByRole("group", { name: "Drawing a land" })).toBeHidden();
-  await page.unroute("**/riverseed_trace*.wasm");
-  await page.getByRole("button", { name: "Draw", exact: true }).click();
-  await draw(page, BLOB);
-  await expectAddress(page, "land", "drawn");
-});
-
 test("opening the tool leaves a linked land as it is", async ({ page }) => {
   await openTool(page);
   await draw(page, BLOB);
@@ -411,9 +369,7 @@ test("opening the tool leaves a linked land as it is", async ({ page }) => {
   const linked = page.url();
   await page.goto("about:blank");
   await openFinished(page, new URL(linked).search.slice(1));
-  const module = page.waitForResponse("**/riverseed_trace*.wasm");
   await page.getByRole("button", { name: "Draw", exact: true }).click();
-  await (await module).finished();
   await expect(page.locator("#sketch path")).not.toHaveCount(0);
   for (let i = 0; i < 10; i++) await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   expect(page.url()).toBe(linked);

@@ -152,7 +152,7 @@ test("the circles of reach and kill go with the pointer, and are as large as the
   await openFinished(page, COLONIZED);
   await page.keyboard.press("k");
   const river = new engine.River(COLONIZED);
-  const [width = 0, , reach = 0, kill = 0] = river.lengths();
+  const { width, reach, kill } = river.lengths();
   expect(reach / kill).toBeCloseTo(2.3 / 1.1);
   const circle = page.locator(".inside circle.reach");
   expect(Number(await circle.getAttribute("r"))).toBe(reach);

@@ -1,7 +1,5 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import { annotate } from "../../src/player/annotator.ts";
-import { engine } from "../steer.ts";
-import { teller, told } from "../tell.ts";
+import { engine } from "../whole.ts";
 import { violations } from "./axe.ts";
 import {
   address,
@@ -18,33 +16,20 @@ import {
 import { download } from "./saving.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
-const TELLER = /riverseed_tell_bg.*\.wasm/;
 
 /** The greatest names of a link's map, mark and name in turn. */
 function greatest(link: string): string[][] {
   const river = new engine.River(link);
   while (river.advance(1000));
-  const texts = told(river, (map) => map.greatest(12));
-  return texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""]] : []));
-}
-
-/** All addresses that a page asks for from now on. */
-function asked(page: Page): string[] {
-  const urls: string[] = [];
-  page.on("request", (request) => urls.push(request.url()));
-  return urls;
+  return river.greatest(12).map(({ mark, name }) => [mark, name]);
 }
 
 async function picture(page: Page): Promise<string> {
   return (await shown(page)).sha256;
 }
 
-test("a map without labels fetches nothing of what makes them, and one that gets them is told in words, too", async ({
-  page,
-}) => {
-  const urls = asked(page);
+test("a map that gets labels is told in words, too", async ({ page }) => {
   await openWithPanel(page, `${LINK}&labels=none`);
-  expect(urls.filter((url) => TELLER.test(url))).toEqual([]);
   const bare = await picture(page);
   await openSettings(page);
   await openFold(page, "Names");
@@ -55,7 +40,6 @@ test("a map without labels fetches nothing of what makes them, and one that gets
     "aria-label",
     new RegExp(`Its greatest rivers: ${rivers[0]?.[1]}, `),
   );
-  expect(urls.filter((url) => TELLER.test(url)).length).toBe(1);
 });
 
 test("names on the map are listed, can be typed over, and are in the link @core", async ({ page }) => {
@@ -83,13 +67,6 @@ test("names on the map are listed, can be typed over, and are in the link @core"
   await expect(fields.first()).toBeFocused();
 });
 
-test("offline, the map has no labels, and a note says so @core", async ({ page }) => {
-  await page.route(TELLER, (route) => route.abort());
-  await openWithPanel(page, `${LINK}&labels=some`);
-  await expect(page.locator("#notices")).toContainText("The map is shown without names");
-  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
-});
-
 // ---- named where it lies
 
 const NAMED = `${LINK}&labels=some`;
@@ -102,14 +79,10 @@ function placeOf(link: string, letter: string): { mark: string; x: number; y: nu
   const river = new engine.River(link);
   while (river.advance(1000));
   while (river.raiseRelief());
-  return told(river, (map) => {
-    const place = map
-      .inspector()
-      ?.places()
-      .find(({ mark }) => mark.startsWith(letter) && mark !== "i0");
-    const [x = 0, y = 0] = place?.line ?? [];
-    return { mark: place?.mark ?? "", x, y };
-  });
+  const places = river.inspector()?.places() ?? [];
+  const place = places.find(({ mark }) => mark.startsWith(letter) && mark !== "i0");
+  const [x = 0, y = 0] = place?.line ?? [];
+  return { mark: place?.mark ?? "", x, y };
 }
 
 /** Where a point of the map is on the page. */
@@ -216,7 +189,7 @@ test("the title is named by a click on its letters", async ({ page }) => {
   river.frame(new Float32Array(framing));
   while (river.advance(1000));
   while (river.paint());
-  const title = annotate(river, teller, 1, framing).find(({ mark }) => mark === "t");
+  const title = river.labels().find(({ mark }) => mark === "t");
   const [x = 0, y = 0] = title?.line ?? [];
   await rename(page, await onPage(page, { x, y }), "Thessaly");
   await expectAddress(page, "names", "t.Thessaly");

@@ -2,7 +2,7 @@ import { expect, test } from "@playwright/test";
 import { complaints, finished } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
-const ENGINE = /\/riverseed_steer_bg[^/]*\.wasm$/;
+const ENGINE = /\/riverseed_engine_bg[^/]*\.wasm$/;
 
 for (const [visit, address] of [
   ["with a link", "./?attractors=300"],
@@ -22,7 +22,7 @@ for (const [visit, address] of [
       await held;
       await route.continue();
     });
-    const early = page.waitForResponse("**/riverseed_steer_bg*.wasm");
+    const early = page.waitForResponse("**/riverseed_engine_bg*.wasm");
     await page.goto(address, { waitUntil: "commit" });
     await early;
     release();

@@ -1,5 +1,4 @@
 import { expect, type Page, test } from "@playwright/test";
-import { PATIENCE_MS } from "../../src/apps/page-worker/inspections.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, openWithPanel } from "./riverpage.ts";
 
@@ -132,31 +131,6 @@ test("of a river that grows nothing is shown", async ({ page }) => {
   await page.clock.runFor(200);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   await expect(card(page)).toBeHidden();
-});
-
-test("what tells about rivers is said to be missing while it does not arrive, and a river is told when it does", async ({
-  page,
-}) => {
-  await page.route(/riverseed_tell_bg.*\.wasm/, (route) => route.abort());
-  await openFinished(page, LINK);
-  // Without names no key walks from one to the next.
-  await page.mouse.move(600, 400);
-  await expect(page.locator("#notices")).toContainText("did not arrive");
-  await expect(card(page)).toBeHidden();
-  await page.getByRole("button", { name: "Dismiss" }).click();
-  await page.unroute(/riverseed_tell_bg.*\.wasm/);
-  const box = await page.locator("#map-place").boundingBox();
-  if (!box) throw new Error("the map has no place");
-  const sweep = async (): Promise<void> => {
-    for (let across = 0.2; across < 0.8 && !(await card(page).isVisible()); across += 0.01) {
-      await page.mouse.move(box.x + box.width * across, box.y + box.height / 2);
-      await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
-    }
-    await expect(card(page)).toBeVisible({ timeout: 100 });
-  };
-  await expect(sweep).toPass({ timeout: PATIENCE_MS + 20_000 });
-  await expect(page.locator(".river-name")).toHaveText(/\w/);
-  await expect(page.locator("#notices")).toBeHidden();
 });
 
 for (const colorScheme of ["light", "dark"] as const) {

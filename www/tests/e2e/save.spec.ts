@@ -4,8 +4,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { type DecodedPng, decode } from "fast-png";
 import { pictureOf as fileOf } from "../../src/files/picture.ts";
 import { pictureOf } from "../core.ts";
-import { engine, memory } from "../steer.ts";
-import { loadTeller } from "../tell.ts";
+import { engine, memory } from "../whole.ts";
 import { complaints, openFinished } from "./riverpage.ts";
 import {
   bytesOf,
@@ -140,9 +139,8 @@ test("a card is a picture of 1200 × 630 with the map's title, from the dialog a
   expect(card.name).toBe("puriri-atlas-card.png");
   const picture = decode(card.bytes);
   expect([picture.width, picture.height]).toEqual([1200, 630]);
-  const core = { engine, memory, loadTeller } as never;
   const course = { tell: () => {}, pause: () => Promise.resolve() };
-  const made = await fileOf({ kind: "card", link: engine.readLink(LINK).link }, core, course);
+  const made = await fileOf({ kind: "card", link: engine.readLink(LINK).link }, { engine, memory }, course);
   expect(sha256(pixelsOf(picture))).toBe(sha256(pixelsOf(decode(new Uint8Array(await made.arrayBuffer())))));
   await page.getByRole("button", { name: "Share", exact: true }).click();
   await page.getByRole("radio", { name: "Blog" }).check();
@@ -345,10 +343,10 @@ test("where a worker does not begin, the page makes the file", async ({ page }) 
 
 test("a file that cannot be made is told of in words, and the map stays", async ({ page }) => {
   await openFinished(page, NAMED);
-  await page.route(/riverseed_tell_bg[^/]*\.wasm$/, (route) => route.abort());
+  await page.route(/riverseed_engine_bg[^/]*\.wasm$/, (route) => route.abort());
   await choose(page, "Picture");
   await saveButton(page).click();
-  await expect(said(page)).toContainText(/puriri-atlas-2000\.png could not be made: .*did not arrive/);
+  await expect(said(page)).toContainText(/puriri-atlas-2000\.png could not be made: .*Failed to fetch/);
   await expect(saveButton(page)).toBeVisible();
   await page.keyboard.press("Escape");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");

@@ -7,8 +7,7 @@ import { expect, test } from "vitest";
 import { createSSRApp, h } from "vue";
 import { renderToString as renderVue } from "vue/server-renderer";
 import { pictureOf } from "../core.ts";
-import { engine } from "../steer.ts";
-import { written } from "../tell.ts";
+import { engine } from "../whole.ts";
 import { CONSUMERS } from "./installed.ts";
 
 /** A program in Node, in a process of its own: nothing of the test runner's is there. */
@@ -57,9 +56,9 @@ test("in Node a link becomes an SVG file, GeoJSON and names, as the page makes t
   const made = JSON.parse(runs(program));
   const river = new engine.River(NAMED);
   while (river.advance(1000));
-  expect(made.svg).toBe(written(river, (map) => map.svg()));
+  expect(made.svg).toBe(river.svg());
   while (river.raiseRelief());
-  expect(made.geojson).toEqual(JSON.parse(JSON.stringify(written(river, (map) => map.geojson()))));
+  expect(made.geojson).toEqual(JSON.parse(JSON.stringify(river.geojson())));
   expect(made.geojson.type).toBe("FeatureCollection");
   expect(made.link).toBe(river.link);
   expect(made.sources).toBe(river.summary().sources);

@@ -31,7 +31,7 @@ test("the entries are the class, its registration, the engine, the bundle, the w
   expect(Object.keys(description.exports)).toEqual(
     expect.arrayContaining([
       ...[".", "./define", "./core", "./node", "./river-seed.js"],
-      ...["./riverseed_bg.wasm", "./riverseed_tell_bg.wasm", "./riverseed_write_bg.wasm", "./custom-elements.json"],
+      ...["./riverseed_bg.wasm", "./riverseed_label_bg.wasm", "./riverseed_engine_bg.wasm", "./custom-elements.json"],
     ]),
   );
   expect(files()).toContain(description.customElements);

@@ -3,8 +3,7 @@ import { beforeAll, expect, test } from "vitest";
 import type { Course } from "../../src/files/course.ts";
 import { CARDS } from "../../src/files/order.ts";
 import { pictureOf } from "../../src/files/picture.ts";
-import { engine, memory } from "../steer.ts";
-import { loadTeller } from "../tell.ts";
+import { engine, memory } from "../whole.ts";
 
 const COURSE: Course = { tell: () => {}, pause: () => Promise.resolve() };
 /** An island of few rivers on plain paper: what is not paper is land or a letter. */
@@ -21,11 +20,7 @@ interface Picture {
 }
 
 async function pictureFor(kind: keyof typeof CARDS, link: string): Promise<Picture> {
-  const file = await pictureOf(
-    { kind, link: engine.readLink(link).link },
-    { engine, memory, loadTeller } as never,
-    COURSE,
-  );
+  const file = await pictureOf({ kind, link: engine.readLink(link).link }, { engine, memory }, COURSE);
   const { width, height, data, channels } = decode(new Uint8Array(await file.arrayBuffer()));
   const at = (x: number, y: number): number[] => [...data.subarray((y * width + x) * channels).subarray(0, 3)];
   const paper = at(2, 2);

@@ -8,8 +8,8 @@ import { pictures } from "../../build/docs/pictures.ts";
 import { READERS, sourceOf } from "../../build/docs/readers.ts";
 import { SOME_SITE } from "../../build/social.ts";
 import { attributeOf } from "../../src/engine/attribute-names.ts";
-import { engine } from "../steer.ts";
 import { table } from "../table.ts";
+import { engine } from "../whole.ts";
 
 const read = (file: string) => readFileSync(new URL(`../../../${file}`, import.meta.url), "utf8");
 const PAGES = READERS.map((reader) => ({ ...reader, source: sourceOf(reader), text: read(sourceOf(reader)) }));

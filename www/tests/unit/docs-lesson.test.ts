@@ -4,8 +4,7 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { Inspections } from "../../src/apps/page-worker/inspections.ts";
 import type { RiverPlayer } from "../../src/player/river-player.ts";
-import { engine } from "../steer.ts";
-import { loadTeller, told } from "../tell.ts";
+import { engine } from "../whole.ts";
 
 const lesson = readFileSync(new URL("../../../docs/for/teachers.md", import.meta.url), "utf8");
 
@@ -29,7 +28,7 @@ function grown(link: string): engine.River {
 /** The numbers of streams of each order, as the legend on the page has them. */
 async function legendOf(river: engine.River): Promise<number[]> {
   const player = { river, link: river.link, state: "finished" } as RiverPlayer<engine.River> & { river: engine.River };
-  const overlay = await new Inspections(loadTeller).overlay(player, "orders");
+  const overlay = await new Inspections().overlay(player, "orders");
   return overlay?.kinds.map((streams) => streams.length) ?? [];
 }
 
@@ -50,14 +49,14 @@ test("Horton's law holds on the great basin as the answers say", async () => {
   expect((told3?.match(/[\d.]*\d/g) ?? []).map(Number)).toEqual(
     quotients.map((quotient) => Number(quotient.toFixed(1))),
   );
-  const ratio = told(river, (map) => map.measures()).find(({ name }) => name === "bifurcation-ratio")?.value ?? 0;
+  const ratio = river.measures().find(({ name }) => name === "bifurcation-ratio")?.value ?? 0;
   expect(answer).toContain(`R = ${ratio.toFixed(2)}`);
   expect(ratio * (said[0] ?? 0)).toBeGreaterThan(3000);
 });
 
 test.each(["A", "B", "C", "D"])("country %s has the pattern that the answers name", (country) => {
   const [, pattern] = new RegExp(`${country} is \\*(\\w+)\\*`).exec(part("- **5.** ")) ?? [];
-  const measures = told(grown(linkAfter(`[Country ${country}]`)), (map) => map.measures());
+  const measures = grown(linkAfter(`[Country ${country}]`)).measures();
   const { distances = {} } = measures.find(({ name }) => name === "pattern") ?? {};
   const [nearest] = Object.entries(distances).sort(([, a], [, b]) => a - b);
   expect(nearest?.[0]).toBe(pattern);

@@ -4,16 +4,14 @@ import { expect, test, vi } from "vitest";
 import { picture, pngOf } from "../../src/files/files.ts";
 import { fileOf } from "../../src/files/formats.ts";
 import { pictureOf } from "../../src/files/picture.ts";
-import { annotate } from "../../src/player/annotator.ts";
 import { differing, pixelsOf } from "../core.ts";
-import { engine, memory } from "../steer.ts";
-import { loadTeller, loadWriter, teller } from "../tell.ts";
+import { engine, memory } from "../whole.ts";
 
 // Files take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5&labels=none";
-const core = { engine, memory, loadTeller, loadWriter, holdOn: () => {} };
+const core = { engine, memory, holdOn: () => {} };
 
 function grown(steps: number): engine.River {
   const river = new engine.River(LINK);
@@ -55,7 +53,7 @@ test("a river is gone once it is a file, and also if it could not be made one", 
   expect(gone(river)).toBeInstanceOf(Error);
   const unlucky = grown(0);
   Object.assign(unlucky, {
-    mapData: () => {
+    svg: () => {
       throw new Error("no room");
     },
   });
@@ -81,22 +79,14 @@ test("files of data have names, labels or not, and a shape has labels if they ar
   expect(labelled).toMatch(/<mask id="halo"[\s\S]*mask="url\(#halo\)[\s\S]*<g id="labels"[\s\S]*<title>\w/);
 });
 
-test("a picture for a file has its labels, and what makes them is fetched for none without", async () => {
-  const counted = { ...core, loadTeller: vi.fn(loadTeller) };
+test("a picture for a file has its labels", async () => {
   const [bare, labelled] = [LABELLED.replace("labels=many", "labels=none"), LABELLED].map(async (link) => {
     const river = new engine.River(link);
     while (river.advance(1000));
-    await picture(river, counted, 300);
+    await picture(river, core, 300);
     return pixelsOf(river);
   });
   expect(differing((await bare) as Uint8Array, (await labelled) as Uint8Array)).toBeGreaterThan(200);
-  expect(counted.loadTeller).toHaveBeenCalledTimes(1);
-});
-
-test("there is no file without what writes them", async () => {
-  const offline = { ...core, loadWriter: () => Promise.reject(new TypeError("offline")) };
-  for (const format of ["svg", "json", "geojson", "zip"] as const)
-    await expect(fileOf(new engine.River(LINK), offline, format)).rejects.toMatchObject({ code: "no-files" });
 });
 
 /** The pixels of a PNG. */
@@ -139,9 +129,7 @@ test("a sheet of paper lies as the map does, shows all of it in the middle, and 
     while (river.advance(1000));
     river.resize(width, height);
     const across = Math.max(1, width / height / aspect);
-    const frame = [(1 - across) / 2, (1 / aspect - across / (width / height)) / 2, across] as const;
-    river.frame([...frame]);
-    annotate(river, teller, 1, frame);
+    river.frame(new Float32Array([(1 - across) / 2, (1 / aspect - across / (width / height)) / 2, across]));
     while (river.paint());
     const framed = pixelsOf(river).filter((_, i) => i % 4 !== 3);
     // Map and labels lie where they should, to a small part of a pixel.

@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import { oembedOf, overviewPage, pageOf } from "../../build/gallery/pages.ts";
 import { type Entry, entries, recipes } from "../../build/gallery/recipes.ts";
 import { cardShot } from "../../build/gallery/shots.ts";
-import { engine } from "../steer.ts";
 import { table } from "../table.ts";
+import { engine } from "../whole.ts";
 
 const all = entries();
 const place = { site: undefined, sheet: "../gallery.css", hasPolicy: true };

@@ -2,8 +2,7 @@ import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { expect, test, vi } from "vitest";
 import { contentsOf, packed } from "../../src/files/game-pack.ts";
-import { engine } from "../steer.ts";
-import { written } from "../tell.ts";
+import { engine } from "../whole.ts";
 
 // An archive takes seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
@@ -17,10 +16,7 @@ function finished(): engine.River {
 }
 
 async function unpacked(): Promise<Record<string, Uint8Array>> {
-  const archive = await packed(
-    written(finished(), (map) => contentsOf(map)),
-    new Blob(["a picture"]),
-  );
+  const archive = await packed(contentsOf(finished()), new Blob(["a picture"]));
   return unzipSync(new Uint8Array(await archive.arrayBuffer()));
 }
 
@@ -34,13 +30,13 @@ test("the archive holds every file, and the picture as it came", async () => {
   expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
   expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
   expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(
-    JSON.parse(JSON.stringify(written(finished(), (map) => map.geojson()))),
+    JSON.parse(JSON.stringify(finished().geojson())),
   );
-  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(written(finished(), (map) => map.cells().readme()));
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(finished().cells().readme());
 });
 
 test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
-  const [files, { columns, rows, rasters }] = [await unpacked(), written(finished(), (map) => contentsOf(map))];
+  const [files, { columns, rows, rasters }] = [await unpacked(), contentsOf(finished())];
   const depths = rasters.map(({ name, values, texts }) => {
     const picture = decode(files[`${name}.png`] ?? new Uint8Array());
     expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
@@ -54,11 +50,11 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
 });
 
 test("rasters have the size and the shape that were asked for, and the text says the scale and where the map lies", () => {
-  const whole = written(finished(), (map) => contentsOf(map, { longerSide: 1025, isSquare: false }));
+  const whole = contentsOf(finished(), { longerSide: 1025, isSquare: false });
   expect([whole.columns, whole.rows]).toEqual([1025, 641]);
   expect(whole.readme).toContain("A raster has 1025 x 641 pixels");
   expect(whole.readme).not.toContain("around it is sea");
-  const square = written(finished(), (map) => contentsOf(map, { longerSide: 1025, isSquare: true }));
+  const square = contentsOf(finished(), { longerSide: 1025, isSquare: true });
   expect([square.columns, square.rows]).toEqual([1025, 1025]);
   expect(square.readme).toContain("The map takes 1025 x 641 of them, from column 0 and row 192, counted from 0");
   const unit = /A pixel is (\S+) x/.exec(square.readme)?.[1];
@@ -72,24 +68,16 @@ test("rasters have the size and the shape that were asked for, and the text says
 
 test("rasters of no possible size are refused in words", () => {
   for (const longerSide of [0, 400, 4098, 2 ** 32 - 1])
-    expect(() => written(finished(), (map) => map.cells(longerSide))).toThrow(
+    expect(() => finished().cells(longerSide)).toThrow(
       `rasters of this map are from 633 to 4097 pixels long, not ${longerSide}`,
     );
 });
 
 test("a growing river has no rasters", () => {
-  expect(() => written(new engine.River(LINK), (map) => contentsOf(map))).toThrow("no map");
+  expect(() => contentsOf(new engine.River(LINK))).toThrow("not finished");
 });
 
 test("a river always gives the same archive", async () => {
-  const made = async () =>
-    Buffer.from(
-      await (
-        await packed(
-          written(finished(), (map) => contentsOf(map)),
-          new Blob(["x"]),
-        )
-      ).arrayBuffer(),
-    );
+  const made = async () => Buffer.from(await (await packed(contentsOf(finished()), new Blob(["x"]))).arrayBuffer());
   expect((await made()).equals(await made())).toBe(true);
 });

@@ -3,14 +3,13 @@ import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 import { table } from "../table.ts";
 import { isSecondTier, ofTier } from "../tier.ts";
-import { outlineOf } from "../tracing.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
   "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink&labels=none";
 /** Long enough for some side branches to be about as long. */
 const COARSE = `${PLAIN.replace("trim=20", "trim=60")}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
-const OUTLINE = outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
+const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
 /** Valleys and hard ground lie many parcels apart. */
@@ -54,7 +53,7 @@ const CLOSE = merged(
 
 const keys = table.parameters
   .filter(isAdjustable)
-  // What annotates a map shows on larger maps than these, or in files only: `annotator.test.ts` and tests of the core look at it.
+  // What annotates a map shows on larger maps than these, or in files only: `labels.test.ts` and tests of the core look at it.
   .filter(({ stage }) => stage !== "name")
   .map(({ key }) => key);
 

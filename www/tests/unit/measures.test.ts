@@ -1,9 +1,7 @@
 import { expect, test } from "vitest";
 import { asText, summed, told } from "../../src/apps/page/panel/measures.ts";
 import type { Measure } from "../../src/engine/types.ts";
-import { askMap } from "../../src/player/asking.ts";
 import { engine } from "../core.ts";
-import { teller } from "../tell.ts";
 
 const NATURE = { median: 1.32, least: 1.21, most: 1.54, source: "11 river basins" };
 const SINUOSITY: Measure = {
@@ -53,7 +51,7 @@ test("a pattern is told by its name, and how far each is by the help", () => {
 test("a finished map is measured", () => {
   const river = new engine.River("seed=kauri");
   while (river.advance(1000));
-  const rows = told(askMap(river, teller, (map) => map.measures()));
+  const rows = told(river.measures());
   expect(rows).toHaveLength(19);
   expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(13);
   expect(asText(rows)).toMatch(/^Pattern: [a-z]+$/m);

@@ -1,7 +1,7 @@
 /** How long rivers grow, with the real engine, in frames of a clock that nothing but frames moves. */
 
 import { expect, test } from "vitest";
-import type { River } from "../../pkg-steer/riverseed_steer.js";
+import type { River } from "../../pkg-engine/riverseed_engine.js";
 import { FrameLoop } from "../../src/player/frame-loop.ts";
 import { differing, engine, pixelsOf } from "../core.ts";
 import { Display } from "../display.ts";

@@ -2,7 +2,6 @@ import { expect, test, vi } from "vitest";
 import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
 import { engine, memory, pixelsOf } from "../core.ts";
 import { Display, Image } from "../display.ts";
-import { teller } from "../tell.ts";
 
 // Maps take seconds, on a busy machine more.
 vi.setConfig({ testTimeout: 60_000 });
@@ -31,11 +30,7 @@ function player(
     changed: () => {},
     failed,
   };
-  return [
-    new RiverPlayer({ engine, memory, loadTeller: () => Promise.resolve(teller) }, canvas, { text }, display, events),
-    display,
-    () => last,
-  ];
+  return [new RiverPlayer({ engine, memory }, canvas, { text }, display, events), display, () => last];
 }
 
 function frames(display: Display): void {

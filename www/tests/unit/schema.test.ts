@@ -1,8 +1,7 @@
 import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
-import { engine } from "../steer.ts";
-import { written } from "../tell.ts";
+import { engine } from "../whole.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
 const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: true }).compile(schema);
@@ -14,7 +13,7 @@ type Network = any;
 function networkOf(link: string): Network {
   const river = new engine.River(link);
   while (river.advance(1000));
-  const network = written(river, (map) => map.network());
+  const network = river.network();
   river.free();
   return JSON.parse(JSON.stringify(network));
 }

@@ -1,7 +1,6 @@
 import { expect, test } from "vitest";
 import { type LineKind, pointsOf, Sketch, tally } from "../../src/apps/page/land/sketch.ts";
 import { engine } from "../core.ts";
-import { outlineOf as outlineOfLines, traceImage } from "../tracing.ts";
 
 function draw(sketch: Sketch, kind: LineKind, ...places: [x: number, y: number][]): void {
   const [first = [0, 0], ...rest] = places;
@@ -80,7 +79,7 @@ test("the core keeps what is drawn and gives it back", () => {
 });
 
 function outlineOf({ lines }: Sketch): string {
-  return outlineOfLines(pointsOf(lines, "coast"), pointsOf(lines, "ridge"), pointsOf(lines, "river"));
+  return engine.outlineOf(pointsOf(lines, "coast"), pointsOf(lines, "ridge"), pointsOf(lines, "river"));
 }
 
 test("the core keeps mouths and courses of rivers, on a land or alone", () => {
@@ -98,7 +97,7 @@ test("the core keeps mouths and courses of rivers, on a land or alone", () => {
 });
 
 test("what is no land is an error with a name", () => {
-  expect(() => outlineOfLines([], [], [])).toThrow(expect.objectContaining({ code: "no-land" }));
+  expect(() => engine.outlineOf([], [], [])).toThrow(expect.objectContaining({ code: "no-land" }));
   expect(() => engine.outlineLines(".AAA")).toThrow(/coast that begins at character 1/);
-  expect(() => traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
+  expect(() => engine.traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
 });

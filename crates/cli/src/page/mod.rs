@@ -4,6 +4,7 @@
 mod address;
 mod attributes;
 mod card;
+mod composition;
 mod element;
 mod file_names;
 mod folder;

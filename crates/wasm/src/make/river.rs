@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 use super::link::{list, read_options};
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
-use riverseed::paint::{AnnotationMasks, PaintError, Painted, Rect, View};
-use riverseed::picture::{Picture, is_to_be_annotated};
+use riverseed::paint::{PaintError, Painted, Rect, View};
+use riverseed::picture::Picture;
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, Reading};
 use riverseed::recipe::{IntegerKey, Key, Stage, Value};
@@ -49,31 +49,20 @@ pub struct River {
     pub(crate) picture: Option<Picture>,
     pub(crate) dirty: Option<Rect>,
     /// The recipe shown by drafts.
-    #[cfg(feature = "steer")]
     pub(crate) drafted: Option<Reading>,
 }
 
 impl River {
     /// Makes a river without a picture.
     pub(crate) fn of(session: Session, notices: Vec<Notice>) -> Self {
-        Self {
-            session,
-            notices,
-            picture: None,
-            dirty: None,
-            #[cfg(feature = "steer")]
-            drafted: None,
-        }
+        Self { session, notices, picture: None, dirty: None, drafted: None }
     }
 
     /// Changes to a recipe and returns the earliest stage that has to run again. After an error nothing has changed.
     pub(crate) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
         let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
         self.notices = notices;
-        #[cfg(feature = "steer")]
-        {
-            self.drafted = None;
-        }
+        self.drafted = None;
         Ok(stage.map_or("none", Stage::name).into())
     }
 }
@@ -134,9 +123,15 @@ impl River {
         vec![width, height]
     }
 
-    /// Makes a picture of this size, which then has to be painted. If it throws, nothing has changed.
-    pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
-        self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
+    /// Makes a picture of this size, which then has to be painted. `ratio` is its pixels to a CSS pixel, 1 if it is not
+    /// given: letters have at least 11 CSS pixels. If it throws, nothing has changed.
+    pub fn resize(&mut self, width_px: u32, height_px: u32, ratio: Option<f32>) -> Result<(), JsValue> {
+        let picture = Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?;
+        let picture = picture.with_ratio(ratio.unwrap_or(1.0));
+        self.picture = Some(match self.picture.take() {
+            Some(before) => picture.in_place_of(before),
+            None => picture,
+        });
         Ok(())
     }
 
@@ -167,34 +162,18 @@ impl River {
     }
 
     /// Paints what is new, or a part of it that takes a few milliseconds. Returns `true` if there is more to do; until
-    /// then no pixel changes.
-    pub fn paint(&mut self) -> bool {
-        let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
+    /// then no pixel changes. With `isBare`, labels, woods and hills that are not made yet are left for later.
+    pub fn paint(&mut self, #[wasm_bindgen(js_name = isBare)] is_bare: Option<bool>) -> bool {
+        let paint = if is_bare == Some(true) { Picture::paint_part_bare } else { Picture::paint_part };
+        let painted = self.picture.as_mut().map(|picture| paint(picture, &self.session));
         self.dirty = painted.and_then(Painted::changed);
         painted == Some(Painted::Part)
     }
 
-    /// Returns `true` if the rivers are finished and the recipe wants an annotation, but the picture, if there is one, does
-    /// not have it.
-    #[wasm_bindgen(js_name = wantsAnnotation)]
-    pub fn wants_annotation(&self) -> bool {
-        let has_none = |picture: &Picture| picture.wants_annotation(&self.session);
-        self.picture.as_ref().map_or_else(|| is_to_be_annotated(&self.session), has_none)
-    }
-
-    /// Returns the finished map, for a `FinishedMap` or `MapFiles` of another module; an empty list until it is finished.
-    #[wasm_bindgen(js_name = mapData)]
-    pub fn map_data(&self) -> Vec<u32> {
-        self.session.map().map_or_else(Vec::new, |map| map.to_wire())
-    }
-
-    /// Takes the annotation of the present rivers: the `masks` of a `FinishedMap` for a picture of this size. The next `paint`
-    /// shows it. Bytes that are not an annotation count as an empty one.
-    #[wasm_bindgen(js_name = takeAnnotation)]
-    pub fn take_annotation(&mut self, masks: &[u8]) {
-        if let Some(picture) = &mut self.picture {
-            picture.take_annotation(&self.session, AnnotationMasks::from_bytes(masks).unwrap_or_default());
-        }
+    /// `true` if the recipe asks for labels, a cartouche, woods or hills. The package `make` paints none of them.
+    #[wasm_bindgen(getter, js_name = isAnnotated)]
+    pub fn is_annotated(&self) -> bool {
+        self.session.recipe().is_annotated()
     }
 
     /// The rectangle changed by the last `paint`: x, y, width, height.

@@ -1,11 +1,9 @@
 /** The worker's side of making one file. */
 
 import { named } from "../../engine/errors.ts";
-import { loadSteer } from "../../engine/steer.ts";
-import { loadTeller } from "../../engine/tell.ts";
+import { loadWhole, type WholeCore } from "../../engine/whole.ts";
 import type { Course } from "../../files/course.ts";
 import type { Order, Said } from "../../files/order.ts";
-import type { MakerCore } from "../../files/painting.ts";
 
 const say = (said: Said): void => self.postMessage(said);
 
@@ -13,10 +11,10 @@ const say = (said: Said): void => self.postMessage(said);
 const course: Course = { tell: (share) => say({ is: "at", share }), pause: () => Promise.resolve() };
 
 /** Makes the file that the first message orders. */
-export function serve<Made extends Order>(make: (order: Made, core: MakerCore, course: Course) => Promise<Blob>): void {
+export function serve<Made extends Order>(make: (order: Made, core: WholeCore, course: Course) => Promise<Blob>): void {
   const answer = async (order: Made): Promise<void> => {
     try {
-      say({ is: "made", file: await make(order, { ...(await loadSteer()), loadTeller }, course) });
+      say({ is: "made", file: await make(order, await loadWhole(), course) });
     } catch (thrown) {
       const { code, message } = named(thrown);
       say({ is: "failed", code, message });

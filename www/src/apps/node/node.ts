@@ -1,14 +1,14 @@
 /**
- * The entry `riverseed/node`: makes files of finished maps in Node, without a page. The wasm modules behind it are not
+ * The entry `riverseed/node`: makes files of finished maps in Node, without a page. The wasm module behind it is not
  * part of the interface.
  */
 
 import { named, PageError } from "../../engine/errors.ts";
-import { engine, teller, writer } from "../../engine/from-disk.ts";
+import { engine } from "../../engine/from-disk.ts";
 import table from "../../engine/parameters.json";
 import type { Parameter } from "../../engine/table.ts";
-import type { Notice, Reading, ReadOptions, River, Summary } from "../../engine/types.ts";
-import { askMap, writeMap } from "../../player/asking.ts";
+import type { Notice, Reading, ReadOptions, Summary } from "../../engine/types.ts";
+import type { WholeRiver } from "../../engine/whole.ts";
 
 export { PageError } from "../../engine/errors.ts";
 export type { Parameter } from "../../engine/table.ts";
@@ -75,7 +75,7 @@ function readAs(link: string, options?: ReadOptions): Reading {
   return engine().readLink(link, options);
 }
 
-function planted(link: string): River {
+function planted(link: string): WholeRiver {
   const { notices, values } = readAs(link);
   refuse(notices, values);
   return new (engine().River)(link);
@@ -103,9 +103,9 @@ function limitOf({ message }: Notice): string {
 
 /** A finished map. */
 class GrownMap {
-  readonly #river: River;
+  readonly #river: WholeRiver;
 
-  constructor(river: River) {
+  constructor(river: WholeRiver) {
     this.#river = river;
     while (river.advance(STEPS));
   }
@@ -122,14 +122,14 @@ class GrownMap {
 
   /** Writes it as an SVG file. */
   svg(): string {
-    return writeMap(this.#river, writer(), (map) => map.svg());
+    return this.#river.svg();
   }
 
   /** Writes its rivers, lakes, basins and land, with their names and heights, as GeoJSON. */
   geojson(): GeoJson {
     const river = this.#river;
     while (river.raiseRelief());
-    return writeMap(river, writer(), (map) => map.geojson()) as GeoJson;
+    return river.geojson() as GeoJson;
   }
 
   /**
@@ -137,13 +137,7 @@ class GrownMap {
    * others.
    */
   names(): Name[] {
-    const flat = askMap(this.#river, teller(), (map) => map.greatest(ALL));
-    const names: Name[] = [];
-    for (let i = 0; i + 2 < flat.length; i += 3) {
-      const [mark = "", name = "", own] = flat.slice(i, i + 3);
-      names.push({ mark, name, isOwn: own === "own" });
-    }
-    return names;
+    return this.#river.greatest(ALL);
   }
 
   /** Frees its memory at once, rather than when JavaScript collects it. It cannot be used afterwards. */

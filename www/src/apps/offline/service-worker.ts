@@ -1,7 +1,6 @@
 /**
- * Keeps the page for visits without a connection: the page itself, its engine, the teller and what makes land of
- * drawings, all of one version, and the visited parts of the gallery. All other files in its folder, such as the
- * element's and `embed.html`, are not touched.
+ * Keeps the page for visits without a connection: the page itself and its engine, all of one version, and the visited
+ * parts of the gallery. All other files in its folder, such as the element's and `embed.html`, are not touched.
  *
  * A new version is fetched beside the old one and replaces it when no page of the old one is open any more, so that an
  * open page still finds the files that it fetches late.

@@ -4,10 +4,8 @@
  */
 
 import { dotsOf, linesOf, ringsOf } from "../../browser/path-text.ts";
-import type { SteeredRiver } from "../../engine/steer.ts";
-import type { Teller } from "../../engine/tell.ts";
-import type { FinishedMap, Inspector } from "../../engine/types.ts";
-import { askMap, required } from "../../player/asking.ts";
+import type { Inspector } from "../../engine/types.ts";
+import type { WholeRiver } from "../../engine/whole.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { nameablesAt, type Placed, placedOn } from "./nameables.ts";
 import type {
@@ -20,10 +18,8 @@ import type {
   RiverPlace,
 } from "./protocol.ts";
 
-type Player = RiverPlayer<SteeredRiver>;
+type Player = RiverPlayer<WholeRiver>;
 
-/** The time after a failed download before the next. */
-export const PATIENCE_MS = 5000;
 /** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
 /** The number of colours of basins. */
@@ -45,10 +41,6 @@ interface Kept {
 
 export class Inspections {
   #kept: Kept | undefined;
-  /** The last failure to load the teller. */
-  #failure: { error: unknown; at: number } | undefined;
-
-  constructor(private readonly loadTeller: () => Promise<Teller>) {}
 
   /**
    * Returns the river at a place of a player's map; none if there is none, or if the map is not finished or has changed
@@ -109,41 +101,26 @@ export class Inspections {
     return next;
   }
 
-  /** Loads the teller. After a failure it waits before it tries again, since a pointer asks with each move. */
-  async #teller(): Promise<Teller> {
-    if (this.#failure && performance.now() - this.#failure.at < PATIENCE_MS) throw this.#failure.error;
-    try {
-      return await required(this.loadTeller);
-    } catch (error) {
-      this.#failure = { error, at: performance.now() };
-      throw error;
-    }
-  }
-
+  /** Makes the inspector of a map, once its relief is there, which determines basins. */
   async #make(player: Player, link: string): Promise<Inspected | undefined> {
-    const river = (): SteeredRiver | undefined =>
+    const river = (): WholeRiver | undefined =>
       player.link === link && player.state === "finished" ? player.river : undefined;
-    const teller = await this.#teller();
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
-    const finished = river();
-    return finished && askMap(finished, teller, (map) => inspected(map, sizeOf(finished)));
+    return inspected(river());
   }
 }
-
-/** The engine's numbers of lines on rivers, besides the orders. */
-const LINES = { held: 0, curvature: 255 } as const;
 
 /** The lines of a finished map that each overlay shows, kind by kind. */
 const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspector) => string[][]> = {
   orders,
   basins,
   flow: orders,
-  held: (inspector) => [[inspector.lines(LINES.held)]],
-  curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
+  held: (inspector) => [[inspector.held()]],
+  curvature: (inspector) => [[inspector.curvature()]],
 };
 
 /** The points and lines of any map that the other overlays show. */
-const liveOverlays: Record<LiveOverlayName, (river: SteeredRiver) => string[][]> = {
+const liveOverlays: Record<LiveOverlayName, (river: WholeRiver) => string[][]> = {
   attractors,
   sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
@@ -158,37 +135,29 @@ function isLive(name: OverlayName): name is LiveOverlayName {
   return name in liveOverlays;
 }
 
-function live(river: SteeredRiver, link: string, name: LiveOverlayName): Overlay {
+function live(river: WholeRiver, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
-  const [, , reach = 0, kill = 0] = river.lengths();
+  const { reach, kill } = river.lengths();
   return { ...laid, counts: { all, left }, reaches: [reach, kill] };
 }
 
 /** Returns all attractors, and on top of them those that are left. */
-function attractors(river: SteeredRiver): string[][] {
+function attractors(river: WholeRiver): string[][] {
   return [[dotsOf(river.scattered())], [dotsOf(river.left())]];
 }
 
-function sizeOf(river: SteeredRiver | undefined): [width: number, height: number] {
-  const [width = 1, height = 1] = river?.lengths() ?? [];
+function sizeOf(river: WholeRiver): [width: number, height: number] {
+  const { width, height } = river.lengths();
   return [width, height];
-}
-
-/** Returns the streams of an order, each as a path. */
-function streams(inspector: Inspector, order: number): string[] {
-  return inspector
-    .lines(order)
-    .split(/(?=M)/)
-    .filter((stream) => stream !== "");
 }
 
 /** Returns the streams of all orders. */
 function orders(inspector: Inspector): string[][] {
   const all: string[][] = [];
   for (let order = 1; ; order++) {
-    const ofOrder = streams(inspector, order);
+    const ofOrder = inspector.streams(order);
     if (ofOrder.length === 0) return all;
     all.push(ofOrder);
   }
@@ -202,21 +171,16 @@ function basins(inspector: Inspector): string[][] {
 }
 
 /** Makes a part of the relief, which determines basins. Returns whether there is more to do. */
-function riseFor(river: SteeredRiver | undefined, milliseconds: number): boolean {
+function riseFor(river: WholeRiver | undefined, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   let isLeft = river?.raiseRelief() ?? false;
   while (isLeft && performance.now() < end) isLeft = river?.raiseRelief() ?? false;
   return isLeft;
 }
 
-function inspected(map: FinishedMap, size: Inspected["size"]): Inspected | undefined {
-  const inspector = map.inspector();
-  if (!inspector) return;
-  const names = namesOf(inspector);
-  return { inspector, size, names, places: placedOn(inspector, names) };
-}
-
-function namesOf(inspector: Inspector): Map<string, string> {
-  const texts = inspector.names();
-  return new Map(texts.flatMap((mark, i) => (i % 2 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
+function inspected(river: WholeRiver | undefined): Inspected | undefined {
+  const inspector = river?.inspector();
+  if (!river || !inspector) return;
+  const names = new Map(inspector.names());
+  return { inspector, size: sizeOf(river), names, places: placedOn(inspector, names) };
 }

@@ -1,14 +1,14 @@
 /** The part of a map that its land takes up. */
 
-import type { SteeredRiver } from "../../engine/steer.ts";
+import type { WholeRiver } from "../../engine/whole.ts";
 import type { LandBounds } from "./protocol.ts";
 
 /** Islets that are smaller than this, in widths of the map, do not count. */
 const SMALLEST = 0.05;
 
 /** Returns the bounds of a river's land without its islets, in shares of the map's sides; none if all is land. */
-export function landBoundsOf(river: SteeredRiver): LandBounds | undefined {
-  const [width = 1, height = 1] = river.lengths();
+export function landBoundsOf(river: WholeRiver): LandBounds | undefined {
+  const { width, height } = river.lengths();
   const large = river
     .coasts()
     .map(boundsOf)

@@ -1,10 +1,9 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
-import type { SteerCore, SteeredRiver } from "../../engine/steer.ts";
 import type { Measure } from "../../engine/types.ts";
+import type { WholeCore, WholeRiver } from "../../engine/whole.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
-import { askMap, required } from "../../player/asking.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import { SharedClock } from "../../player/shared-clock.ts";
 import { finishedPicture, type Picture, type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
@@ -13,17 +12,16 @@ import { landBoundsOf } from "./land-bounds.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
 import { Timelines } from "./timelines.ts";
 
-type Player = RiverPlayer<SteeredRiver>;
+type Player = RiverPlayer<WholeRiver>;
 
 /** Returns the means of a renderer. `holdOn` is called before a long step. */
-export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<SteeredRiver, Question, Answer> {
-  const maker = { ...core, loadTeller, loadWriter };
-  const inspections = new Inspections(loadTeller);
+export function meansOf(core: WholeCore, holdOn: () => void = () => {}): Means<WholeRiver, Question, Answer> {
+  const inspections = new Inspections();
   const timelines = new Timelines();
   /** The number of pictures that were asked for. Only the last one is still wanted. */
   let pictures = 0;
   return {
-    maker,
+    makerFor: () => core,
     // There is only one river.
     shareMs: Number.POSITIVE_INFINITY,
     clock: new SharedClock(),
@@ -31,14 +29,13 @@ export function meansOf(core: SteerCore, holdOn: () => void = () => {}): Means<S
       switch (question.about) {
         case "file": {
           const { of, link, format, rasters } = question;
-          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...maker, holdOn }, format, rasters);
+          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...core, holdOn }, format, rasters);
         }
         case "names":
           return namesOn(playerIn(question.of, playerOf), question.count);
         case "renamed": {
           const { names, mark, name } = question;
-          const { FinishedMap } = await required(loadTeller);
-          return FinishedMap.renamed(names, mark, name);
+          return core.engine.renamed(names, mark, name);
         }
         case "thumbnails":
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
@@ -71,20 +68,8 @@ function playerIn(of: number | undefined, playerOf: (id: number) => Player | und
   return of === undefined ? undefined : playerOf(of);
 }
 
-/** Loads the teller, only when it is needed: most maps are shown without it. */
-async function loadTeller() {
-  const tell = await import("../../engine/tell.ts");
-  return tell.loadTeller();
-}
-
-/** Loads the writer, only when somebody saves. */
-async function loadWriter() {
-  const write = await import("../../engine/write.ts");
-  return write.loadWriter();
-}
-
 /** Makes a river of a link, for a file or a picture: a copy of the one on show, which then changes independently. */
-function copyFor(link: string, player: Player | undefined, { engine }: SteerCore): SteeredRiver {
+function copyFor(link: string, player: Player | undefined, { engine }: WholeCore): WholeRiver {
   const river = player?.river?.copy();
   if (!river) return new engine.River(link);
   try {
@@ -96,25 +81,24 @@ function copyFor(link: string, player: Player | undefined, { engine }: SteerCore
   }
 }
 
-async function namesOn(player: Player | undefined, count: number): Promise<Names | undefined> {
-  const teller = await required(loadTeller);
-  // By now there may be another river, or none.
-  const river = player?.river;
-  if (!player || !river || player.state !== "finished") return;
-  return { link: player.link, texts: askMap(river, teller, (map) => map.greatest(count)) };
+function namesOn(player: Player | undefined, count: number): Names | undefined {
+  const river = finishedOf(player);
+  return player && river && { link: player.link, names: river.greatest(count) };
 }
 
-async function measuresOf(player: Player | undefined): Promise<readonly Measure[] | undefined> {
-  if (player?.state !== "finished") return;
-  const teller = await required(loadTeller);
-  const river = player.state === "finished" ? player.river : undefined;
-  return river && askMap(river, teller, (map) => map.measures());
+function measuresOf(player: Player | undefined): readonly Measure[] | undefined {
+  return finishedOf(player)?.measures();
+}
+
+/** Returns the river of a player if it is finished. */
+function finishedOf(player: Player | undefined): WholeRiver | undefined {
+  return player?.state === "finished" ? player.river : undefined;
 }
 
 /** Makes thumbnails in slices, so that the river on show comes first. */
 async function thumbnailsOf(
   player: Player | undefined,
-  { memory }: SteerCore,
+  { memory }: WholeCore,
   { styles, size }: QuestionAbout<"thumbnails">,
 ): Promise<Thumbnail[] | undefined> {
   const river = player?.river;
@@ -130,7 +114,7 @@ async function thumbnailsOf(
 /** Makes a picture of another map in slices, unless the map on show changes or another picture is asked for meanwhile. */
 async function pictureFrom(
   player: Player | undefined,
-  core: SteerCore,
+  core: WholeCore,
   { link, size }: QuestionAbout<"picture">,
   isLatest: () => boolean,
 ): Promise<Picture | undefined> {

@@ -1,6 +1,6 @@
 /** The page's renderer in a worker. */
 
-import { linked } from "../../engine/steer.ts";
+import { linked } from "../../engine/whole.ts";
 import { Renderer } from "../../host/renderer.ts";
 import { type Line, serve } from "../../host/worker-end.ts";
 import { meansOf } from "./means.ts";

@@ -1,15 +1,15 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
 import type { Kind } from "../../engine/mark.ts";
-import type { Measure, RiverFacts } from "../../engine/types.ts";
+import type { Making as Lengths, Measure, Moment, NameFacts, RiverFacts } from "../../engine/types.ts";
 import type { Format, RasterOrder } from "../../files/format-names.ts";
 import type { Picture, Thumbnail } from "../../player/thumbnails.ts";
 
-/** The names on a map, as the engine lists them, three texts each. */
+/** The names on a map. */
 export interface Names {
   /** The link of the map. */
   link: string;
-  texts: readonly string[];
+  names: readonly NameFacts[];
 }
 
 /**
@@ -52,11 +52,7 @@ export interface Nameables {
   things: readonly Nameable[];
 }
 
-/** A moment in the making of a map: a tick of growth, a round of meandering, or its end, whose step is 0. */
-export interface Moment {
-  part: "growth" | "bends" | "map";
-  step: number;
-}
+export type { Moment } from "../../engine/types.ts";
 
 /** The progress of a map, and the lengths of its making. */
 export interface Making {
@@ -65,11 +61,8 @@ export interface Making {
   at: Moment;
   /** The progress of the part, from 0 to 1. */
   progress: number;
-  /**
-   * The number of ticks it grows, and the last round of meandering before it is finished; unknown until it has been
-   * finished once.
-   */
-  lengths: { ticks: number; rounds: number } | undefined;
+  /** How long it is; unknown until it has been finished once. */
+  lengths: Lengths | undefined;
 }
 
 /** The overlays of a map at any moment of its making; below, those of a finished map as well. */

@@ -1,12 +1,11 @@
 /** Goes back and forth through the making of a map, in the renderer. */
 
-import type { SteeredRiver, Timeline } from "../../engine/steer.ts";
+import type { Timeline, WholeRiver } from "../../engine/whole.ts";
 import type { RiverPlayer } from "../../player/river-player.ts";
 import type { Making, Moment } from "./protocol.ts";
 
-type Player = RiverPlayer<SteeredRiver>;
+type Player = RiverPlayer<WholeRiver>;
 
-const PARTS = ["growth", "bends", "map"] as const;
 /** The time for steps before other messages are handled. */
 const SLICE_MS = 8;
 
@@ -27,12 +26,9 @@ export class Timelines {
     if (kept && to) await this.#go(kept, to);
     const { river, link } = player;
     if (!river) return;
-    const [part = 0, step = 0] = river.moment();
-    const [ticks = 0, rounds = 0] = kept?.timeline.lengths() ?? [];
-    const at = { part: PARTS[part] ?? "map", step };
     // The sea rises before the first bend.
     const progress = river.phase === "drowning" ? 0 : river.progress;
-    return { link, at, progress, lengths: kept ? { ticks, rounds } : undefined };
+    return { link, at: river.moment(), progress, lengths: kept?.timeline.making() };
   }
 
   /** Returns the timeline of a map, which is kept from when the map is first finished until there is another map. */
@@ -50,11 +46,10 @@ export class Timelines {
   async #go(kept: Kept, { part, step }: Moment): Promise<void> {
     const wish = ++this.#wishes;
     const { player, link, timeline } = kept;
-    const river = (): SteeredRiver | undefined =>
+    const river = (): WholeRiver | undefined =>
       wish === this.#wishes && this.#kept === kept && player.link === link ? player.river : undefined;
-    const number = PARTS.indexOf(part);
     player.hold();
-    while (advance(river(), SLICE_MS, (river) => river.seek(timeline, number, step)))
+    while (advance(river(), SLICE_MS, (river) => river.seek(timeline, part, step)))
       await new Promise((done) => setTimeout(done));
     if (!river()) return;
     if (part === "map") player.finish();
@@ -63,11 +58,7 @@ export class Timelines {
 }
 
 /** Makes steps for some time. Returns whether there is more to do. */
-function advance(
-  river: SteeredRiver | undefined,
-  milliseconds: number,
-  step: (river: SteeredRiver) => boolean,
-): boolean {
+function advance(river: WholeRiver | undefined, milliseconds: number, step: (river: WholeRiver) => boolean): boolean {
   if (!river) return false;
   const end = performance.now() + milliseconds;
   let isLeft = step(river);

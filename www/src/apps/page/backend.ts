@@ -1,8 +1,8 @@
 /** Opens the page's renderer: in a worker, or on the page itself. */
 
 import { PageError } from "../../engine/errors.ts";
-import { loadSteer, type SteerCore } from "../../engine/steer.ts";
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
+import { loadWhole, type WholeCore } from "../../engine/whole.ts";
 import type { Backend, InitReply } from "../../host/protocol.ts";
 import { RenderHost } from "../../host/render-host.ts";
 import { backendOf, type Listener } from "../../host/worker-backend.ts";
@@ -12,7 +12,7 @@ export type PageRenderHost = RenderHost<Question, Answer>;
 
 export interface Engines {
   /** The page's own engine, for questions with an immediate answer. */
-  readonly core: Promise<SteerCore>;
+  readonly core: Promise<WholeCore>;
   /** The host of the renderer that grows and paints the rivers. */
   readonly renderHost: PageRenderHost;
 }
@@ -28,10 +28,10 @@ const NOBODY = { hear: () => {}, moved: () => {} };
  */
 export function openEngines(): Engines {
   const module = new Promise<WebAssembly.Module>((done, failed) => {
-    loadSteer(undefined, done).catch(failed);
+    loadWhole(undefined, done).catch(failed);
   });
   // This does not load it again.
-  const core = loadSteer();
+  const core = loadWhole();
   const renderHost = new RenderHost(opener(core, module));
   // A client without a river enters, so that a renderer is opened now. A failure is reported to the client with the
   // first river.
@@ -45,7 +45,7 @@ export function openEngines(): Engines {
  * the river is handed over again, with another canvas.
  */
 function opener(
-  core: Promise<SteerCore>,
+  core: Promise<WholeCore>,
   module: Promise<WebAssembly.Module>,
 ): (listener: Listener<Answer>) => Promise<Backend<Question>> {
   let hopes = "transferControlToOffscreen" in HTMLCanvasElement.prototype ? MOST_LOST : 0;
@@ -113,7 +113,7 @@ function handOver(
 }
 
 /** Opens the renderer on the page itself, whose script most visitors never need. */
-async function openPageBackend({ tell }: Listener<Answer>, core: SteerCore): Promise<Backend<Question>> {
+async function openPageBackend({ tell }: Listener<Answer>, core: WholeCore): Promise<Backend<Question>> {
   const { open } = await limited(SCRIPT_MS, "its script", importPageBackend);
   return open(core, tell);
 }

@@ -1,7 +1,7 @@
 /** The name of the country on show: the map's title once the names are known, and the seed until then. */
 
 import type { Recipe } from "../../engine/recipe.ts";
-import type { Named } from "./panel/name-list.ts";
+import type { NameFacts } from "../../engine/types.ts";
 
 /** The mark of the map's title among its names. */
 const TITLE = "t";
@@ -18,7 +18,7 @@ export class CountryName {
   }
 
   /** Takes the names of the map on show. Returns whether its name is another one now. */
-  learn(names: readonly Named[]): boolean {
+  learn(names: readonly NameFacts[]): boolean {
     const before = this.text;
     const title = names.find(({ mark }) => mark === TITLE)?.name;
     if (title !== undefined && title !== "") this.#known = { of: this.#subject, title };

@@ -1,14 +1,11 @@
 /** The notices over the map: what had to be corrected in a link, what a preset changed unasked, and what failed. */
 
-import { named } from "../../engine/errors.ts";
 import type { Recipe } from "../../engine/recipe.ts";
 import { elements } from "./elements.ts";
 import type { PresetNote } from "./panel/preset-note.ts";
 import { showNotices } from "./status.ts";
 
 export class Notices {
-  #hasMissed = false;
-
   constructor(
     private readonly recipe: Recipe,
     private readonly presetNote: PresetNote,
@@ -26,13 +23,5 @@ export class Notices {
   /** Shows a message instead, until it is dismissed. */
   say(message: string): void {
     showNotices(elements.notices, [message], () => this.show());
-  }
-
-  /** Says once that the part that tells about rivers did not arrive: a moving pointer asks for it again and again. */
-  miss(thrown: unknown): void {
-    const { code, message } = named(thrown);
-    if (code !== "no-files" || this.#hasMissed) return;
-    this.#hasMissed = true;
-    this.say(message);
   }
 }

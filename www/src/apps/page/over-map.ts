@@ -1,7 +1,6 @@
 /** Puts together what lies over the map and follows it: the cards of rivers and of names, the looks inside, and the line of time. */
 
 import type { Escapable } from "../../browser/keys.ts";
-import { named } from "../../engine/errors.ts";
 import type { Recipe } from "../../engine/recipe.ts";
 import type { Summary } from "../../engine/types.ts";
 import type { State } from "../../player/frame-loop.ts";
@@ -15,12 +14,6 @@ import { Naming } from "./naming/naming.ts";
 import type { MapNames } from "./panel/map-names.ts";
 import { Track } from "./timeline/track.ts";
 
-export interface OverMapEvents {
-  /** Called when what tells of rivers and names could not be had, as often as it is asked for. */
-  missed(error: unknown): void;
-  failed(error: unknown): void;
-}
-
 export class OverMap {
   /** What Escape closes: the cards before anything else on the page, and the looks inside late. */
   readonly cards: readonly Escapable[];
@@ -29,27 +22,22 @@ export class OverMap {
   readonly #naming: Naming;
   readonly #track: Track;
 
-  constructor(ask: MapQuestions, recipe: Recipe, names: MapNames, { missed, failed }: OverMapEvents) {
+  constructor(ask: MapQuestions, recipe: Recipe, names: MapNames) {
     const onStage = { ...elements, stage: elements.drawing.stage };
     this.#pointer = new RiverPointer(onStage, {
       river: (place) => ask.river(place),
       greatest: () => names.greatest(),
       covered,
-      failed: missed,
     });
     this.#naming = new Naming(onStage, this.#pointer, {
       nameables: (place) => ask.nameables(place),
       hasLabels: () => hasLetters(recipe.values),
       isOwn: (mark) => names.isOwn(mark),
       rename: (mark, name) => names.rename(mark, name),
-      failed: missed,
     });
     this.inside = new LookInside(elements, {
       overlay: (name) => ask.overlay(name),
       middle: () => middleOf(covered()),
-      failed: (error) => {
-        if (named(error).code === "no-files") failed(error);
-      },
     });
     this.#track = new Track(elements.bar, {
       making: async (to) => {

@@ -7,9 +7,9 @@ import { answerEscape } from "../../browser/keys.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named } from "../../engine/errors.ts";
 import type { Recipe } from "../../engine/recipe.ts";
-import type { SteerCore } from "../../engine/steer.ts";
 import type { Preset, Table } from "../../engine/table.ts";
 import type { Phase, Summary } from "../../engine/types.ts";
+import type { WholeCore } from "../../engine/whole.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
 import { numbersOf } from "../../player/summary-text.ts";
@@ -67,7 +67,7 @@ export class Page {
 
   /** Makes the parts in an order in which each finds there what it is made of. What they call later may be any other. */
   constructor(
-    { engine }: SteerCore,
+    { engine }: WholeCore,
     private readonly table: Table,
     recipe: Recipe,
     viewport: RiverViewport,
@@ -79,10 +79,7 @@ export class Page {
     this.#presetNote = new PresetNote(table.parameters, (link) => this.#undoPresets(link));
     this.#notices = new Notices(recipe, this.#presetNote);
     this.#names = this.#makeNames();
-    this.#overMap = new OverMap(viewport.ask, recipe, this.#names, {
-      missed: (error) => this.#notices.miss(error),
-      failed: (error) => this.#failBeside(error),
-    });
+    this.#overMap = new OverMap(viewport.ask, recipe, this.#names);
     const disclosures = new Disclosures(() => localStorage);
     this.#choices = this.#makeChoices(engine, disclosures);
     this.#transport = this.#makeTransport();
@@ -131,7 +128,7 @@ export class Page {
     });
   }
 
-  #makeChoices(engine: SteerCore["engine"], disclosures: Disclosures): Choices {
+  #makeChoices(engine: WholeCore["engine"], disclosures: Disclosures): Choices {
     return new Choices(engine, this.table, disclosures, this.#names.list.element, {
       set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
@@ -149,7 +146,7 @@ export class Page {
     });
   }
 
-  #makeOwnLand(engine: SteerCore["engine"]): OwnLand {
+  #makeOwnLand(engine: WholeCore["engine"]): OwnLand {
     return new OwnLand(engine, {
       values: () => this.#recipe.values,
       changed: (values) => this.#set(values, "settle"),
@@ -358,8 +355,7 @@ export class Page {
   /** Shows why a river cannot be shown. */
   #fail(thrown: unknown): void {
     const error = named(thrown);
-    if (error.code === "no-labels") this.#notices.say(error.message);
-    else if (isRecoverable(error) && this.#viewport.link !== "") {
+    if (isRecoverable(error) && this.#viewport.link !== "") {
       // The core kept its river, so the page goes back to the values of that one.
       this.#recipe.restore(this.#viewport.link);
       this.#showRecipe();

@@ -1,7 +1,7 @@
 /** A game: some pieces, one after the other, and what is said of them. */
 
 import { chance, oneOf } from "../../browser/chance.ts";
-import type { SteerCore } from "../../engine/steer.ts";
+import type { WholeCore } from "../../engine/whole.ts";
 import { type Dealt, dealOf, type Is, keepSaid, saidOn } from "./daily.ts";
 import { type Grown, grownPiece } from "./grown.ts";
 import { lengthOf } from "./piece.ts";
@@ -66,7 +66,7 @@ export class Games {
   #ofDay: Game | undefined;
 
   constructor(
-    private readonly core: SteerCore,
+    private readonly core: WholeCore,
     private readonly real: readonly Real[],
     private readonly storage: () => Storage,
   ) {

@@ -2,7 +2,7 @@
 
 import type { Chance } from "../../browser/chance.ts";
 import { turn } from "../../browser/turn.ts";
-import type { SteerCore } from "../../engine/steer.ts";
+import type { WholeCore } from "../../engine/whole.ts";
 import { isWellCovered, lengthOf, type Piece, SIDE } from "./piece.ts";
 import { linkBy, type RecipeName } from "./recipes.ts";
 import { thin } from "./thin.ts";
@@ -25,7 +25,7 @@ export interface Order {
   chance: Chance;
 }
 
-type River = InstanceType<SteerCore["engine"]["River"]>;
+type River = InstanceType<WholeCore["engine"]["River"]>;
 
 /** Lines of one pixel in a square: 1 where there is a river. */
 interface Skeleton {
@@ -44,7 +44,7 @@ const TRIES = 40;
 const TOLERANCE = 0.12;
 
 /** Grows maps in slices until one has a suitable piece. */
-export async function grownPiece(core: SteerCore, { by, length, seedOf, chance }: Order): Promise<Grown> {
+export async function grownPiece(core: WholeCore, { by, length, seedOf, chance }: Order): Promise<Grown> {
   for (;;) {
     const seed = seedOf();
     const link = linkBy(by, seed, chance);
@@ -59,7 +59,7 @@ export async function grownPiece(core: SteerCore, { by, length, seedOf, chance }
 }
 
 /** Looks for a piece of a map with as much river as it should have. */
-async function pieceOf(core: SteerCore, river: River, length: number, chance: Chance): Promise<Piece | undefined> {
+async function pieceOf(core: WholeCore, river: River, length: number, chance: Chance): Promise<Piece | undefined> {
   const { side, pixels } = await drawn(core, river, length);
   for (let i = 0; i < TRIES; i++) {
     const piece = cut(pixels, side, chance(side - SIDE), chance(side - SIDE));
@@ -70,7 +70,7 @@ async function pieceOf(core: SteerCore, river: River, length: number, chance: Ch
 }
 
 /** Grows a map and draws it at a side at which a piece has a length on average. */
-async function drawn(core: SteerCore, river: River, length: number): Promise<Skeleton> {
+async function drawn(core: WholeCore, river: River, length: number): Promise<Skeleton> {
   let side = FIRST_SIDE;
   for (let i = 0; ; i++) {
     const skeleton = await drawnAt(core, river, side);
@@ -81,7 +81,7 @@ async function drawn(core: SteerCore, river: River, length: number): Promise<Ske
   }
 }
 
-async function drawnAt({ memory }: SteerCore, river: River, side: number): Promise<Skeleton> {
+async function drawnAt({ memory }: WholeCore, river: River, side: number): Promise<Skeleton> {
   river.resize(side, side);
   await bitByBit(() => river.advance(1));
   await bitByBit(() => river.paint());

@@ -6,7 +6,7 @@
 import "./study.css";
 import { el, find, setText } from "../../browser/dom.ts";
 import { named } from "../../engine/errors.ts";
-import { loadSteer } from "../../engine/steer.ts";
+import { loadWhole } from "../../engine/whole.ts";
 import { today } from "./daily.ts";
 import { show } from "./drawing.ts";
 import { type Game, Games, originOf, type Shown } from "./game.ts";
@@ -130,7 +130,7 @@ function fail(thrown: unknown): void {
 }
 
 async function begin(): Promise<void> {
-  const [core, real] = await Promise.all([loadSteer(), realPieces()]);
+  const [core, real] = await Promise.all([loadWhole(), realPieces()]);
   const nature = real.map(({ piece }) => measure(piece));
   new Study(new Games(core, real, storage), nature);
 }

@@ -3,7 +3,7 @@
 import { addressOf } from "../../browser/address.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../engine/attribute-names.ts";
 import { linkText } from "../../engine/link-text.ts";
-import { linkToRead } from "./protocol.ts";
+import { type Init, linkToRead } from "./protocol.ts";
 import { isDark } from "./theme.ts";
 
 /** Attributes about the element's behaviour, which are not part of the recipe. */
@@ -66,10 +66,10 @@ export function makerOf(element: Element, link: string): string {
   return address.startsWith("http") ? address : "";
 }
 
-/** Returns the full address of the engine, if the attribute `wasm-url` names one. */
-export function wasmUrlOf(element: Element): string | undefined {
+/** Returns what an element says of the engine that it needs. */
+export function initOf(element: Element): Init {
   const url = element.getAttribute("wasm-url");
-  return url ? new URL(url, document.baseURI).href : undefined;
+  return { wasmUrl: url ? new URL(url, document.baseURI).href : undefined, link: linkOf(element) };
 }
 
 /** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */

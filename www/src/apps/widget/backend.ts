@@ -6,16 +6,16 @@ import { RenderHost } from "../../host/render-host.ts";
 import { type Listener, openWorker } from "../../host/worker-backend.ts";
 import type { Init, Question } from "./protocol.ts";
 
-export async function openBackend(listener: Listener<Blob>, wasmUrl: string | undefined): Promise<Backend<Question>> {
-  return (await openWorker(begin, { wasmUrl } satisfies Init, listener)) ?? openPageBackend(listener, wasmUrl);
+export async function openBackend(listener: Listener<Blob>, init: Init): Promise<Backend<Question>> {
+  return (await openWorker(begin, init, listener)) ?? openPageBackend(listener, init);
 }
 
 /** One renderer for all widgets of a page. */
 export const renderHost = new RenderHost(openBackend);
 
-async function openPageBackend({ tell }: Listener<Blob>, wasmUrl: string | undefined): Promise<Backend<Question>> {
+async function openPageBackend({ tell }: Listener<Blob>, init: Init): Promise<Backend<Question>> {
   const { open } = await importPageBackend();
-  return open(tell, wasmUrl);
+  return open(tell, init);
 }
 
 /** Imports the renderer for the page itself, which most pages never need. */

@@ -12,6 +12,7 @@ import type { ShowMode } from "../../player/river-player.ts";
 import {
   ASPECT,
   aspectOf,
+  initOf,
   linkOf,
   linkToReadOf,
   OBSERVED,
@@ -19,7 +20,6 @@ import {
   reflect,
   speedOf,
   upgrade,
-  wasmUrlOf,
 } from "./attributes.ts";
 import { announceEnd, DOES, describeRiver } from "./description.ts";
 import type { Audible, CompleteDetail, RiverSeedEventMap } from "./events.ts";
@@ -256,7 +256,7 @@ export class RiverSeed extends Base {
 
   async #enter(signal: AbortSignal): Promise<void> {
     try {
-      await this.#river.enter(this.#client, wasmUrlOf(this), signal, () => this.#opening);
+      await this.#river.enter(this.#client, initOf(this), signal, () => this.#opening);
       this.#pace();
       this.#rest();
     } catch (thrown) {
@@ -321,8 +321,6 @@ export class RiverSeed extends Base {
   }
 
   #show(seen: Seen): void {
-    // A picture that has its names, perhaps, is not exchanged for a map without them.
-    if (seen.isUnnamed && !this.#isShown && this.#view.poster === "picture") return;
     const { state, phase, progress, summary, reading } = seen;
     const before = this.#seen?.state;
     this.#seen = seen;
@@ -354,9 +352,7 @@ export class RiverSeed extends Base {
 
   /** Handles a failure. `links` is the number of links that had been requested by then. */
   #fail(error: PageError, links = this.#river.links): void {
-    // A map without names is still shown, though this failure may be reported before it.
-    const isMap = error.code === "no-labels";
-    if (!isMap && (!isRecoverable(error) || !this.#isShown)) {
+    if (!isRecoverable(error) || !this.#isShown) {
       this.#hasFailed = true;
       this.#seen = undefined;
       this.#close();
@@ -364,7 +360,7 @@ export class RiverSeed extends Base {
       this.#view.note(this.#strings.failed);
     }
     // If an earlier link failed, the requested rivers are still to come.
-    if (!isMap && (this.#hasFailed || links === this.#river.links)) this.#requested.fail(error);
+    if (this.#hasFailed || links === this.#river.links) this.#requested.fail(error);
     void reportFailure(error, (detail) => this.#emit("error", detail));
   }
 

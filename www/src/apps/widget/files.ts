@@ -1,7 +1,7 @@
 /** Files of the rivers that an element asks for. */
 
 import type { Size } from "../../browser/canvas.ts";
-import { linkToReadOf, wasmUrlOf } from "./attributes.ts";
+import { initOf, linkToReadOf } from "./attributes.ts";
 import { renderHost } from "./backend.ts";
 import type { FileRequest } from "./protocol.ts";
 
@@ -25,7 +25,7 @@ export async function askForSvg(element: Element): Promise<string> {
 
 function fileOf(element: Element, file: FileRequest): Promise<Blob> {
   if (!element.isConnected) throw refusal("is in no document");
-  return renderHost.ask({ ...file, link: linkToReadOf(element) }, wasmUrlOf(element));
+  return renderHost.ask({ ...file, link: linkToReadOf(element) }, initOf(element));
 }
 
 function refusal(why: string): DOMException {

@@ -8,6 +8,7 @@ import type { Client } from "../../host/render-host.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
 import { renderHost } from "./backend.ts";
+import type { Init } from "./protocol.ts";
 
 type Unaddressed<Every> = Every extends unknown ? Omit<Every, "id"> : never;
 export type Order = Unaddressed<SceneCommand>;
@@ -39,13 +40,8 @@ export class HostedRiver {
   }
 
   /** Enters the render host and opens the river, unless the signal is aborted by then. */
-  async enter(
-    client: Client<Blob>,
-    wasmUrl: string | undefined,
-    signal: AbortSignal,
-    opening: () => Opening,
-  ): Promise<void> {
-    const id = await renderHost.enter(client, wasmUrl);
+  async enter(client: Client<Blob>, init: Init, signal: AbortSignal, opening: () => Opening): Promise<void> {
+    const id = await renderHost.enter(client, init);
     if (signal.aborted) renderHost.leave(id);
     else this.#open(id, opening());
   }

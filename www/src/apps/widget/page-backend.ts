@@ -4,19 +4,19 @@
  */
 
 import { named } from "../../engine/errors.ts";
-import { load } from "../../engine/make.ts";
 import type { Backend } from "../../host/protocol.ts";
 import { Renderer } from "../../host/renderer.ts";
+import { Engines } from "./engines.ts";
 import { meansOf } from "./means.ts";
-import type { Question, Report } from "./protocol.ts";
+import type { Init, Question, Report } from "./protocol.ts";
 
 export { advice } from "../../engine/advice.ts";
 
-export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend<Question>> {
-  const core = await load(wasmUrl).catch((thrown: unknown) => {
+export async function open(tell: (report: Report) => void, init: Init): Promise<Backend<Question>> {
+  const engines = await Engines.open(init).catch((thrown: unknown) => {
     throw named(thrown);
   });
-  const renderer = new Renderer(meansOf(core, wasmUrl), tell);
+  const renderer = new Renderer(meansOf(engines), tell);
   // The engine belongs to the page's script, and stays.
   return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

@@ -2,10 +2,10 @@
 
 import { RenderHost } from "../../host/render-host.ts";
 import * as pageBackend from "./page-backend.ts";
-import type { Question } from "./protocol.ts";
+import type { Init, Question } from "./protocol.ts";
 
 /** One renderer for all widgets of a page. */
-export const renderHost = new RenderHost<Question, Blob>(({ tell }, wasmUrl) => pageBackend.open(tell, wasmUrl));
+export const renderHost = new RenderHost<Question, Blob, [Init]>(({ tell }, init) => pageBackend.open(tell, init));
 
 /** Returns the renderer for the page itself, which is part of the script. */
 export async function importPageBackend(): Promise<typeof import("./page-backend.ts")> {

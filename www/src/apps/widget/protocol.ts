@@ -27,7 +27,10 @@ export type Report = AnyReport<Blob>;
 /** The river on the canvas, as it has told of itself. */
 export type Seen = Status & { reading: Reading };
 
-/** The first message to a worker: the engine's address if it is not beside the script. */
+/** The first message to a worker: what the first element asks for. */
 export interface Init {
+  /** The address of the smallest engine, if the engines are not beside the script. */
   wasmUrl: string | undefined;
+  /** The link of the map, which decides which engine is loaded first. */
+  link: string;
 }

@@ -57,7 +57,7 @@ test("axe finds nothing in a failure, and in forced colours", async ({ page, blo
   const events = await open(page, blog, `<river-seed ${SMALL} controls></river-seed>`);
   await heard(events, "complete");
   expect(await violations(page)).toEqual([]);
-  blog.answer("/widget/riverseed_bg.wasm", { status: 404 });
+  blog.answer("/widget/riverseed_label_bg.wasm", { status: 404 });
   await page.reload();
   await expect(page.getByText("cannot be shown")).toBeVisible();
   expect(await violations(page)).toEqual([]);

@@ -31,13 +31,7 @@ test("a script from another origin works as well, in a worker too", async ({ pag
   await heard(events, "complete");
   await expectPicture(page, LINK);
   expect(workers(page)).toEqual([expect.stringMatching(/^blob:/)]);
-  expect(cdn.asked.toSorted()).toEqual([
-    "/river-seed.js",
-    "/riverseed_bg.wasm",
-    "/riverseed_tell_bg.wasm",
-    "/worker-tell.js",
-    "/worker.js",
-  ]);
+  expect(cdn.asked.toSorted()).toEqual(["/river-seed.js", "/riverseed_label_bg.wasm", "/worker.js"]);
   expect(said).toEqual([]);
 });
 
@@ -97,7 +91,7 @@ test("included twice, under two addresses, it is there once", async ({ page, blo
   await page.goto(blog.origin);
   await heard(events, "complete");
   await expectPicture(page, LINK);
-  expect([...blog.asked, ...cdn.asked].filter((path) => path.endsWith("/riverseed_bg.wasm"))).toHaveLength(1);
+  expect([...blog.asked, ...cdn.asked].filter((path) => path.endsWith("/riverseed_label_bg.wasm"))).toHaveLength(1);
   expect(said).toEqual([]);
 });
 

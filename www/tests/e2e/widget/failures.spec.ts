@@ -14,7 +14,7 @@ import {
 
 const FALLBACK = '<img alt="A river" src="data:image/gif;base64,R0lGODlhAQABAAAAACw="><a href="#river">The river</a>';
 const WIDGET = `<river-seed seed="rimu" attractors="300" still>${FALLBACK}</river-seed>`;
-const ENGINE = "/widget/riverseed_bg.wasm";
+const ENGINE = "/widget/riverseed_label_bg.wasm";
 
 async function open(page: Page, blog: Host, body = WIDGET): Promise<() => Promise<Heard[]>> {
   const events = await listen(page);

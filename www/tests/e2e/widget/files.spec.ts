@@ -46,27 +46,27 @@ for (const place of ["a worker", "the page"]) {
     expect(width).toBe(shown);
   });
 
-  test(`an SVG is of the finished river, by the writer, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
+  test(`an SVG is of the finished river, by the whole engine, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
     page,
     blog,
   }) => {
     await open(page, blog, place);
-    expect(blog.asked).not.toContain("/widget/riverseed_write_bg.wasm");
+    expect(blog.asked).not.toContain("/widget/riverseed_engine_bg.wasm");
     const svg = await page.locator("river-seed").evaluate((river: RiverSeed) => river.toSVG());
     expect(svg).toMatch(/^<svg|^<\?xml/);
     expect(svg).toContain('id="river-');
     expect(svg).toContain(link.replaceAll("&", "&amp;"));
-    expect(blog.asked).toContain("/widget/riverseed_write_bg.wasm");
+    expect(blog.asked).toContain("/widget/riverseed_engine_bg.wasm");
   });
 }
 
-test("a writer that does not arrive is an error with a name, and the picture stays", async ({ page, blog }) => {
-  blog.answer("/widget/riverseed_write_bg.wasm", { status: 404 });
+test("an engine that does not arrive is an error with a name, and the picture stays", async ({ page, blog }) => {
+  blog.answer("/widget/riverseed_engine_bg.wasm", { status: 404 });
   await open(page, blog, "a worker");
   const code = await page
     .locator("river-seed")
     .evaluate((river: RiverSeed) => river.toSVG().catch((error: { code: string }) => error.code));
-  expect(code).toBe("no-files");
+  expect(code).toBe("file-missing");
   await expect(page.locator("river-seed canvas")).toBeVisible();
 });
 

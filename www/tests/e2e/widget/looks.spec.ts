@@ -90,7 +90,7 @@ test("what stands in the river's place is seen until there is one", async ({ pag
     answer = done;
   });
   const events = await listen(page);
-  await page.context().route("**/riverseed_bg.wasm", async (route) => {
+  await page.context().route("**/riverseed_label_bg.wasm", async (route) => {
     await held;
     await route.continue();
   });
@@ -249,7 +249,7 @@ test("an author's style sheet has the last word", async ({ page, blog }) => {
 
 test.describe("labels", () => {
   for (const place of ["a worker", "the page"]) {
-    test(`come with a module of their own, and only if they are asked for: ${place}${core(place === "a worker")}`, async ({
+    test(`come with an engine of their own, and only if they are asked for: ${place}${core(place === "a worker")}`, async ({
       page,
       blog,
     }) => {
@@ -259,7 +259,7 @@ test.describe("labels", () => {
       blog.answer("/", { body: post(`<river-seed ${attributes} labels="none"></river-seed>`) });
       await page.goto(blog.origin);
       await heard(events, "complete");
-      expect(blog.asked).not.toContain("/widget/riverseed_tell_bg.wasm");
+      expect(blog.asked).not.toContain("/widget/riverseed_label_bg.wasm");
       const picture = () =>
         page.locator("river-seed").evaluate(async (river: HTMLElementTagNameMap["river-seed"]) => {
           const blob = await river.toBlob({ longSide: 300 });
@@ -267,7 +267,7 @@ test.describe("labels", () => {
         });
       const bare = await picture();
       await page.locator("river-seed").evaluate((river) => river.setAttribute("labels", "many"));
-      await expect.poll(() => blog.asked).toContain("/widget/riverseed_tell_bg.wasm");
+      await expect.poll(() => blog.asked).toContain("/widget/riverseed_label_bg.wasm");
       await expect.poll(picture).not.toBe(bare);
     });
   }

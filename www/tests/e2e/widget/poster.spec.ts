@@ -82,7 +82,7 @@ test("who plays a river before it is there sees it grow in place of the picture"
 test("a picture is held until the map has its names as well", async ({ page, blog }) => {
   let answer = (): void => {};
   const asked = new Promise<void>((isAsked) => {
-    void page.context().route("**/riverseed_tell_bg.wasm", async (route) => {
+    void page.context().route("**/riverseed_label_bg.wasm", async (route) => {
       isAsked();
       await new Promise<void>((done) => {
         answer = done;
@@ -98,14 +98,6 @@ test("a picture is held until the map has its names as well", async ({ page, blo
   expect((await events()).map(({ type }) => type)).not.toContain("ready");
   answer();
   await heard(events, "complete");
-  await expect(page.getByAltText("A map")).toBeHidden();
-});
-
-test("names that cannot be had are not waited for", async ({ page, blog }) => {
-  blog.answer("/widget/riverseed_tell_bg.wasm", { status: 404 });
-  const events = await open(page, blog, `<river-seed recipe="${NAMED}" still>${PICTURE}</river-seed>`);
-  await heard(events, "complete");
-  expect((await heard(events, "error")).detail).toMatchObject({ code: "no-labels" });
   await expect(page.getByAltText("A map")).toBeHidden();
 });
 

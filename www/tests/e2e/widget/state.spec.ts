@@ -6,7 +6,7 @@ import { canonical, expectPicture, type Heard, heard, listen, post } from "./pos
 
 const RIMU = '<river-seed seed="rimu" attractors="300" still></river-seed>';
 const BELOW = '<p style="height: 5000px">A long text.</p>';
-const ENGINE = "/widget/riverseed_bg.wasm";
+const ENGINE = "/widget/riverseed_label_bg.wasm";
 
 async function open(page: Page, blog: Host, body: string): Promise<() => Promise<Heard[]>> {
   const events = await listen(page);

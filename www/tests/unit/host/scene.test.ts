@@ -1,11 +1,12 @@
 import { expect, test, vi } from "vitest";
+import { PageError } from "../../../src/engine/errors.ts";
+import type { River } from "../../../src/engine/types.ts";
 import type { Opening, Report } from "../../../src/host/protocol.ts";
-import { Scene } from "../../../src/host/scene.ts";
+import { type Makers, Scene } from "../../../src/host/scene.ts";
 import type { Frames } from "../../../src/player/frame-loop.ts";
 import type { Canvas } from "../../../src/player/river-player.ts";
 import { engine, memory } from "../../core.ts";
 import { Image } from "../../display.ts";
-import { teller } from "../../tell.ts";
 
 /** A display whose frames come when a test asks for them. */
 class Display implements Frames {
@@ -39,14 +40,19 @@ function canvas(): Canvas {
   return { width: 0, height: 0, getContext: () => ({ putImageData: () => {} }) } as unknown as Canvas;
 }
 
+const MAKER = { engine, memory };
+
 /** A scene with the river of a seed, and what it reports. */
-function opened(seed: string, how: Opening["how"]): { scene: Scene; display: Display; reports: Report<never>[] } {
+function opened(
+  seed: string,
+  how: Opening["how"],
+  makers: Makers<River> = { makerFor: () => MAKER },
+): { scene: Scene; display: Display; reports: Report<never>[] } {
   vi.stubGlobal("ImageData", Image);
   const display = new Display();
   const reports: Report<never>[] = [];
-  const maker = { engine, memory, loadTeller: () => Promise.resolve(teller) };
   const opening: Opening = { id: 1, do: "open", canvas: canvas(), link: link(seed), how, size: SIZE };
-  const scene = new Scene(maker, display, opening, (told) => reports.push(told));
+  const scene = new Scene(makers, display, opening, (told) => reports.push(told));
   return { scene, display, reports };
 }
 
@@ -96,6 +102,42 @@ test("a link that fails is told of by its number, and the river that was there s
   scene.take(show("three"));
   for (let i = 0; i < 3; i++) display.frame();
   expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "three", links: 2 } });
+});
+
+test("a link for another engine waits until that is there, with all that follows it, and the river is then of that", async () => {
+  let arrive = (_: typeof MAKER): void => {};
+  const coming = new Promise<typeof MAKER>((done) => {
+    arrive = done;
+  });
+  const other = { ...MAKER };
+  const makerFor: Makers<River>["makerFor"] = (link, now) => (link.includes("two") ? coming : (now ?? MAKER));
+  const { scene, display, reports } = opened("one", "still", { makerFor });
+  scene.open();
+  for (let i = 0; i < 100; i++) display.frame();
+  const before = scene.player?.river;
+  scene.take(show("two"));
+  scene.take({ id: 1, do: "pause" });
+  scene.take(show("three"));
+  for (let i = 0; i < 3; i++) display.frame();
+  expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "one", links: 0 } });
+  arrive(other);
+  await coming;
+  await Promise.resolve();
+  for (let i = 0; i < 3; i++) display.frame(300);
+  expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "three", links: 2 } });
+  expect(() => before?.phase).toThrow();
+});
+
+test("an engine that does not come is a failure of the link that asked for it", async () => {
+  const makerFor: Makers<River>["makerFor"] = (link) =>
+    link.includes("two") ? Promise.reject(new PageError("file-missing", "gone")) : MAKER;
+  const { scene, display, reports } = opened("one", "still", { makerFor });
+  scene.open();
+  for (let i = 0; i < 100; i++) display.frame();
+  scene.take(show("two"));
+  await Promise.resolve();
+  await Promise.resolve();
+  expect(reports.at(-1)).toEqual({ id: 1, is: "failed", code: "file-missing", message: "gone", links: 1 });
 });
 
 test("what comes before the river is created is done afterwards, in its order", () => {

@@ -4,14 +4,14 @@ import { WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
 /** The engine, which comes when a test says so. */
 let arrive: { module: (module: object) => void; core: (core: object) => void; fail: (error: Error) => void };
 let loading: Promise<object> | undefined;
-vi.mock("../../../src/engine/steer.ts", () => {
-  const loadSteer = (_url?: string, compiled?: (module: object) => void): Promise<object> => {
+vi.mock("../../../src/engine/whole.ts", () => {
+  const loadWhole = (_url?: string, compiled?: (module: object) => void): Promise<object> => {
     loading ??= new Promise((core, fail) => {
       arrive = { module: (module) => compiled?.(module), core, fail };
     });
     return loading;
   };
-  return { loadSteer };
+  return { loadWhole };
 });
 
 const opened: object[] = [];

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { CountryName } from "../../../src/apps/page/country-name.ts";
 import { Recipe } from "../../../src/engine/recipe.ts";
-import { engine } from "../../steer.ts";
+import { engine } from "../../whole.ts";
 
 const recipeOf = (link: string): Recipe => new Recipe((text, options) => engine.readLink(text, options), link);
 const title = (name: string) => [{ mark: "t", name, isOwn: false }];

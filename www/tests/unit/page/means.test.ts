@@ -1,19 +1,8 @@
-import { expect, test, vi } from "vitest";
+import { expect, test } from "vitest";
 import { meansOf } from "../../../src/apps/page-worker/means.ts";
 import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
-import { engine, memory } from "../../steer.ts";
-import { teller, told } from "../../tell.ts";
-
-vi.mock("../../../src/engine/tell.ts", async () => {
-  const { loadTeller } = await import("../../tell.ts");
-  return { loadTeller };
-});
-
-vi.mock("../../../src/engine/write.ts", async () => {
-  const { loadWriter } = await import("../../tell.ts");
-  return { loadWriter };
-});
+import { engine, memory } from "../../whole.ts";
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5&style=ink&labels=none";
 
@@ -55,21 +44,21 @@ test("a file is of its own link, whatever is on show", async () => {
 
 test("names are those of a finished map, and there are none before", async () => {
   const one = river(100_000);
-  const texts = told(one, (map) => map.greatest(5));
-  expect(await ask({ about: "names", of: 1, count: 5 }, one)).toEqual({ link: one.link, texts });
+  const names = one.greatest(5);
+  expect(await ask({ about: "names", of: 1, count: 5 }, one)).toEqual({ link: one.link, names });
   expect(await ask({ about: "names", of: 1, count: 5 }, river(3))).toBe(undefined);
   expect(await ask({ about: "names", of: undefined, count: 5 }, one)).toBe(undefined);
 });
 
 test("measures are those of a finished map, and there are none before", async () => {
   const one = river(100_000);
-  expect(await ask({ about: "measures", of: 1 }, one)).toEqual(told(one, (map) => map.measures()));
+  expect(await ask({ about: "measures", of: 1 }, one)).toEqual(one.measures());
   expect(await ask({ about: "measures", of: 1 }, river(3))).toBe(undefined);
 });
 
 test("a name of one's own is added to those there are", async () => {
   const names = await ask({ about: "renamed", names: "", mark: "12", name: "Home" });
-  expect(names).toBe(teller.FinishedMap.renamed("", "12", "Home"));
+  expect(names).toBe(engine.renamed("", "12", "Home"));
   expect(await ask({ about: "renamed", names: names as string, mark: "12", name: undefined })).toBe("");
 });
 

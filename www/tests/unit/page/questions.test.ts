@@ -7,13 +7,13 @@ function questions(told: string | undefined, wanted = "seed=one", shown = wanted
   const asked: object[] = [];
   const ask = async (question: object): Promise<object | undefined> => {
     asked.push(question);
-    return told === undefined ? undefined : { link: told, texts: ["t", "Kauri", ""] };
+    return told === undefined ? undefined : { link: told, names: [{ mark: "t", name: "Kauri", isOwn: false }] };
   };
   return { ask: new MapQuestions({ id: 7, ask } as unknown as Line, () => ({ wanted, shown })), asked };
 }
 
 const EACH = {
-  names: (ask: MapQuestions) => ask.names(12).then((texts) => texts[1]),
+  names: (ask: MapQuestions) => ask.names(12).then(([name]) => name),
   river: (ask: MapQuestions) => ask.river({ mark: "1" }),
   nameables: (ask: MapQuestions) => ask.nameables({ mark: "1" }),
   overlay: (ask: MapQuestions) => ask.overlay("basins"),

@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
 import { Timelines } from "../../../src/apps/page-worker/timelines.ts";
-import type { SteeredRiver } from "../../../src/engine/steer.ts";
+import type { WholeRiver } from "../../../src/engine/whole.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
 import { engine } from "../../core.ts";
 
 test("the timeline of a map in the making never goes back, while the sea rises either", async () => {
   const river = new engine.River("seed=kea&land=island&attractors=600&drowning=0.6&style=ink");
-  const player = { river, link: river.link, state: "growing" } as unknown as RiverPlayer<SteeredRiver>;
+  const player = { river, link: river.link, state: "growing" } as unknown as RiverPlayer<WholeRiver>;
   const timelines = new Timelines();
   const parts = ["growth", "bends", "map"];
   let before = 0;

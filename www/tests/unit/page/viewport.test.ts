@@ -134,10 +134,9 @@ async function opened(isHeard = true, isFromElsewhere = false) {
       state,
       phase: state === "finished" ? "finished" : "growing",
       progress: state === "finished" ? 1 : 0.5,
-      isUnnamed: false,
       summary: SUMMARY,
     });
-  const failed = (links: number, code: "too-large" | "panic" | "no-labels" = "too-large") =>
+  const failed = (links: number, code: "too-large" | "panic" = "too-large") =>
     host.client?.hear({ id: 1, is: "failed", code, message: "no", links });
   return { host, elements, events, viewport, shown, failed };
 }
@@ -191,12 +190,11 @@ test("a first river that fails is told of, whatever was asked for since: nothing
   expect(viewport.link).toBe("");
 });
 
-test("a trap is told of whatever was asked for since, and so is that there are no names", async () => {
+test("a trap is told of whatever was asked for since", async () => {
   const { events, viewport, failed } = await opened();
   viewport.show(map("seed=two"), "settle");
-  failed(0, "no-labels");
   failed(0, "panic");
-  expect(events.failed.mock.calls.map(([{ code }]) => code)).toEqual(["no-labels", "panic"]);
+  expect(events.failed.mock.calls.map(([{ code }]) => code)).toEqual(["panic"]);
 });
 
 test("what there is to be told before anybody listens is told then", async () => {
@@ -272,8 +270,9 @@ test("a picture is moved at once to where it will be, and painted there when the
 test("names are those of the link that was shown last, or none", async () => {
   const { host, viewport, shown } = await opened();
   shown("seed=one", 0, "finished");
-  host.answer = { link: "seed=one", texts: ["t", "Kauri", ""] };
-  expect(await viewport.ask.names(12)).toEqual(["t", "Kauri", ""]);
+  const names = [{ mark: "t", name: "Kauri", isOwn: false }];
+  host.answer = { link: "seed=one", names };
+  expect(await viewport.ask.names(12)).toEqual(names);
   const asked = viewport.ask.names(12);
   viewport.show(map("seed=two"), "settle");
   expect(await asked).toEqual([]);

@@ -57,6 +57,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
+const INIT = { wasmUrl: undefined, link: "" };
 const PAUSE: Command<Question> = { id: 1, do: "pause" };
 
 function listener(): Record<keyof Listener, Mock<() => void>> {
@@ -66,7 +67,7 @@ function listener(): Record<keyof Listener, Mock<() => void>> {
 /** Begins to open a backend; its worker says nothing yet. */
 async function begin(to: Listener = listener()): Promise<{ backend: Promise<Backend>; worker: StandIn }> {
   const { openBackend } = await import("../../../src/apps/widget/backend.ts");
-  const backend = openBackend(to, undefined);
+  const backend = openBackend(to, INIT);
   const worker = StandIn.all.at(-1);
   if (!worker) throw new Error("no worker was tried");
   return { backend, worker };
@@ -193,6 +194,6 @@ test("after two workers that did not answer no third is tried", async () => {
     vi.advanceTimersByTime(WORKER_SILENCE_MS);
   }
   const { openBackend } = await import("../../../src/apps/widget/backend.ts");
-  expect(await openBackend(listener(), undefined)).toBe(HERE);
+  expect(await openBackend(listener(), INIT)).toBe(HERE);
   expect(StandIn.all).toHaveLength(2);
 });

@@ -8,7 +8,7 @@ const SUMMARY = { sources: 7 } as Summary;
 
 function seen(state: State, phase: Phase, link = "seed=a"): Seen {
   const reading = { link, seed: "a", aspect: 1.6, notices: [], links: 0 };
-  return { state, phase, progress: 0.5, isUnnamed: false, summary: SUMMARY, reading };
+  return { state, phase, progress: 0.5, summary: SUMMARY, reading };
 }
 
 /** How a promise ended. */

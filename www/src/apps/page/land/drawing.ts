@@ -3,14 +3,15 @@
 import { setText } from "../../../browser/dom.ts";
 import { isTaken } from "../../../browser/keys.ts";
 import { named } from "../../../engine/errors.ts";
-import type { Lines } from "../../../engine/steer.ts";
-import type { Traced, Tracing } from "../../../engine/tracing.ts";
+import type { Lines, Traced } from "../../../engine/whole.ts";
 import { showLines } from "./overlay.ts";
 import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 
-/** Reads outlines. */
-export interface OutlineReader {
+/** The part of the engine that reads outlines and makes them. */
+export interface Outlines {
   outlineLines(text: string): Lines;
+  /** Makes an outline from lines of any length. Throws an error with the code "no-land" if they enclose no land. */
+  outlineOf(coasts: Float32Array[], ridges: Float32Array[], rivers: Float32Array[]): string;
 }
 
 export interface DrawingElements {
@@ -30,8 +31,6 @@ export interface DrawingElements {
 export interface DrawingEvents {
   /** Called when another outline is drawn. */
   drawn(outline: string): void;
-  /** Loads the module that makes outlines. */
-  load(): Promise<Tracing>;
   failed(error: unknown): void;
 }
 
@@ -53,14 +52,10 @@ export class Drawing {
   #kept = NOTHING;
   #pointer: number | undefined;
   #frame = 0;
-  /** The module that makes outlines, once it has arrived. */
-  #tracing: Tracing | undefined;
-  /** True if something has been drawn of which no outline could be made yet. */
-  #isBehind = false;
 
   constructor(
     private readonly elements: DrawingElements,
-    private readonly core: OutlineReader,
+    private readonly core: Outlines,
     private readonly events: DrawingEvents,
   ) {
     elements.draw.addEventListener("click", () => this.open());
@@ -80,20 +75,8 @@ export class Drawing {
   open(): void {
     if (this.#isOpen) return;
     this.#switch(true);
-    void this.#load();
     this.#choose(this.#kind);
     this.elements.coast.focus({ preventScroll: true });
-  }
-
-  /** Loads what makes outlines, and then makes one of what has been drawn meanwhile. */
-  async #load(): Promise<void> {
-    try {
-      this.#tracing ??= await this.events.load();
-      if (this.#isBehind) this.#outlineSketch();
-    } catch (error) {
-      this.close();
-      this.events.failed(error);
-    }
   }
 
   close(): void {
@@ -107,7 +90,6 @@ export class Drawing {
   show(outline: string): void {
     if (outline === this.#outline) return;
     this.#outline = outline;
-    this.#isBehind = false;
     this.#kept = this.core.outlineLines(outline);
     this.#sketch.open(this.#kept);
     this.#tell();
@@ -116,7 +98,6 @@ export class Drawing {
   /** Replaces the drawing by a traced outline, and shows what the tracing kept. */
   take(traced: Traced): void {
     const lines = this.core.outlineLines(traced.outline);
-    this.#isBehind = false;
     this.open();
     this.#sketch.replace(lines);
     this.#become(traced.outline, lines);
@@ -208,18 +189,12 @@ export class Drawing {
   #outlineSketch(): void {
     const { lines, isLive } = this.#sketch;
     if (lines.length === 0) {
-      this.#isBehind = false;
       this.#becomeNothing(HINTS[this.#kind]);
-      return;
-    }
-    this.#isBehind = !this.#tracing;
-    if (!this.#tracing) {
-      this.#tell();
       return;
     }
     try {
       const of = (kind: LineKind) => pointsOf(lines, kind);
-      const outline = this.#tracing.outlineOf(of("coast"), of("ridge"), of("river"));
+      const outline = this.core.outlineOf(of("coast"), of("ridge"), of("river"));
       this.#become(outline, this.core.outlineLines(outline));
       if (!isLive) this.#say(`${tally(this.#kept, this.#sketch.counts)}.`);
     } catch (thrown) {
@@ -265,7 +240,7 @@ export class Drawing {
     clear.disabled = lines.length === 0;
     if (!this.#isOpen) return;
     this.#keepFocus(focused);
-    const raw = this.#kept === NOTHING || this.#isBehind ? lines : lines.slice(isLive ? -1 : lines.length);
+    const raw = this.#kept === NOTHING ? lines : lines.slice(isLive ? -1 : lines.length);
     showLines(sketch, this.#kept, raw);
   }
 }

@@ -2,7 +2,7 @@
 
 import { svg } from "../../../browser/dom.ts";
 import { lineOf } from "../../../browser/path-text.ts";
-import type { Lines } from "../../../engine/steer.ts";
+import type { Lines } from "../../../engine/whole.ts";
 import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
 
 /** Ten-thousandths of the map. */

@@ -1,11 +1,17 @@
 /** The visitor's own land: drawn, or traced from a picture that is chosen, dropped or pasted. */
 
 import { isRecoverable, named } from "../../../engine/errors.ts";
-import { loadTracing } from "../../../engine/tracing.ts";
+import type { Traced } from "../../../engine/whole.ts";
 import { elements } from "../elements.ts";
-import { Drawing, type OutlineReader } from "./drawing.ts";
+import { Drawing, type Outlines } from "./drawing.ts";
 import { listenForImages } from "./image-drop.ts";
 import { pixelsOf } from "./image-file.ts";
+
+/** The part of the engine that traces pictures, too. */
+export interface Tracing extends Outlines {
+  longestTracedSide(): number;
+  traceImage(rgba: Uint8Array, width: number, height: number): Traced;
+}
 
 export interface OwnLandEvents {
   /** Returns the values of the map on show. */
@@ -21,12 +27,11 @@ export class OwnLand {
   readonly #drawing: Drawing;
 
   constructor(
-    engine: OutlineReader,
+    private readonly engine: Tracing,
     private readonly events: OwnLandEvents,
   ) {
     this.#drawing = new Drawing(elements.drawing, engine, {
       drawn: (outline) => events.changed(drawn(outline)),
-      load: loadTracing,
       failed: (error) => this.#fail(error),
     });
     elements.drawing.draw.addEventListener("click", () => this.#showDrawn());
@@ -64,9 +69,8 @@ export class OwnLand {
   /** Turns a picture of a land into the land. */
   async #trace(file: Blob): Promise<void> {
     try {
-      const tracing = await loadTracing();
-      const { rgba, width, height } = await pixelsOf(file, tracing.longestTracedSide());
-      const traced = tracing.traceImage(rgba, width, height);
+      const { rgba, width, height } = await pixelsOf(file, this.engine.longestTracedSide());
+      const traced = this.engine.traceImage(rgba, width, height);
       this.#drawing.take(traced);
       this.events.changed([["aspect", traced.aspect.toFixed(2)]]);
     } catch (error) {

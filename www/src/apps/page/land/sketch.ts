@@ -1,6 +1,6 @@
 /** The lines that a visitor draws, with all points of the pen, and their undo history. */
 
-import type { Lines } from "../../../engine/steer.ts";
+import type { Lines } from "../../../engine/whole.ts";
 
 /** The kinds of lines, in the order of their tools. */
 export const LINE_KINDS = ["coast", "ridge", "river"] as const;

@@ -24,7 +24,6 @@ export interface InsideEvents {
   overlay(name: OverlayName): Promise<Overlay | undefined>;
   /** Returns the middle of the visible part of the map, on the page. */
   middle(): Point;
-  failed(error: unknown): void;
 }
 
 const UNFINISHED = "This is known once the map is finished: press Play, or go to the end of the line of time.";
@@ -139,10 +138,8 @@ export class LookInside {
       return;
     }
     this.#isAsking = true;
-    const overlay = await this.events.overlay(look.name).catch((error) => {
-      this.events.failed(error);
-      return undefined;
-    });
+    // The viewport tells of a renderer that fails.
+    const overlay = await this.events.overlay(look.name).catch(() => undefined);
     this.#isAsking = false;
     const isMeant = look === this.#meant;
     if (overlay && isMeant) this.#show(look, overlay);

@@ -28,7 +28,6 @@ export interface RiverPointerEvents {
   greatest(): Promise<readonly string[]>;
   /** Measures how much of the picture's place other things cover. */
   covered(): Insets;
-  failed(error: unknown): void;
 }
 
 /** The distance in CSS pixels at which a river is hit; larger for a finger. */
@@ -139,8 +138,8 @@ export class RiverPointer {
     try {
       const there = await this.events.river({ x, y, reach: HERE });
       return there?.mark === mark ? there : await this.events.river({ mark });
-    } catch (error) {
-      this.events.failed(error);
+    } catch {
+      // The viewport tells of a renderer that fails.
       return undefined;
     }
   }
@@ -213,10 +212,7 @@ export class RiverPointer {
     const wanted = this.#wanted;
     if (this.#isAsking || !wanted || this.isPinned) return;
     this.#isAsking = true;
-    const river = await this.events.river(wanted.place).catch((error) => {
-      this.events.failed(error);
-      return undefined;
-    });
+    const river = await this.events.river(wanted.place).catch(() => undefined);
     this.#isAsking = false;
     if (this.#wanted === wanted) this.#show(river, wanted.how);
     else if (this.#wanted) this.#ask(this.#wanted.place, this.#wanted.how);

@@ -5,11 +5,10 @@
 
 import { count } from "../../../browser/count.ts";
 import { setText } from "../../../browser/dom.ts";
-import type { Phase, Summary } from "../../../engine/types.ts";
+import type { NameFacts, Phase, Summary } from "../../../engine/types.ts";
 import type { State } from "../../../player/frame-loop.ts";
 import { alternative, caption, sentence } from "../../../player/summary-text.ts";
 import { isRiver } from "../look-inside/river-pointer.ts";
-import type { Named } from "../panel/name-list.ts";
 import { Announcer } from "../status.ts";
 
 export interface MapWordsElements {
@@ -42,7 +41,7 @@ export class MapWords {
   }
 
   /** Adds the greatest rivers to the caption and the text alternative, once the names on the finished map are known. */
-  tell(names: readonly Named[], seed: string, phase: Phase, summary: Summary): void {
+  tell(names: readonly NameFacts[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;
     this.#greatest = `Greatest river: ${rivers[0]?.name}`;

@@ -1,6 +1,6 @@
 /** Asks the renderer about the map on show. An answer about another map than the one that was shown last is none. */
 
-import type { Measure } from "../../../engine/types.ts";
+import type { Measure, NameFacts } from "../../../engine/types.ts";
 import type { Format, RasterOrder } from "../../../files/format-names.ts";
 import type { Picture, Thumbnail } from "../../../player/thumbnails.ts";
 import type {
@@ -53,9 +53,9 @@ export class MapQuestions {
     return this.line.ask({ about: "file", of: this.line.id, link, format, rasters });
   }
 
-  /** Returns the greatest names on the finished map, three texts each. */
-  async names(count: number): Promise<readonly string[]> {
-    return this.#ofLast(await this.line.ask({ about: "names", of: this.line.id, count }))?.texts ?? [];
+  /** Returns the greatest names on the finished map. */
+  async names(count: number): Promise<readonly NameFacts[]> {
+    return this.#ofLast(await this.line.ask({ about: "names", of: this.line.id, count }))?.names ?? [];
   }
 
   /** Returns the river at a place of the finished map, if there is one. */

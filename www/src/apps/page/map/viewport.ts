@@ -170,7 +170,7 @@ export class RiverViewport {
     if (report.is === "failed") this.#fail(report);
   }
 
-  #show({ reading, state, phase, summary, isUnnamed }: Extract<SceneReport, { is: "shown" }>): void {
+  #show({ reading, state, phase, summary }: Extract<SceneReport, { is: "shown" }>): void {
     this.#place.reveal();
     this.#shown = { link: reading.link, aspect: reading.aspect, state };
     this.#asked = undefined;
@@ -180,14 +180,13 @@ export class RiverViewport {
     // Before that the sea may still rise over much of the land.
     if (state === "finished") void this.#firstView.show(() => this.#wanted);
     this.#await({ map: false });
-    // Without its names, a map is not yet what the last one was.
-    if (state === "finished" && !isUnnamed) this.#lastPicture.fade();
+    if (state === "finished") this.#lastPicture.fade();
     this.#tell((events) => events.changed(state, phase, summary));
   }
 
   #fail({ code, message, links = 0 }: Extract<SceneReport, { is: "failed" }>): void {
     const error = new PageError(code, message);
-    if (isRecoverable(error) && code !== "no-labels") {
+    if (isRecoverable(error)) {
       // Another link is on its way and may succeed. Without a first river none does.
       if (links < this.#links && this.#shown) return;
       // The old river stays, in its own shape.
@@ -197,7 +196,6 @@ export class RiverViewport {
       this.#await({ map: false });
       this.#lastPicture.drop();
     }
-    if (code === "no-labels") this.#lastPicture.fade();
     this.#tell((events) => events.failed(error));
   }
 

@@ -26,7 +26,6 @@ export interface NamingEvents {
   isOwn(mark: string): boolean;
   /** Gives something another name, or its made-up one. Rejects with the reason if that is not possible. */
   rename(mark: string, name: string | undefined): Promise<void>;
-  failed(error: unknown): void;
 }
 
 /** The most other things at the same place that are offered. */
@@ -116,13 +115,9 @@ export class Naming {
     if (asked === this.#asked && found && thing) await this.#show(thing, found, isTyped);
   }
 
-  async #find(place: NameablePlace): Promise<Nameables | undefined> {
-    try {
-      return await this.events.nameables(place);
-    } catch (error) {
-      this.events.failed(error);
-      return undefined;
-    }
+  #find(place: NameablePlace): Promise<Nameables | undefined> {
+    // The viewport tells of a renderer that fails.
+    return this.events.nameables(place).catch(() => undefined);
   }
 
   // ---- the card

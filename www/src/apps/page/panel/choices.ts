@@ -8,8 +8,8 @@ import { Padlocks } from "../../../controls/padlocks.ts";
 import { isShown, PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
 import { SeedBox } from "../../../controls/seed.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
-import type { SteerCore } from "../../../engine/steer.ts";
 import type { Parameter, Preset, Table } from "../../../engine/table.ts";
+import type { WholeCore } from "../../../engine/whole.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
 import { freshAspect } from "../preferences.ts";
@@ -48,7 +48,7 @@ export class Choices {
   #aspects = { now: "", usual: "" };
 
   constructor(
-    private readonly engine: SteerCore["engine"],
+    private readonly engine: WholeCore["engine"],
     table: Table,
     disclosures: Disclosures,
     /** The list of names. */

@@ -2,10 +2,11 @@
 
 import { named } from "../../../engine/errors.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
+import type { NameFacts } from "../../../engine/types.ts";
 import { isRiver } from "../look-inside/river-pointer.ts";
 import type { RiverViewport } from "../map/viewport.ts";
 import { isOwnName } from "../naming/own-names.ts";
-import { NAMED_RIVERS, type Named, NameList, namedOf } from "./name-list.ts";
+import { NAMED_RIVERS, NameList } from "./name-list.ts";
 
 export interface MapNamesEvents {
   /** Called with the parameter `names` when the visitor has renamed something. */
@@ -34,7 +35,7 @@ export class MapNames {
   /**
    * Puts the names of the finished map into the list. Returns them if the map has labels and is still the one on show.
    */
-  async refresh(): Promise<readonly Named[]> {
+  async refresh(): Promise<readonly NameFacts[]> {
     const isLabelled = this.recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.list.isShown) return [];
     const { link } = this.recipe;
@@ -45,12 +46,12 @@ export class MapNames {
   }
 
   /**
-   * Returns the names of the finished map, great rivers first; none if they cannot be loaded, which the viewport
-   * reports.
+   * Returns the names of the finished map, great rivers first; none if the engine does not answer, which the
+   * viewport reports.
    */
-  async #all(): Promise<Named[]> {
+  async #all(): Promise<readonly NameFacts[]> {
     try {
-      return namedOf(await this.viewport.ask.names(NAMED_RIVERS));
+      return await this.viewport.ask.names(NAMED_RIVERS);
     } catch {
       return [];
     }

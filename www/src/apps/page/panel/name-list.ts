@@ -3,18 +3,12 @@
 import { el, setValue } from "../../../browser/dom.ts";
 import type { Control } from "../../../controls/control.ts";
 import { kindOf } from "../../../engine/mark.ts";
+import type { NameFacts } from "../../../engine/types.ts";
 import { wordFor } from "../naming/words.ts";
-
-/** Something with a name: its mark in links, the name, and whether the visitor gave it. */
-export interface Named {
-  mark: string;
-  name: string;
-  isOwn: boolean;
-}
 
 export interface NameListEvents {
   /** Returns the names on the map; none while it is not finished. */
-  names(): Promise<readonly Named[]>;
+  names(): Promise<readonly NameFacts[]>;
   /** Gives something another name, or its usual one. */
   rename(mark: string, name: string | undefined): void;
 }
@@ -28,7 +22,7 @@ interface Row {
   readonly element: HTMLElement;
   readonly field: HTMLInputElement;
   /** Shows a name, unless somebody is typing in the field. */
-  show(named: Named, kind: string): void;
+  show(named: NameFacts, kind: string): void;
   restore(): void;
 }
 
@@ -63,7 +57,7 @@ export class NameList implements Control {
   }
 
   /** Shows the names of finished rivers. */
-  refresh(names: readonly Named[]): void {
+  refresh(names: readonly NameFacts[]): void {
     // The map itself always has a name, so no names at all means that none are known.
     if (names.length === 0) return;
     for (const [mark, { element }] of this.#rows) {
@@ -140,11 +134,4 @@ function riverOf(rank: number): string {
   if (rank === 1) return "the greatest river";
   if (rank > NAMED_RIVERS) return "smaller river";
   return `${rank}${rank === 2 ? "nd" : rank === 3 ? "rd" : "th"} greatest river`;
-}
-
-/** Reads the engine's list of names, three texts each. */
-export function namedOf(texts: readonly string[]): Named[] {
-  return texts.flatMap((mark, i) =>
-    i % 3 === 0 ? [{ mark, name: texts[i + 1] ?? "", isOwn: texts[i + 2] === "own" }] : [],
-  );
 }

@@ -89,7 +89,7 @@ export class Downloads {
   /** Makes a file of the rivers on show that is not saved. Others may be in the making meanwhile. */
   async make(choices: FileChoices): Promise<Blob> {
     const file = await this.#begin(choices, { say: () => {}, at: () => {} }).file;
-    if (!file) throw new PageError("no-files", "it was cancelled");
+    if (!file) throw new PageError("unknown", "it was cancelled");
     return file;
   }
 

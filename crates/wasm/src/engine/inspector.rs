@@ -4,8 +4,8 @@ use glam::Vec2;
 use js_sys::{Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use super::FinishedMap;
-use super::places::Named;
+use super::named::Named;
+use crate::make::river::River;
 use crate::objects::object;
 use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
 use riverseed::export::svg::overlay;
@@ -55,32 +55,37 @@ pub struct Inspector {
 }
 
 #[wasm_bindgen]
-impl FinishedMap {
-    /// Prepares the rivers for queries. Returns nothing if there is not enough memory.
+impl River {
+    /// Prepares the finished rivers for queries. Returns nothing before they are finished, or if there is not enough memory.
     pub fn inspector(&self) -> Option<Inspector> {
-        let rivers = Rivers::new(&self.map)?;
-        let (size, recipe) = (self.map.domain().size, self.map.recipe());
+        let map = self.session.map()?;
+        let rivers = Rivers::new(&map)?;
+        let (size, recipe) = (map.domain().size, map.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
-        let named = Named::of(&self.map);
+        let named = Named::of(&map);
         Some(Inspector { rivers, size, courses: recipe.get(), ends_in, named, last: (NONE, String::new()) })
     }
 }
 
 #[wasm_bindgen]
 impl Inspector {
-    /// Returns lines on the rivers, as an SVG path in units. 1 and higher: the streams of that order, each from its
-    /// beginning to its end. 0: the stretches that stay in place while others meander. 255: short lines across the
-    /// great rivers, towards the outside of each bend, longer where it is sharper.
-    pub fn lines(&self, of: u8) -> String {
-        if of == u8::MAX {
-            return overlay::lines(&self.rivers.curvature(), CourseShape::Grown);
-        }
+    /// Returns the streams of an order, each from its beginning to its end, as SVG paths in units.
+    pub fn streams(&self, order: u8) -> Vec<String> {
+        let streams = self.rivers.stretches(|vertex| self.rivers.orders()[vertex] == order);
+        let paths = streams.chunks(1).map(|stream| overlay::lines(stream, self.courses));
+        paths.filter(|path| !path.is_empty()).collect()
+    }
+
+    /// Returns the stretches that stay in place while others meander, as an SVG path in units.
+    pub fn held(&self) -> String {
         let vertices = &self.rivers.network().vertices;
-        let is_meant = |vertex: usize| match of {
-            0 => vertices[vertex].mobility == 0.0,
-            order => self.rivers.orders()[vertex] == order,
-        };
-        overlay::lines(&self.rivers.stretches(is_meant), self.courses)
+        overlay::lines(&self.rivers.stretches(|vertex| vertices[vertex].mobility == 0.0), self.courses)
+    }
+
+    /// Returns short lines across the great rivers, towards the outside of each bend, longer where it is sharper, as an
+    /// SVG path in units.
+    pub fn curvature(&self) -> String {
+        overlay::lines(&self.rivers.curvature(), CourseShape::Grown)
     }
 
     /// The marks of the rivers that reach the sea.

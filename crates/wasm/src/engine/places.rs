@@ -6,8 +6,8 @@ use glam::Vec2;
 use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::FinishedMap;
 use super::inspector::Inspector;
+use crate::make::river::River;
 use crate::objects::object;
 use riverseed::Map;
 use riverseed::annotate::names::{Names, PlaceName};
@@ -17,6 +17,9 @@ use riverseed::recipe::Mark;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
+/** Something on a map with its name. */
+export type Marked = readonly [mark: string, name: string];
+
 /** A place on a map that has a name or could have one, and is no river. Lengths are shares of the map's width and height. */
 export interface PlaceFacts {
   /** The mark by which `names` in a link knows it. */
@@ -39,33 +42,13 @@ export interface LabelFacts {
 }
 "#;
 
-/// The names of a map, with the regions of its places.
-pub(super) struct Named {
-    /// Marks and names in turn.
-    names: Vec<String>,
-    of: Names,
-    regions: Vec<Region>,
-}
-
-impl Named {
-    pub fn of(map: &Map) -> Self {
-        let (of, regions) = Names::with_regions(map);
-        let marked = of.marked(map.network()).into_iter();
-        let names = marked.flat_map(|(mark, name)| [mark.to_string(), name.into()]).collect();
-        Self { names, of, regions }
-    }
-
-    /// The marks of the last so many things: meanders and places come last, in their order.
-    fn last_marks(&self, count: usize) -> impl Iterator<Item = &str> {
-        self.names[self.names.len() - 2 * count..].iter().step_by(2).map(String::as_str)
-    }
-}
-
 #[wasm_bindgen]
 impl Inspector {
-    /// Returns all names on the map, marks and names in turn.
-    pub fn names(&self) -> Vec<String> {
-        self.named.names.clone()
+    /// Returns all names on the map, with the marks of what they name.
+    #[wasm_bindgen(unchecked_return_type = "Marked[]")]
+    pub fn names(&self) -> Array {
+        let marked = |(mark, name): &(String, String)| [mark, name].into_iter().map(JsValue::from).collect::<Array>();
+        self.named.names.iter().map(marked).collect()
     }
 
     /// Returns the meanders with names of their own, and all places.
@@ -95,30 +78,31 @@ impl Inspector {
 }
 
 #[wasm_bindgen]
-impl FinishedMap {
-    /// Returns the names that stand on the picture whose masks were made last.
+impl River {
+    /// Returns the names that stand on the picture of the finished map, as far as it has been painted.
     #[wasm_bindgen(unchecked_return_type = "LabelFacts[]")]
     pub fn labels(&self) -> Array {
-        let labels = self.labels.borrow();
-        labels.iter().filter(|label| names_something(label.kind)).map(|label| self.label(label)).collect()
+        let Some((picture, map)) = self.picture.as_ref().zip(self.session.map()) else { return Array::new() };
+        let shown = picture.labels().iter().filter(|label| names_something(label.kind));
+        shown.map(|label| label_facts(label, &map)).collect()
     }
+}
 
-    fn label(&self, label: &Label) -> Object {
-        let identity = label.river.and_then(|river| Some(self.map.network().rivers.get(river as usize)?.identity));
-        let mark = match (label.kind, identity) {
-            (Kind::Title, _) => Some(Mark::Title),
-            (Kind::Reach, identity) => identity.map(Mark::Reach),
-            (_, identity) => identity.map(Mark::River),
-        };
-        let size = self.map.domain().size;
-        let middles = label.letters.iter().map(|letter| letter.around(label.em).middle);
-        object(&[
-            ("mark", mark.map_or_else(String::new, |mark| mark.to_string()).into()),
-            ("text", label.text.as_str().into()),
-            ("em", (label.em / size.x).into()),
-            ("line", shares(middles, size).into()),
-        ])
-    }
+fn label_facts(label: &Label, map: &Map) -> Object {
+    let identity = label.river.and_then(|river| Some(map.network().rivers.get(river as usize)?.identity));
+    let mark = match (label.kind, identity) {
+        (Kind::Title, _) => Some(Mark::Title),
+        (Kind::Reach, identity) => identity.map(Mark::Reach),
+        (_, identity) => identity.map(Mark::River),
+    };
+    let size = map.domain().size;
+    let middles = label.letters.iter().map(|letter| letter.around(label.em).middle);
+    object(&[
+        ("mark", mark.map_or_else(String::new, |mark| mark.to_string()).into()),
+        ("text", label.text.as_str().into()),
+        ("em", (label.em / size.x).into()),
+        ("line", shares(middles, size).into()),
+    ])
 }
 
 /// Returns `true` if labels of a kind are names, and no marks, plates or legends.

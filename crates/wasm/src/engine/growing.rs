@@ -1,12 +1,25 @@
 //! Points and lines over a map that may still be growing. Each is a list of coordinates, x and y in turn, in units.
 
 use glam::Vec2;
-use js_sys::Float32Array;
+use js_sys::{Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::make::river::River;
+use crate::objects::object;
 use riverseed::analyse::query::{former_ways, tips};
 use riverseed::land::SmoothedDistance;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** Lengths of a map, in units. */
+export interface Lengths {
+  readonly width: number;
+  readonly height: number;
+  /** The distance over which an attractor pulls a river, and that at which it is used up by one. */
+  readonly reach: number;
+  readonly kill: number;
+}
+"#;
 
 #[wasm_bindgen]
 impl River {
@@ -42,12 +55,13 @@ impl River {
         lines(&former_ways(&self.session))
     }
 
-    /// Width and height of the map, the distance over which an attractor pulls, and the distance at which a river uses
-    /// it up, in units.
-    pub fn lengths(&self) -> Vec<f32> {
+    /// Returns lengths of the map, and of how it grows.
+    #[wasm_bindgen(unchecked_return_type = "Lengths")]
+    pub fn lengths(&self) -> Object {
         let growth = self.session.growth().settings();
         let Vec2 { x, y } = self.session.domain().size;
-        vec![x, y, growth.reach, growth.kill]
+        let lengths = [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill)];
+        object(&lengths.map(|(name, length)| (name, length.into())))
     }
 }
 

@@ -1,4 +1,4 @@
-//! The package `trace`: makes outlines of land from pictures and from drawn lines.
+//! Outlines of land from pictures and from drawn lines.
 
 use glam::Vec2;
 use js_sys::{Float32Array, Object};

@@ -3,7 +3,7 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::FinishedMap;
+use crate::make::river::River;
 use crate::objects::{object, set};
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 
@@ -26,12 +26,12 @@ export interface Measure {
 "#;
 
 #[wasm_bindgen]
-impl FinishedMap {
-    /// Returns the measures of the rivers, and as the last one the pattern that they are named after.
+impl River {
+    /// Returns the measures of the finished rivers, and as the last one the pattern that they are named after.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
-    pub fn measures(&self) -> Array {
-        let measures = Measures::of(&self.map);
-        TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect()
+    pub fn measures(&self) -> Result<Array, JsValue> {
+        let measures = Measures::of(&self.map()?);
+        Ok(TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect())
     }
 }
 
