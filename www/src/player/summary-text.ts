@@ -12,7 +12,7 @@ function oxbowsOf(summary: Summary, written: Count): string {
   return counted(summary.oxbows, "oxbow lake", "oxbow lakes", written);
 }
 
-/** The network's size in words. */
+/** Writes the network's size in words. */
 export function sizeOf(summary: Summary, written: Count): string {
   const rivers = counted(summary.mouths, "river", "rivers", written);
   const sources = counted(summary.sources, "source", "sources", written);
@@ -33,12 +33,12 @@ export function numbersOf(summary: Summary): string {
   return `${sizeOf(summary, count)}, ${nodes}${unreachedOf(summary)}.`;
 }
 
-/** The sentence of the finished state. */
+/** Writes the sentence of the finished state. */
 export function sentence(summary: Summary): string {
   return `${sizeOf(summary, count)}.${summary.stopped ? ` ${summary.stopped}` : ""}`;
 }
 
-/** The text alternative of the picture; it has a size once it is finished. */
+/** Writes the text alternative of the picture; it has a size once it is finished. */
 export function alternative(seed: string, phase: Phase, summary: Summary, written: Count): string {
   const size = phase === "finished" ? sizeOf(summary, written) : `still ${doing(phase)}`;
   return `River network grown from the seed “${seed}”: ${size}.`;
