@@ -3,6 +3,7 @@
 mod annotator;
 #[doc(hidden)]
 pub mod builder;
+mod composition;
 mod drafts;
 
 use std::num::NonZero;

@@ -2,20 +2,14 @@
 
 use std::io;
 
-use riverseed::glam::Vec2;
-use riverseed::paint::Framing;
 use riverseed::picture::Picture;
-use riverseed::picture::builder::AnnotationBuilder;
 use riverseed::recipe::{Key, Labels, Recipe};
 use riverseed::session::Session;
 
 use super::super::Failure;
-use super::composition::{Corners, composed, shown};
 
 /// The width and height that most chats and networks show whole, in pixels.
 pub const SIZE: (u32, u32) = (1200, 630);
-/// The width that they show it with, in CSS pixels. Letters that could not be read there are left out.
-const SEEN_WIDTH: f32 = 300.0;
 
 /// The mark of the map's name among its names.
 const TITLE: &str = "t";
@@ -27,14 +21,8 @@ const TITLE: &str = "t";
 pub fn paint(session: &mut Session, title: Option<&str>) -> Result<Picture, Failure> {
     session.change(card_recipe(session.recipe(), title)?)?;
     let map = session.finish()?;
-    let (width, height) = SIZE;
-    let size = session.domain().size;
-    let land = land_of(session);
-    let composition = composed(Vec2::new(width as f32, height as f32), shown(land, size.x / size.y));
-    let mut picture = Picture::new(width, height)?;
-    picture.frame(session, Framing::of(&composition.framing));
-    let masks = AnnotationBuilder::headed(&map, picture.view(), width as f32 / SEEN_WIDTH, composition.title);
-    picture.take_annotation(session, masks);
+    let mut picture = Picture::new(SIZE.0, SIZE.1)?;
+    picture.head(session, &map);
     picture.paint(session);
     Ok(picture)
 }
@@ -51,13 +39,6 @@ fn card_recipe(recipe: &Recipe, title: Option<&str>) -> Result<Recipe, Failure> 
         recipe.set(Key::Labels, "few")?;
     }
     Ok(recipe)
-}
-
-/// Finds the corners of all land, in widths of the map.
-fn land_of(session: &Session) -> Corners {
-    let size = session.domain().size;
-    let [least, most] = session.land().and_then(|land| land.bounds()).unwrap_or([Vec2::ZERO, size]);
-    [least, most.min(size)].map(|corner| corner / size.x)
 }
 
 /// Encodes a picture as JPEG: a fifth of the size of a PNG.

@@ -4,7 +4,6 @@
 mod address;
 mod attributes;
 mod card;
-mod composition;
 mod element;
 mod file_names;
 mod folder;
