@@ -3,9 +3,6 @@ import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
 import { engine, memory, pixelsOf } from "../core.ts";
 import { Display, Image } from "../display.ts";
 
-// Maps take seconds, on a busy machine more.
-vi.setConfig({ testTimeout: 60_000 });
-
 const SIZE = { width: 320, height: 300, ratio: 1 };
 
 function rethrow(error: unknown): void {

@@ -12,8 +12,10 @@ export function linesOf(text: string): Line[] {
     .map((line) => ({ digest: line.slice(0, line.indexOf(" ")), link: line.slice(line.indexOf(" ") + 1).trim() }));
 }
 
-/** Returns a part of the lines: every third, the others, or all of them if it has no such name. */
-export function partOf(lines: readonly Line[], part: string | null): Line[] {
-  if (part === "third") return lines.filter((_, i) => i % 3 === 0);
-  return part === "others" ? lines.filter((_, i) => i % 3 !== 0) : [...lines];
+/** The number of parts that the lines are tried in, each within the time that a test has. */
+export const PARTS = 3;
+
+/** Returns every third line, from that of a number on; all lines without one. */
+export function partOf(lines: readonly Line[], first: string | null): readonly Line[] {
+  return first === null ? lines : lines.filter((_, i) => i % PARTS === Number(first));
 }
