@@ -13,7 +13,6 @@ import { fileURLToPath } from "node:url";
 
 // Modules whose comments have not been rewritten. A module is a folder or a file without its extension.
 const NOT_YET = [
-  "crates/wasm",
   "src/annotate",
   "src/paint",
   "src/picture",

@@ -3,12 +3,12 @@
 use js_sys::{Error, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-/// A JavaScript Error with a `code` for programs and a message for people.
+/// Makes a JavaScript Error with a `code` for programs and a message for people.
 pub(super) fn coded(code: &str, message: &str) -> JsValue {
     Object::assign(&Error::new(message), &object(&[("code", code.into())])).into()
 }
 
-/// A plain object.
+/// Makes a plain object.
 pub(super) fn object(members: &[(&str, JsValue)]) -> Object {
     let object = Object::new();
     set(&object, members);

@@ -24,19 +24,19 @@ pub struct Cells(pub(super) Rasters);
 
 #[wasm_bindgen]
 impl Cells {
-    /// Number of cells in a row.
+    /// Returns the number of cells in a row.
     #[wasm_bindgen(getter)]
     pub fn columns(&self) -> usize {
         self.0.columns
     }
 
-    /// Number of rows of cells.
+    /// Returns the number of rows of cells.
     #[wasm_bindgen(getter)]
     pub fn rows(&self) -> usize {
         self.0.rows
     }
 
-    /// The text that explains the contents and scale of the files.
+    /// Returns the text that explains the contents and scale of the files.
     pub fn readme(&self) -> String {
         pack::readme(&self.0)
     }

@@ -57,7 +57,7 @@ impl River {
     }
 }
 
-/// The width and height, in pixels, of the picture that goes into a digest.
+/// Returns the width and height, in pixels, of the picture that goes into a digest.
 #[wasm_bindgen(js_name = digestWidth)]
 pub fn digest_width() -> u32 {
     digest::WIDTH

@@ -23,17 +23,17 @@ export interface Lengths {
 
 #[wasm_bindgen]
 impl River {
-    /// The attractors that the tree grows to, or the parcels of drainage.
+    /// Returns the attractors that the tree grows to, or the parcels of drainage.
     pub fn scattered(&self) -> Vec<f32> {
         flat(&self.session.growth().scattered())
     }
 
-    /// The attractors that still pull, or the parcels that have found no way to the sea yet.
+    /// Returns the attractors that still pull, or the parcels that have found no way to the sea yet.
     pub fn left(&self) -> Vec<f32> {
         flat(&self.session.growth().left())
     }
 
-    /// The sources of the rivers, as far as they have grown.
+    /// Returns the sources of the rivers, as far as they have grown.
     pub fn tips(&self) -> Vec<f32> {
         flat(&tips(&self.session))
     }
@@ -44,12 +44,12 @@ impl River {
         lines(&land.map_or_else(Vec::new, |land| SmoothedDistance::of(land.coast_distance()).rings_above(0.0)))
     }
 
-    /// The ridges, which no river may cross.
+    /// Returns the ridges, which no river may cross.
     pub fn ridges(&self) -> Vec<Float32Array> {
         self.session.land().map_or_else(Vec::new, |land| lines(land.ridges()))
     }
 
-    /// In drainage, the former ways of the greatest streams that were captured, each from the place of its capture.
+    /// Returns, in drainage, the former ways of the greatest streams that were captured, each from the place of its capture.
     #[wasm_bindgen(js_name = formerWays)]
     pub fn former_ways(&self) -> Vec<Float32Array> {
         lines(&former_ways(&self.session))

@@ -88,7 +88,7 @@ impl Inspector {
         overlay::lines(&self.rivers.curvature(), CourseShape::Grown)
     }
 
-    /// The marks of the rivers that reach the sea.
+    /// Returns the marks of the rivers that reach the sea.
     pub fn mouths(&self) -> Vec<u32> {
         let network = self.rivers.network();
         network.mouths().iter().map(|&river| network.rivers[river as usize].identity).collect()

@@ -35,7 +35,7 @@ impl River {
     }
 }
 
-/// The pattern: how far each is, nearest first.
+/// Makes the row of the pattern of drainage: the nearest one, and how far the map is from each.
 fn pattern(measures: &Measures) -> Object {
     let row = object(&[("name", "pattern".into()), ("help", "".into()), ("unit", "".into()), ("places", 1.into())]);
     if let Some(pattern) = measures.pattern() {

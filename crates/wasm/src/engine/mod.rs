@@ -1,6 +1,6 @@
-//! What only the whole engine has, the package `engine`. While a map grows: drafts of a slider that moves, moments back
-//! and forth, layers, parts of the map, drawn and traced land. Of a finished map: names and where they stand, measures,
-//! what lies at a place, files.
+//! The parts that only the whole engine has, the package `engine`. While a map grows: drafts of a slider that moves,
+//! moments back and forth, layers, parts of the map, drawn and traced land. Of a finished map: names and where they
+//! stand, measures, what lies at a place, files.
 
 mod cells;
 mod drafts;

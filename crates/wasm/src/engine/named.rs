@@ -21,7 +21,7 @@ impl Named {
         Self { names, of, regions }
     }
 
-    /// Returns the marks of the last so many things: meanders and places come last, in their order.
+    /// Returns the marks of the last `count` things: meanders and places come last, in their order.
     pub fn last_marks(&self, count: usize) -> impl Iterator<Item = &str> {
         self.names[self.names.len() - count..].iter().map(|(mark, _)| mark.as_str())
     }

@@ -75,7 +75,7 @@ impl River {
         object(&sides.map(|(side, length)| (side, length.into())))
     }
 
-    /// The share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
+    /// Returns the share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
     #[wasm_bindgen(getter)]
     pub fn painted(&self) -> f32 {
         self.picture.as_ref().map_or(0.0, |picture| picture.progress(&self.session))

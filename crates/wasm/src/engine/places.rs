@@ -116,7 +116,7 @@ fn shares(points: impl Iterator<Item = Vec2>, size: Vec2) -> Float32Array {
     Float32Array::from(&shares[..])
 }
 
-/// The line along which a place lies, or its only point.
+/// Returns the line along which a place lies, or its only point.
 fn line_of(place: &PlaceName) -> &[Vec2] {
     if place.line.is_empty() { slice::from_ref(&place.at) } else { &place.line }
 }

@@ -36,7 +36,7 @@ pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<Object,
     ]))
 }
 
-/// The longest side of a picture that can be traced, in pixels.
+/// Returns the longest side of a picture that can be traced, in pixels.
 #[wasm_bindgen(js_name = longestTracedSide)]
 pub fn longest_traced_side() -> u32 {
     trace::LONGEST_SIDE
@@ -55,7 +55,7 @@ pub fn outline_of(
     outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
 }
 
-/// The points of a line given as x and y in turn; an odd number at the end is ignored.
+/// Returns the points of a line given as x and y in turn; an odd number at the end is ignored.
 fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
 }

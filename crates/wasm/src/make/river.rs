@@ -92,19 +92,19 @@ impl River {
         self.change_to(reading::read(text, read_options(options)))
     }
 
-    /// The canonical link of the recipe, with defaults left out.
+    /// Returns the canonical link of the recipe, with defaults left out.
     #[wasm_bindgen(getter)]
     pub fn link(&self) -> String {
         link::write(self.session.recipe())
     }
 
-    /// The link in the files of the map: it names the style even if that is the default.
+    /// Returns the link in the files of the map, which names the style even if that is the default.
     #[wasm_bindgen(getter, js_name = fileLink)]
     pub fn file_link(&self) -> String {
         link::write_for_file(self.session.recipe())
     }
 
-    /// The seed of the recipe.
+    /// Returns the seed of the recipe.
     #[wasm_bindgen(getter)]
     pub fn seed(&self) -> String {
         self.session.recipe().seed().into()
@@ -116,7 +116,7 @@ impl River {
         list(&self.notices)
     }
 
-    /// The width and height of a picture of the whole map, given the longer of the two.
+    /// Returns the width and height of a picture of the whole map, given the longer of the two.
     #[wasm_bindgen(js_name = sidesFor)]
     pub fn sides_for(&self, longer_px: u32) -> Vec<u32> {
         let (width, height) = View::sides_for(&self.session.domain(), longer_px);
@@ -155,7 +155,7 @@ impl River {
         self.session.raise_relief().map_err(|error| session_error(&error))
     }
 
-    /// The kind of the next step.
+    /// Returns the kind of the next step.
     #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
     pub fn phase(&self) -> String {
         self.session.phase().name().into()
@@ -176,36 +176,36 @@ impl River {
         self.session.recipe().is_annotated()
     }
 
-    /// The rectangle changed by the last `paint`: x, y, width, height.
+    /// Returns the rectangle changed by the last `paint`: x, y, width, height.
     pub fn dirty(&self) -> Vec<u32> {
         self.dirty.map_or_else(|| vec![0; 4], |r| vec![r.left, r.top, r.right - r.left, r.bottom - r.top])
     }
 
-    /// The address of the picture's bytes in the module's memory: RGBA, opaque; 0 without a picture.
+    /// Returns the address of the picture's bytes in the module's memory: RGBA, opaque; 0 without a picture.
     #[wasm_bindgen(js_name = pixelsPointer)]
     pub fn pixels_pointer(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().as_ptr() as u32)
     }
 
-    /// Number of bytes in the picture; 0 without one.
+    /// Returns the number of bytes in the picture; 0 without one.
     #[wasm_bindgen(js_name = pixelsLength)]
     pub fn pixels_length(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().len() as u32)
     }
 
-    /// Width of the picture in pixels; 0 without one.
+    /// Returns the width of the picture in pixels; 0 without one.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().width())
     }
 
-    /// Height of the picture in pixels; 0 without one.
+    /// Returns the height of the picture in pixels; 0 without one.
     #[wasm_bindgen(getter)]
     pub fn height(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().height())
     }
 
-    /// Width of the domain over its height.
+    /// Returns the width of the domain over its height.
     #[wasm_bindgen(getter)]
     pub fn aspect(&self) -> f64 {
         match self.session.recipe().value(Key::Aspect) {
@@ -214,19 +214,19 @@ impl River {
         }
     }
 
-    /// The progress of the phase, from 0 to 1: growth by the share drained, meandering by rounds, relief by parts.
+    /// Returns the progress of the phase, from 0 to 1: growth by the share drained, meandering by rounds, relief by parts.
     #[wasm_bindgen(getter)]
     pub fn progress(&self) -> f32 {
         self.session.progress()
     }
 
-    /// Number of rounds that the rivers will have meandered at the end.
+    /// Returns the number of rounds that the rivers will have meandered at the end.
     #[wasm_bindgen(getter)]
     pub fn rounds(&self) -> u32 {
         self.session.recipe().integer(IntegerKey::MeanderRounds)
     }
 
-    /// The picture in numbers.
+    /// Returns the picture in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
