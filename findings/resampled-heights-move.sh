@@ -4,9 +4,10 @@
 # Version:  geotiff 3.0.5 from npm, Node.js 20; for comparison GDAL 3.10.3 by rasterio 1.4.4.
 # Input:    a slope of 100 by 100 cells, each as high as its column, read at 50, 10 and 200 columns with `resampleMethod: "bilinear"`.
 # Guess:    a cell read has the height of the place where its middle lies, as with GDAL: at 10 columns 14.5, 24.5 … (less at the border).
-# Seen:     0, 10, 20 … at 10 columns, and 0, 2, 4 … at 50: positions are scaled about the middle of the first cell, not about
-#           its corner. At 10 columns all lies 4.5 cells of the file too far east and south. No heights are mixed where the picture becomes smaller by a whole factor: bilinear gives
-#           what nearest gives. At 200 columns the slope begins with 0, 0.5, 1 where 0, 0.25, 0.75 is right, and its end is flat.
+# Seen:     0, 10, 20 … at 10 columns, and 0, 2, 4 … at 50: positions are scaled about the middle of the first cell, not about its corner. At
+#           10 columns all lies 4.5 cells of the file too far east and south. No heights are mixed where the picture becomes smaller by a whole
+#           factor: bilinear gives what nearest gives. At 200 columns the slope begins with 0, 0.5, 1 where 0, 0.25, 0.75 is right, and its end is
+#           flat.
 # So:       read at full size and resample yourself, or rivers and the heights under them part.
 set -euo pipefail
 folder=$(mktemp -d)
