@@ -30,7 +30,7 @@ impl AnnotationBuilder {
 
     /// Makes an annotation with the map's title as a heading in a box of the picture: its upper left and its lower right
     /// corner, in pixels. There is no cartouche and no legend then.
-    pub fn headed(map: &Map, view: &View, ratio: f32, within: [Vec2; 2]) -> AnnotationMasks {
+    pub(super) fn headed(map: &Map, view: &View, ratio: f32, within: [Vec2; 2]) -> AnnotationMasks {
         let names = Names::of(map);
         let mut labels = labels_of(&mut Places::default(), map, view, ratio);
         // Without blocks in corners, and without the country's name on its land, which would say the same again.

@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { decode } from "fast-png";
 import { beforeAll, expect, test } from "vitest";
 import type { Course } from "../../src/files/course.ts";
@@ -15,6 +16,8 @@ const SLOWEST_MS = 120_000;
 interface Picture {
   width: number;
   height: number;
+  /** Three bytes a pixel. */
+  data: Uint8Array;
   /** Returns whether there is ink at a pixel. */
   isInk(x: number, y: number): boolean;
 }
@@ -25,7 +28,7 @@ async function pictureFor(kind: keyof typeof CARDS, link: string): Promise<Pictu
   const at = (x: number, y: number): number[] => [...data.subarray((y * width + x) * channels).subarray(0, 3)];
   const paper = at(2, 2);
   const isInk = (x: number, y: number): boolean => at(x, y).some((value, i) => Math.abs(value - (paper[i] ?? 0)) > 40);
-  return { width, height, isInk };
+  return { width, height, data: Uint8Array.from(data), isInk };
 }
 
 const pictures = new Map<string, Picture>();
@@ -63,6 +66,12 @@ for (const [kind, size] of Object.entries(CARDS)) {
     expect((below.at(-1)?.[0] ?? 0) - last).toBeGreaterThan(0.01 * size.height);
   });
 }
+
+test("a card is that of the library, and so that of the command line, to the bit", { timeout: SLOWEST_MS }, () => {
+  // tests/golden.rs has the library draw it.
+  const golden = decode(readFileSync(new URL("../../../tests/golden/card.png", import.meta.url)));
+  expect(Buffer.compare(pictures.get("card")?.data ?? Buffer.of(), Buffer.from(golden.data))).toBe(0);
+});
 
 test("a title of two long words stands on the picture too", { timeout: SLOWEST_MS }, async () => {
   const { width, height, isInk } = await pictureFor("card", `${LINK}&seed=Wobegonshire+Severnmouth`);

@@ -3,25 +3,10 @@
 
 use std::num::NonZero;
 
-use glam::Vec2;
-use js_sys::Object;
 use wasm_bindgen::prelude::*;
 
 use crate::make::river::{River, session_error};
-use crate::objects::object;
 use riverseed::paint::Framing;
-use riverseed::picture::builder::AnnotationBuilder;
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The sides of a box. */
-export interface Sides {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
-"#;
 
 /// Wasm has no threads here.
 const ONE: NonZero<usize> = NonZero::<usize>::MIN;
@@ -53,26 +38,14 @@ impl River {
         refined.unwrap_or(Ok(())).map_err(|error| session_error(&error.into()))
     }
 
-    /// Lays labels, woods and hills over the picture of a finished map, with the map's title as a heading: as large as it
-    /// fits into a box of the picture, in pixels. The next `paint` shows it, until picture or map change.
-    pub fn head(&mut self, ratio: f32, left: f32, top: f32, right: f32, bottom: f32) -> Result<(), JsValue> {
+    /// Shows all of the land of the finished map, with its title above or beside it, and letters that can be read where
+    /// chats show the picture. The next `paint` shows it, until picture or map change.
+    pub fn head(&mut self) -> Result<(), JsValue> {
         let map = self.map()?;
         if let Some(picture) = &mut self.picture {
-            let within = [Vec2::new(left, top), Vec2::new(right, bottom)];
-            let masks = AnnotationBuilder::headed(&map, picture.view(), ratio, within);
-            picture.take_annotation(&self.session, masks);
+            picture.head(&self.session, &map);
         }
         Ok(())
-    }
-
-    /// Returns the sides of the box around all land, in widths of the map from its north-western corner.
-    #[wasm_bindgen(js_name = landBounds, unchecked_return_type = "Sides")]
-    pub fn land_bounds(&self) -> Object {
-        let size = self.session.domain().size;
-        let bounds = self.session.land().and_then(|land| land.bounds()).unwrap_or([Vec2::ZERO, size]);
-        let [least, most] = [bounds[0], bounds[1].min(size)].map(|corner| corner / size.x);
-        let sides = [("left", least.x), ("top", least.y), ("right", most.x), ("bottom", most.y)];
-        object(&sides.map(|(side, length)| (side, length.into())))
     }
 
     /// Returns the share of the picture's ground that is painted, from 0 to 1, once the rivers are finished.
