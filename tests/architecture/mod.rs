@@ -8,6 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The folder of the repository.
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
 /// The modules of a folder by the parts of their paths, and what each uses.
 type Uses = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
 
@@ -31,7 +34,7 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
 
 /// The lines of a folder's section in `docs/layers.toml`, in their order: a layer and the layers that it may use.
 fn layers(folder: &str) -> Vec<(String, BTreeSet<String>)> {
-    let text = fs::read_to_string("docs/layers.toml").unwrap();
+    let text = fs::read_to_string(format!("{ROOT}/docs/layers.toml")).unwrap();
     let section = text.split(&format!("\n[\"{folder}\"]\n")).nth(1).unwrap_or_else(|| panic!("no section {folder}"));
     let lines = section.lines().take_while(|line| !line.starts_with('['));
     let lines = lines.filter(|line| !line.starts_with('#') && !line.is_empty());
@@ -52,7 +55,7 @@ fn each_module_uses_the_layers_of_its_line_and_a_line_names_no_other() {
         let layers = layers(folder);
         let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
         let mut used: BTreeMap<&str, BTreeSet<String>> = names.iter().map(|name| (*name, BTreeSet::new())).collect();
-        for (module, others) in read(Path::new(folder)).iter().filter(|(module, _)| !module.is_empty()) {
+        for (module, others) in read(&Path::new(ROOT).join(folder)).iter().filter(|(module, _)| !module.is_empty()) {
             let layer = layer_of(&names, folder, module);
             let others = others.iter().map(|other| layer_of(&names, folder, other)).filter(|other| *other != layer);
             used.entry(layer).or_default().extend(others.map(str::to_owned));
@@ -77,7 +80,7 @@ fn layers_stand_below_those_that_they_use() {
 #[test]
 fn no_files_use_each_other_in_a_circle() {
     for (folder, read) in FOLDERS {
-        let circles = circles(read(Path::new(folder)));
+        let circles = circles(read(&Path::new(ROOT).join(folder)));
         assert!(circles.is_empty(), "in {folder}:\n{}", circles.join("\n"));
     }
 }
