@@ -243,7 +243,7 @@ impl Picture {
         self.annotation = Some((key, Arc::new(annotation)));
     }
 
-    /// The share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
+    /// Returns the share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
     pub fn progress(&self, session: &Session) -> f32 {
         self.painter.progress(session.recipe().get())
     }
@@ -262,7 +262,7 @@ impl Picture {
             .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
     }
 
-    /// The position of the domain on the picture.
+    /// Returns the position of the domain on the picture.
     pub fn view(&self) -> &View {
         self.painter.view()
     }
@@ -297,7 +297,7 @@ impl Picture {
         self.shown = Some(now);
     }
 
-    /// The picture: RGBA, opaque.
+    /// Returns the pixels: RGBA, opaque.
     pub fn pixmap(&self) -> &Pixmap {
         self.painter.pixmap()
     }

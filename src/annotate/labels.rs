@@ -1,4 +1,4 @@
-//! The labels of a map: its names, and what they are placed by.
+//! The labels of a map, and the input of their placement.
 
 use std::sync::Arc;
 
@@ -22,25 +22,25 @@ use crate::recipe::choice::Shown;
 use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
-/// The smallest letters that can be read: their em in pixels.
+/// The em of the smallest letters that can be read, in pixels.
 pub(crate) const LEAST_EM: f32 = 11.0;
-/// The least part of a map that letters are made for: they have no size in a view of none of it.
+/// The least share of a map that letters are made for: they have no size in a view of none of it.
 const LEAST_SHOWN: f32 = 1e-4;
 
-/// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
-/// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
+/// Places the labels of a picture that shows a part of the map, given by its north-western and south-eastern corner, with `scale` pixels to
+/// a unit: the greatest rivers first. Returns none if the recipe wants none, or if there is not enough memory.
 pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
     labels_in(&mut Places::default(), map, frame, scale)
 }
 
-/// The same, in the places that have been chosen for other pictures of the map.
+/// Places the labels of a picture like [`labels`], where other pictures of the same map have them already.
 pub(crate) fn labels_in(places: &mut Places, map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
     input(map, frame, scale).map_or_else(Vec::new, |input| places.place(&input, &Raster::new(&input)))
 }
 
-/// What those labels are placed by.
+/// Gathers the input of the placement of labels; `None` if the recipe wants no labels, or if there is not enough memory.
 pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
-    /// A course's places, its pieces, their numbers in squares, and names.
+    /// The memory of a vertex: its place in a course, its piece, the piece's numbers in squares, and its share of a name.
     const BYTES_A_VERTEX: usize = 120;
     let (recipe, network, land) = (map.recipe(), map.network(), map.land());
     let share = share_of_land(recipe.get());
@@ -92,7 +92,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     })
 }
 
-/// The title, and what stands with it.
+/// Describes the cartouche: the title, and what stands with it.
 fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
     let recipe = map.recipe();
     let style: Style = recipe.get();
@@ -117,22 +117,22 @@ fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
     }
 }
 
-/// How wide the margin is that is painted with the neat line of a map, in units; 0 if there is none.
+/// Returns the width of the margin around a map's neatline, in units; 0 if it has none.
 fn painted_margin(map: &Map) -> f32 {
     margin_of(map.recipe().get(), map.domain().size, map.land().map(Arc::as_ref))
 }
 
-/// The part of the plane that labels may be in, its two corners: a map with a neat line; anything around another.
+/// Returns the two corners of the part of the plane that labels may stand in: within the neatline if the map has one, else anywhere.
 pub(super) fn on_map(map: &Map) -> [Vec2; 2] {
     let (size, painted) = (map.domain().size, painted_margin(map));
     let margin = if map.recipe().is_sheet() { painted.max(SHEET_MARGIN) } else { painted };
     if margin > 0.0 { [Vec2::splat(margin), size - margin] } else { [Vec2::MIN, Vec2::MAX] }
 }
 
-/// The part of a map for pictures of this shape, its two corners: all of it, but for a picture that is filled by the map and of
-/// another shape, which cuts off as much on two opposite sides.
+/// Returns the two corners of the part of a map that pictures of this shape show. That is all of it, unless the map fills a picture of
+/// another shape, which cuts off equal parts on two opposite sides.
 fn cut_to_shape(domain: &Domain, [least, most]: [Vec2; 2]) -> [Vec2; 2] {
-    /// In units: frames are computed from pixels.
+    /// The error of frames, which are computed from pixels, in units.
     const ROUNDING: f32 = 1.0;
     let is_in_middle = (least + most - domain.size).abs().max_element() < ROUNDING;
     let is_filled =
@@ -140,13 +140,13 @@ fn cut_to_shape(domain: &Domain, [least, most]: [Vec2; 2]) -> [Vec2; 2] {
     if is_in_middle && is_filled { [least.max(Vec2::ZERO), most.min(domain.size)] } else { [Vec2::ZERO, domain.size] }
 }
 
-/// How much of a map is seen in a frame.
+/// Returns the share of a map that is seen in a frame.
 fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
     let seen = (most.min(domain.size) - least.max(Vec2::ZERO)).max(Vec2::ZERO);
     (seen.x * seen.y / AREA).min(1.0)
 }
 
-/// What the style has besides names.
+/// Describes the marks that the style has besides names.
 fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
     let recipe = map.recipe();
     let style: Style = recipe.get();
@@ -170,7 +170,7 @@ fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
     Elevations { heights: heights(relief), metres: METRES, apart }
 }
 
-/// The grid's letters, in pictures that have room for them.
+/// Returns the grid whose columns and rows have letters and numbers; `None` in pictures without room for these.
 fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32) -> Option<SheetGrid> {
     /// The distance between two lines of the grid, in units.
     const EVERY: f32 = 120.0;
@@ -198,7 +198,7 @@ fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {
     }
 }
 
-/// The seal of a seed; of the map's name if the type has no letter of that.
+/// Makes the seal of a seed, with the initials of the map's name if the type lacks letters of the seed.
 fn seal(seed: &str, title: &str) -> Seal {
     let of_seed = initials(seed);
     let name = title.strip_prefix("The Rivers of ").unwrap_or(title);
@@ -206,7 +206,7 @@ fn seal(seed: &str, title: &str) -> Seal {
     Seal { letters: if of_seed.is_empty() { of_name() } else { of_seed }, seed: Seed::from_text(seed) }
 }
 
-/// The share of the land that labels may cover; 0 if there are to be none.
+/// Returns the share of the land that labels may cover; 0 if there are to be none.
 fn share_of_land(labels: Labels) -> f32 {
     match labels {
         Labels::None => 0.0,
@@ -216,7 +216,7 @@ fn share_of_land(labels: Labels) -> f32 {
     }
 }
 
-/// How large a land is, in square units.
+/// Returns the area of a land, in square units.
 fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
 }
@@ -251,7 +251,7 @@ fn landmark_of(place: &PlaceName) -> Option<Landmark> {
 }
 
 pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
-    /// The share of all land that lies below what counts as the highest: peaks alone would make all else low.
+    /// The share of all land that lies below the height that counts as the highest: peaks alone would make all else low.
     const HIGHEST: f32 = 0.995;
     Heights {
         heights: relief.heights(),
@@ -294,7 +294,7 @@ fn forms(name: &str) -> [String; 2] {
 }
 
 pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {
-    /// How wide a ridge's strokes are on either side, in units.
+    /// Half the width of a ridge's strokes, in units.
     const HALF: f32 = 3.0;
     land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()
 }

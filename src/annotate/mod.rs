@@ -1,4 +1,4 @@
-//! What stands on a finished map besides its rivers: names, labels set in type, woods and hills.
+//! The annotation of a finished map: names, labels set in type, woods and hills.
 
 #[doc(hidden)]
 pub mod glyph;

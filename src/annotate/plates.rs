@@ -1,4 +1,4 @@
-//! What plates show of a map: its longest rivers, straightened, and the long profile of its greatest.
+//! The figures of plates: a map's longest rivers, straightened, and the long profile of its greatest.
 
 use glam::Vec2;
 
@@ -10,13 +10,13 @@ use crate::map::Map;
 use crate::network::{NONE, Network, River, Vertex};
 use crate::relief::METRES;
 
-/// How many rivers are straightened.
+/// The greatest number of rivers that are straightened.
 const MOST: usize = 14;
-/// How many pieces a straightened river has, and a profile.
+/// The number of pieces of a straightened river, and of a profile.
 const PIECES: u16 = 96;
 const HEIGHTS: u16 = 160;
 
-/// The longest rivers that have names, the longest first.
+/// Straightens the longest rivers that have names, the longest first.
 pub fn longest(network: &Network, names: &Names) -> Vec<StraightRiver> {
     let lengths: Vec<f32> = network.rivers.iter().map(|river| network.length(river)).collect();
     let order = sort::argsort(lengths.iter().map(|length| sort::key(-length)));
@@ -31,7 +31,7 @@ pub fn longest(network: &Network, names: &Names) -> Vec<StraightRiver> {
     named.take(MOST).map(straight).collect()
 }
 
-/// A place on a course: where it is, half the width there, and its height.
+/// A place on a course, with half the width and the height there.
 #[derive(Clone, Copy)]
 struct Station {
     at: Vec2,
@@ -66,9 +66,9 @@ fn stations(network: &Network, river: &River, pieces: u16) -> Vec<Station> {
     (0..=pieces).map_while(station).collect()
 }
 
-/// How far a river winds to one side of the way that it takes in the large, and half its width.
+/// Straightens a river: returns for each place its distance to one side of the river's general course, and half its width.
 fn straightened(network: &Network, river: &River) -> Vec<[f32; 2]> {
-    /// How many pieces before and behind a place tell where the river goes in the large.
+    /// The number of pieces before and behind a place that tell the general course there.
     const AROUND: usize = 6;
     let stations = stations(network, river, PIECES);
     let aside = |i: usize| {
@@ -86,8 +86,8 @@ fn straightened(network: &Network, river: &River) -> Vec<[f32; 2]> {
     (0..stations.len()).map(|i| [smooth(i), stations[i].half]).collect()
 }
 
-/// The profile of the greatest river that has a name and reaches the sea; `None` if nothing tells its heights: neither its tree nor a relief
-/// that the style shows.
+/// Takes the profile of the greatest river that has a name and reaches the sea; `None` if nothing tells its heights: neither its tree nor a
+/// relief that the style shows.
 pub fn profile(map: &Map, names: &Names) -> Option<LongProfile> {
     let network = map.network();
     let is_named = |&i: &usize| names.rivers.get(i).is_some_and(|river| !river.name.is_empty());
@@ -112,7 +112,7 @@ pub fn profile(map: &Map, names: &Names) -> Option<LongProfile> {
     })
 }
 
-/// The rivers that join another, the greatest first.
+/// Lists the rivers that join another, the greatest first.
 fn tributaries(network: &Network, names: &Names, number: u32) -> Vec<Tributary> {
     let main = &network.rivers[number as usize];
     let mut along = vec![0.0];

@@ -1,4 +1,4 @@
-//! The woods and hills of a map, and what they are placed by.
+//! The woods and hills of a map, and the input of their placement.
 
 use glam::Vec2;
 
@@ -10,14 +10,14 @@ use crate::map::Map;
 use crate::network::{Network, Oxbow, PastRound, Place};
 use crate::recipe::Style;
 
-/// The scenery of a map with these labels, what is behind first; none if the recipe wants none, or the style shows none.
+/// Places the scenery of a map with these labels, the hindmost first; none if the recipe wants none, or if the style shows none.
 pub(crate) fn scenery(map: &Map, labels: &[Label]) -> Vec<Standing> {
     input(map, labels).map_or_else(Vec::new, |input| Scenery::whole(&input))
 }
 
-/// What it is placed by. None if there is to be none, or if there is not enough memory.
+/// Gathers the input of the placement of scenery; `None` if there is to be none, or if there is not enough memory.
 pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
-    /// Two lists of a course's pieces, their numbers in squares, and its places.
+    /// The memory of a vertex: two lists of a course's pieces, their numbers in squares, and its place.
     const BYTES_A_VERTEX: usize = 90;
     let (recipe, network, land) = (map.recipe(), map.network(), map.land());
     let [woods, hills] = recipe.scenery();
@@ -42,7 +42,7 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
     })
 }
 
-/// The beds in which great rivers ran before, if the style shows them.
+/// Returns the beds in which great rivers ran before, if the style shows them.
 fn beds(map: &Map) -> Vec<Vec<Place>> {
     let rounds = if map.recipe().get::<Style>().has_beds() { map.past().rounds() } else { &[] };
     rounds.iter().flat_map(PastRound::beds).flatten().map(|bed| bed.line.clone()).collect()
@@ -57,7 +57,7 @@ fn streams(network: &Network) -> Vec<Stream> {
     network.rivers.iter().map(stream).collect()
 }
 
-/// The boxes of the margin, if the map has one.
+/// Returns the boxes of the margin, if the map has one.
 fn margins(map: &Map) -> Vec<Box> {
     let (size, [least, most]) = (map.domain().size, on_map(map));
     if least.min_element() <= 0.0 {
@@ -76,7 +76,7 @@ fn margins(map: &Map) -> Vec<Box> {
     ]
 }
 
-/// The boxes of all letters, of what is cleared for them, and of the symbols of spot heights.
+/// Returns the boxes of all letters, of what is cleared for them, and of the symbols of spot heights.
 fn boxes(labels: &[Label]) -> Vec<Box> {
     let symbols = labels.iter().filter(|label| label.kind == Kind::SpotHeight).flat_map(|label| &label.strokes);
     let strokes = labels.iter().flat_map(|label| &label.cleared).chain(symbols).map(Stroke::around);

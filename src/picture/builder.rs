@@ -15,7 +15,7 @@ pub struct AnnotationBuilder {
     /// Once they are placed.
     labels: Option<Vec<Label>>,
     scenery: Scenery,
-    /// Whether all of the scenery is placed.
+    /// `true` if all of the scenery is placed.
     is_placed: bool,
     /// While that is drawn.
     painter: Option<SceneryPainter>,

@@ -1,7 +1,8 @@
-//! Filling: how much of each pixel lies within some contours, by signed area.
+//! The filling of contours: the share of each pixel that lies within them, by signed area.
 //!
-//! Each straight piece is cut at the sides of pixels. What a piece has to its right in its own pixel goes into that, and what it has in
-//! all pixels further right into the next; sums along a row then are areas. Four operations and no more, so the same bits everywhere.
+//! Each straight piece is cut at the sides of pixels. The area to its right in its own pixel is added to that pixel, and the area in all
+//! pixels further right to the next one; sums along a row are then areas. It takes the four operations of arithmetic alone, so the bits are
+//! the same everywhere.
 
 use glam::Vec2;
 
@@ -10,14 +11,14 @@ use super::table::{Curve, Glyph};
 /// Contours to be filled, in a rectangle of pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Fill {
-    /// The first column and row.
+    /// The first column and the first row of the rectangle.
     corner: [i32; 2],
     width: usize,
-    /// A row has one more than it has pixels, for what lies right of all.
+    /// Areas, row by row. A row has one more than it has pixels, for what lies right of all.
     areas: Vec<f32>,
 }
 
-/// How far pieces may lie from their curve, in pixels.
+/// The greatest distance of straight pieces from the curve that they stand for, in pixels.
 const TOLERANCE: f32 = 0.04;
 const MOST_PIECES: u32 = 12;
 
@@ -51,7 +52,7 @@ impl Fill {
         self.piece(end, place(start));
     }
 
-    /// The rows of the rectangle, with how much of each pixel is filled, from 0 to 1.
+    /// Returns the rows of the rectangle: for each pixel the share of it that is filled, from 0 to 1.
     pub fn rows(&self) -> impl Iterator<Item = impl Iterator<Item = f32>> {
         let sum = |sum: &mut f32, area: &f32| {
             *sum += area;
@@ -61,7 +62,7 @@ impl Fill {
         self.areas.chunks_exact(self.width + 1).map(move |areas| areas[..self.width].iter().scan(0.0, sum))
     }
 
-    /// A straight piece, which is cut at the borders of rows.
+    /// Adds a straight piece, cut at the borders of rows.
     fn piece(&mut self, from: Vec2, to: Vec2) {
         let (top, bottom, sign) = if from.y < to.y { (from, to, 1.0) } else { (to, from, -1.0) };
         let height = bottom.y - top.y;
@@ -80,7 +81,7 @@ impl Fill {
         }
     }
 
-    /// A piece in one row, from one x to another, which goes so far down.
+    /// Adds a piece within one row, from one x to another, which goes down by `down`.
     fn in_row(&mut self, row: usize, a: f32, b: f32, down: f32) {
         let width = self.width as f32;
         let row = &mut self.areas[row * (self.width + 1)..][..self.width + 1];
@@ -109,7 +110,7 @@ impl Fill {
     }
 }
 
-/// A piece within one pixel of a row, whose ends are at these x.
+/// Adds a piece within one pixel of a row, with ends at these x.
 fn in_column(row: &mut [f32], from: f32, to: f32, down: f32) {
     let column = (from as usize).min(row.len() - 2);
     let from_left = (from + to) * 0.5 - column as f32;
@@ -181,7 +182,7 @@ mod tests {
     use crate::property::cases;
     use proptest::prelude::*;
 
-    /// A letter of straight contours.
+    /// Makes a glyph of straight contours.
     fn polygons(contours: &[Vec<Vec2>]) -> Glyph {
         let closed = |points: &Vec<Vec2>| {
             let ends = points.iter().zip(points.iter().cycle().skip(1));
@@ -223,7 +224,7 @@ mod tests {
         assert!(filled(space, 6, 6, |at| at * 6.0).iter().flatten().all(|&share| share == 0.0));
     }
 
-    /// The share of a pixel's samples that a line winds round, by asking each of them about each side.
+    /// Returns the share of a pixel's samples that a line winds round, by asking each sample about each side.
     fn sampled(contours: &[Vec<Vec2>], x: usize, y: usize) -> f32 {
         const SAMPLES: usize = 16;
         let is_inside = |at: Vec2| {

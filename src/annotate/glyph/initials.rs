@@ -2,13 +2,14 @@
 
 use super::table::{Face, Typeface};
 
-/// The first letters or figures of the first words of a text, two at most, as capitals. Words without any that the type has are passed over.
+/// Returns the first letters or figures of the first words of a text, two at most, as capitals. Words without any that the type has are
+/// passed over.
 pub fn initials(text: &str) -> String {
     let initial = |word: &str| word.chars().find(|&letter| is_letter(letter)).map(capital);
     text.split(is_between_words).filter_map(initial).take(2).collect()
 }
 
-/// A text in capitals, as far as the type has them.
+/// Returns a text in capitals, as far as the type has them.
 pub fn capitals(text: &str) -> String {
     text.chars().map(|letter| if is_letter(letter) { capital(letter) } else { letter }).collect()
 }
@@ -25,8 +26,8 @@ pub fn is_letter(letter: char) -> bool {
     is_one && Typeface::of(Face::Italic).glyph(letter.into()).is_some_and(|glyph| !glyph.contours.is_empty())
 }
 
-/// The capital of a letter of Latin-1 or Latin Extended-A; the letter itself where the type has none. The tables of all letters would
-/// be ten times as large as all of this.
+/// Returns the capital of a letter of Latin-1 or Latin Extended-A; the letter itself where the type has none. The standard library's tables
+/// of all letters would be ten times as large as this module.
 pub fn capital(letter: char) -> char {
     let code = u32::from(letter);
     let capital = match letter {
@@ -73,7 +74,7 @@ mod tests {
         assert_eq!(capitals("日本"), "日本");
     }
 
-    /// All small letters of both blocks have the capitals that Unicode has, where the type has those.
+    /// Checks that small letters of both blocks have the capitals of Unicode, where the type has those.
     #[test]
     fn capitals_are_those_of_unicode() {
         for letter in ('\u{21}'..='\u{17f}').filter(|&letter| is_letter(letter)) {

@@ -1,18 +1,18 @@
-//! A line of type: which letters it has, and where each stands.
+//! A line of type: its letters and their places.
 
 use super::table::{Face, Glyph, Typeface};
 
 /// A letter in a line of type.
 #[derive(Clone, Copy, Debug)]
 pub struct Letter {
-    /// What it looks like.
+    /// Its outline and its advance.
     pub glyph: &'static Glyph,
-    /// How far from the line's beginning it stands, in ems.
+    /// Its distance from the beginning of the line, in ems.
     pub at: f32,
 }
 
-/// The letters of a text in a face, with kerning and so much more between any two, in ems, and how long all of it is. What there is no
-/// letter for is left out.
+/// Sets a text in a face, with kerning and with `tracking` ems more between any two letters. Returns its letters and its length in ems.
+/// Characters that the face lacks are left out.
 pub fn line_of(text: &str, face: Face, tracking: f32) -> (Vec<Letter>, f32) {
     let face = Typeface::of(face);
     let mut letters: Vec<Letter> = Vec::new();
@@ -25,7 +25,7 @@ pub fn line_of(text: &str, face: Face, tracking: f32) -> (Vec<Letter>, f32) {
     (letters, end)
 }
 
-/// The characters of a text that there is no letter for, as often as they are in it.
+/// Returns the characters of a text that no face has a letter for, as often as they occur.
 pub fn lacking(text: &str) -> impl Iterator<Item = char> {
     // Both faces have the same letters.
     let face = Typeface::of(Face::Italic);

@@ -1,14 +1,15 @@
-//! The tables of type, and what they are decoded to.
+//! The tables of type, and their decoding.
 //!
-//! `italic.bin` and `roman.bin` are written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the eighth bit says that
-//! more follow; signed ones are 0, −1, 1, −2 … as 0, 1, 2, 3 …; a list begins with its length. Lengths are 256ths of the em, y up.
+//! `italic.bin` and `roman.bin` are written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the
+//! eighth bit says that more follow; signed ones are 0, −1, 1, −2 … as 0, 1, 2, 3 …; a list begins with its length. Lengths are 256ths of
+//! the em, y up.
 //!
 //! ```text
 //! table:   shapes, letters, rows of kerning
 //! shape:   contours
 //! contour: number of points, a bit for each that lies on the line, each point less the one before (x, y)
 //! letter:  code less that before, code without its accent, advance, parts: (shape, x, y)
-//! row:     codes of first letters, pairs: (code of the second, what is between)
+//! row:     codes of first letters, pairs: (code of the second, space between the two)
 //! ```
 //!
 //! A contour's first point lies on the line. Between two points off it, the one midway is left out, as in TrueType.
@@ -31,7 +32,7 @@ pub enum Face {
     Roman,
 }
 
-/// How many units of the table there are to the em.
+/// The number of units of the table to the em.
 const EM: f32 = 256.0;
 
 /// A quadratic curve that goes on from where the one before ended: its control point and its end. A straight piece has its control point in
@@ -43,15 +44,15 @@ pub type Curve = [Vec2; 2];
 pub struct Glyph {
     /// Its code point.
     pub code: u32,
-    /// That of the letter without its accent.
+    /// The code point of the letter without its accent.
     pub base: u32,
-    /// How far on the next letter stands.
+    /// The distance from its origin to that of the next letter.
     pub advance: f32,
-    /// Its contours: where each begins, and its curves, the last of which ends there.
+    /// Its contours: the start of each and its curves, the last of which ends there.
     pub contours: Vec<(Vec2, Vec<Curve>)>,
-    /// The box around all of it, control points included; both corners are the origin if it is empty.
+    /// The upper left corner of the box around all of it, control points included; both corners are the origin if it is empty.
     pub least: Vec2,
-    /// The other corner.
+    /// The lower right corner of that box.
     pub most: Vec2,
 }
 
@@ -59,30 +60,30 @@ pub struct Glyph {
 #[derive(Debug, Default)]
 pub struct Typeface {
     glyphs: Vec<Glyph>,
-    /// Pairs of base letters with what is between them, in order.
+    /// Pairs of base letters with the space between them, in order.
     kerning: Vec<([u32; 2], f32)>,
 }
 
 impl Typeface {
-    /// The letters of a face.
+    /// Returns the letters of a face.
     pub fn of(face: Face) -> &'static Self {
         static FACES: [LazyLock<Typeface>; 2] =
             [LazyLock::new(|| Typeface::read(BYTES[0])), LazyLock::new(|| Typeface::read(BYTES[1]))];
         &FACES[face as usize]
     }
 
-    /// The letter of a code point; `None` if there is none.
+    /// Returns the letter of a code point; `None` if there is none.
     pub fn glyph(&self, code: u32) -> Option<&Glyph> {
         self.glyphs.binary_search_by_key(&code, |glyph| glyph.code).ok().map(|i| &self.glyphs[i])
     }
 
-    /// What is between two letters besides their advance.
+    /// Returns the space between two letters that is added to the advance of the first.
     pub fn kerning(&self, first: &Glyph, second: &Glyph) -> f32 {
         let pair = [first.base, second.base];
         self.kerning.binary_search_by_key(&pair, |(pair, _)| *pair).map_or(0.0, |i| self.kerning[i].1)
     }
 
-    /// What of a table can be read.
+    /// Reads a table, as far as its bytes go.
     fn read(bytes: &[u8]) -> Self {
         let mut bytes = Bytes(bytes.iter());
         let shapes = bytes.list(Bytes::shape);
@@ -107,7 +108,7 @@ impl Typeface {
 /// A point of a contour, in units of the table, and whether it lies on the line.
 type Point = (Vec2, bool);
 
-/// What is left of a table. Beyond its end everything is 0.
+/// The bytes of a table that have not been read. Beyond its end everything is 0.
 struct Bytes<'a>(std::slice::Iter<'a, u8>);
 
 impl Bytes<'_> {
@@ -169,7 +170,7 @@ impl Bytes<'_> {
     }
 }
 
-/// The curves of a contour that is moved by so much.
+/// Returns the start and the curves of a contour, moved by `by`.
 fn curves(contour: &[Point], by: Vec2) -> (Vec2, Vec<Curve>) {
     let place = |i: usize| (contour[i % contour.len()].0 + by) / EM;
     let is_on = |i: usize| contour[i % contour.len()].1;

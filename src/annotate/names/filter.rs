@@ -1,5 +1,5 @@
-//! Words that nobody wants to read. They are known by hashes, so that neither the source nor the program has a list of them: of the words of
-//! two open lists (`www/scripts/words.mjs`), those that made-up names have been seen to hold.
+//! The refusal of words that nobody wants to read. They are known by hashes, so that neither the source nor the program has a list of them:
+//! of the words of two open lists (`www/scripts/words.mjs`), those that made-up names have been seen to hold.
 
 use super::kinds::is_winding_word;
 use super::language::CAPITALS;
@@ -24,11 +24,11 @@ const fn hashes() -> [u32; REFUSED.len() / LINE] {
     hashes
 }
 
-/// The lengths of fragments.
+/// The least length of fragments, and the greatest.
 const SHORTEST: usize = 4;
 const LONGEST: usize = 12;
 
-/// Whether a word holds a refused fragment, or is one of the words for winding rivers.
+/// Returns `true` if a word holds a refused fragment, or is one of the words for winding rivers.
 pub(super) fn is_refused(word: &str) -> bool {
     let folded = folded(word);
     let starts = 0..(folded.len() + 1).saturating_sub(SHORTEST);
@@ -39,7 +39,7 @@ pub(super) fn is_refused(word: &str) -> bool {
     is_winding_word(&folded) || starts.into_iter().any(holds)
 }
 
-/// Lower-case ASCII letters as they are read: without accents.
+/// Returns a word as it is read: in lower-case ASCII letters, without accents.
 fn folded(word: &str) -> Vec<u8> {
     let mut folded = Vec::new();
     let small = |letter: char| {
@@ -61,7 +61,7 @@ fn folded(word: &str) -> Vec<u8> {
     folded
 }
 
-/// FNV-1a (Fowler, Noll, Vo; 32 bit).
+/// Returns the hash of a text by FNV-1a (Fowler, Noll, Vo; 32 bit).
 fn hash(text: &[u8]) -> u32 {
     text.iter().fold(0x811c_9dc5, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
@@ -96,12 +96,12 @@ mod tests {
         assert!(hashes.is_sorted_by(|a, b| a < b));
     }
 
-    /// FNV-1a of 64 bits.
+    /// Returns the hash of a text by FNV-1a of 64 bits.
     fn long_hash(text: &[u8]) -> u64 {
         text.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
     }
 
-    /// The fragments of many words that `tests/listed.txt` has.
+    /// Returns the fragments of some words that `tests/listed.txt` has.
     fn held(listed: &HashSet<u64>, words: impl Iterator<Item = String>) -> BTreeSet<Vec<u8>> {
         let mut found = BTreeSet::new();
         for word in words.map(|word| folded(&word)) {
@@ -113,7 +113,7 @@ mod tests {
         found
     }
 
-    /// The first words of so many languages.
+    /// Returns the first words of each of some languages.
     fn words(languages: Range<u32>, of_each: u64) -> impl Iterator<Item = String> {
         languages.flat_map(move |language| {
             let words = Words::new(Language::new(&format!("seed {language}"), 0), "");
@@ -125,7 +125,7 @@ mod tests {
         })
     }
 
-    /// The hashes of all listed words; `None` in the crate as it is published, which does without them.
+    /// Reads the hashes of all listed words; `None` in the crate as it is published, which does without them.
     fn listed() -> Option<HashSet<u64>> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         root.join("www").exists().then(|| {
@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(found.into_iter().collect::<Vec<_>>(), [&b"dell"[..], b"dellend", b"lend"]);
     }
 
-    /// With `RIVERSEED_REFRESH=1` it refuses what it finds from then on, and fails.
+    /// Refuses what it finds from then on if `RIVERSEED_REFRESH=1` is set, and fails.
     #[test]
     fn of_a_million_words_in_twenty_thousand_languages_none_holds_a_listed_one() {
         let Some(listed) = listed() else { return };

@@ -1,4 +1,5 @@
-//! What names need to know of rivers: facts of the untrimmed tree, which stay whatever is trimmed and however courses are made.
+//! The facts about rivers that names rest on. They are taken from the untrimmed tree, and so stay the same whatever is trimmed and however
+//! courses are made.
 
 use glam::Vec2;
 
@@ -30,7 +31,7 @@ impl<'a> Heads<'a> {
         Self { tree, discharge: hydrology.discharge, own_arm, lowest, by_identity }
     }
 
-    /// The node of an identity.
+    /// Returns the node of the river with an identity; `None` if there is none.
     pub fn node(&self, identity: u32) -> Option<usize> {
         let identity_of = |node: &usize| self.tree.identity_of(*node);
         let place = self.by_identity.binary_search_by_key(&identity, identity_of).ok()?;
@@ -41,19 +42,20 @@ impl<'a> Heads<'a> {
         self.tree.identity_of(node)
     }
 
-    /// What a node drains.
+    /// Returns the discharge of a node.
     pub fn discharge(&self, node: usize) -> u32 {
         self.discharge[node]
     }
 
-    /// The lowest node of the river that a river joins; none for a node that is not the lowest of its own, as where rivers cross.
+    /// Returns the lowest node of the river that a river joins; `None` for a node that is not the lowest of its own river, as where rivers
+    /// cross.
     pub fn parent(&self, node: usize) -> Option<usize> {
         let junction = self.tree.parent_of(node).filter(|_| self.lowest[node] == node as u32);
         junction.map(|junction| self.lowest[junction] as usize)
     }
 
-    /// The identities of all rivers of the untrimmed tree that drain so many thousandths of all water, with these thousandths; the greatest
-    /// first.
+    /// Returns the identities of all rivers of the untrimmed tree that drain at least `least` thousandths of all water, each with its
+    /// thousandths; the greatest first.
     pub fn great(&self, least: u64, total: u32) -> Vec<(u32, u64)> {
         let thousandths = |node: usize| u64::from(self.discharge[node]) * 1000 / u64::from(total.max(1));
         let is_great = |node: &usize| self.lowest[*node] == *node as u32 && thousandths(*node) >= least;
@@ -63,9 +65,9 @@ impl<'a> Heads<'a> {
         great.into_iter().map(|node| (self.identity(node), thousandths(node))).collect()
     }
 
-    /// From where a river comes to the one it joins, beside where that comes from: east and south, in units.
+    /// Returns the way from the river that it joins to this one, both some nodes upstream of their junction: east and south, in units.
     pub fn side(&self, node: usize) -> [f32; 2] {
-        /// Far enough to tell.
+        /// The number of nodes upstream after which the way of a river can be told.
         const NODES: usize = 12;
         let up = |from: usize| {
             let arm = |node: &usize| Some(self.own_arm[*node]).filter(|&arm| arm != NO_PARENT).map(|arm| arm as usize);

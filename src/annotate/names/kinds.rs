@@ -1,4 +1,4 @@
-//! From words to names: what kind of water or land it is, and how a language says so.
+//! The making of names from words: by the kind of water or land, and by the manner of a language.
 
 use super::PlaceKind;
 
@@ -14,7 +14,7 @@ impl Size {
     /// The least thousandths of all water of a river.
     pub const RIVER: u64 = 20;
 
-    /// By a share of the whole discharge, given in its parts.
+    /// Returns the size of a river by its share of the whole discharge.
     pub fn of(discharge: u32, total: u32) -> Self {
         let thousandths = u64::from(discharge) * 1000 / u64::from(total.max(1));
         match thousandths {
@@ -24,7 +24,7 @@ impl Size {
         }
     }
 
-    /// The word for it.
+    /// Returns the word for rivers of this size, such as `River` or `Beck`.
     pub fn generic(self, manner: u32) -> &'static str {
         const GENERICS: [[&str; 3]; 3] =
             [["River", "Creek", "Brook"], ["River", "Beck", "Burn"], ["Water", "Stream", "Rill"]];
@@ -32,7 +32,7 @@ impl Size {
     }
 }
 
-/// The name of a river: `X River`, `River X`, `X Water`.
+/// Forms the name of a river: `X River`, `River X`, `X Water`.
 pub(super) fn river(word: &str, size: Size, manner: u32) -> String {
     let generic = size.generic(manner);
     if generic == "River" && (manner / 4).is_multiple_of(2) {
@@ -42,7 +42,7 @@ pub(super) fn river(word: &str, size: Size, manner: u32) -> String {
     }
 }
 
-/// The name of the greatest tributary of a river, and its short form: by the side that it comes from, or `Little X`.
+/// Forms the name of the greatest tributary of a river, and its short form: by the side that it comes from, or `Little X`.
 pub(super) fn fork(parent: &str, [east, south]: [f32; 2], manner: u32) -> [String; 2] {
     let side = match (east.abs() > south.abs(), east > 0.0, south > 0.0) {
         (true, true, _) => "East",
@@ -56,9 +56,9 @@ pub(super) fn fork(parent: &str, [east, south]: [f32; 2], manner: u32) -> [Strin
     [format!("{side} Fork of the {parent}"), format!("{side} Fork")]
 }
 
-/// The name of a place, by its kind, its size in units and some chance.
+/// Forms the name of a place from its kind, its word, its size in units and some chance.
 pub(super) fn place(kind: PlaceKind, word: &str, size: f32, chance: u32) -> String {
-    /// Forms, with the word where `#` is: the smaller places of a kind have those of the second list.
+    /// The forms of places' names, with the word where `#` is: the smaller places of a kind have those of the second list.
     const FORMS: [(PlaceKind, f32, &str, &str); 8] = [
         (PlaceKind::Sea, 200.0, "The # Sea|Sea of #|The # Sea", "# Sound|The # Water"),
         (PlaceKind::Gulf, 0.0, "Gulf of #|The Gulf of #|# Gulf", ""),
@@ -76,7 +76,7 @@ pub(super) fn place(kind: PlaceKind, word: &str, size: f32, chance: u32) -> Stri
     form.replace('#', word)
 }
 
-/// Words for a stretch that winds: the first half stand after `The`.
+/// Names of reaches that wind: the first half stand after `The`.
 const WINDING: [&str; 48] = [
     "Meanders",
     "Rambles",
@@ -128,12 +128,12 @@ const WINDING: [&str; 48] = [
     "Corkscrew",
 ];
 
-/// Whether a folded word is one of those for winding rivers.
+/// Returns `true` if a folded word is one of those for winding rivers.
 pub(super) fn is_winding_word(folded: &[u8]) -> bool {
     WINDING.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(folded))
 }
 
-/// The name of a stretch that winds, by some chance: after its bends, or after what winds as it does.
+/// Chooses the name of a reach that winds: after its bends, or after something that winds as it does.
 pub(super) fn reach(bits: u32, manner: u32) -> String {
     let which = bits as usize % WINDING.len();
     let word = WINDING[which];

@@ -1,7 +1,7 @@
 //! Made-up languages: each seed has one, so that the names of a map sound alike.
 //!
-//! After Martin O'Leary, *Generating naming languages* (2015): a small set of sounds, the order they may stand in, and spelling. A language
-//! takes its sounds from one of twelve families, and has habits of spelling. How they make words, `syllables.rs` tells.
+//! After Martin O'Leary, *Generating naming languages* (2015): a small set of sounds, the orders in which they may stand, and spelling. A
+//! language takes its sounds from one of twelve families, and has habits of spelling. `syllables.rs` makes words of them.
 
 use super::sounds::{fits, is_vowel, rime};
 use crate::base::random::{ItemHash, Purpose, Seed};
@@ -23,13 +23,13 @@ const FAMILIES: [&str; 12] = [
     "kl v l m n f pr d h bl s r|o i e a u eo|e o i a|lv st rn ft nt pl n l r s v m d|a e o ia|en is ur|fel mor din vast|eol aun ulv oin erl",
     "tl k ch m p h t n w z kw s|a i o e u ia|i a o e|tl lp n tz sht l k m p t nk z|a i o e|an il ek|wap tum kosh met|oal itz iak uan",
 ];
-/// How many of a family's onsets, first vowels, later vowels, medials, tails, endings and rimes a language has.
+/// The numbers of onsets, first vowels, later vowels, medials, tails, endings and rimes that a language takes from its family.
 const SIZES: [usize; 8] = [12, 5, 4, 12, 4, 3, 3, 5];
 
 /// Consonants that may stand before that of an ending.
 const LINKS: [&str; 3] = ["", "l", "r"];
 
-/// How a sound may be spelled, as it is written above first. The longer stand before those that they are made of.
+/// The spellings of sounds, each sound first as words are made of it. Longer ones stand before those that they contain.
 const HABITS: [[&str; 3]; 10] = [
     ["sh", "š", "sc"],
     ["ch", "č", "tj"],
@@ -54,7 +54,7 @@ pub(super) struct Language {
     pub onsets: Vec<String>,
     /// Vowels of a word's first syllable.
     pub nuclei: Vec<String>,
-    /// Vowels of those that follow, but the last.
+    /// Vowels of the syllables between the first and the last.
     pub inner: Vec<String>,
     /// Consonants between vowels.
     pub medials: Vec<String>,
@@ -64,13 +64,13 @@ pub(super) struct Language {
     pub rimes: Vec<String>,
     /// The order of its words.
     pub chance: ItemHash,
-    /// Which of some forms it uses of a kind of name.
+    /// The number that chooses its forms of names of each kind.
     pub manner: u32,
     /// The number of words, of sixteen, that have each pattern: an onset or none, with a plain close or with one that has a meaning.
     pub weights: [u32; 4],
 }
 
-/// What the chances of a language are of.
+/// The purposes of a language's chances.
 const FAMILY: u32 = 0;
 const ORDER: u32 = 1;
 const HABIT: u32 = 2;
@@ -78,7 +78,8 @@ const MANNER: u32 = 3;
 const WEIGHT: u32 = 4;
 
 impl Language {
-    /// The seed's own language, or one by its number, which is the same for all seeds. Numbers go through the families in turn.
+    /// Makes the seed's own language, or the language of a number, which is the same for all seeds. Numbers go through the families in
+    /// turn.
     pub fn new(seed: &str, number: u32) -> Self {
         let seed = if number == 0 { Seed::from_text(seed) } else { Seed::from_text(&format!("language {number}")) };
         let chance = seed.item_hash(Purpose::Names);
@@ -108,7 +109,7 @@ impl Language {
     }
 }
 
-/// Each medial with each tail; but none that could be read as an ending with a meaning.
+/// Joins each medial with each tail, but for those that could be read as an ending with a meaning.
 fn plain_closes(medials: &[String], tails: &[String], endings: &[String]) -> Vec<String> {
     let is_plain = |tail: &&String| endings.iter().all(|ending| rime(ending) != tail.as_str());
     let of_tail = |tail: &String| {
@@ -150,7 +151,7 @@ fn spell(lists: &mut [Vec<String>; 7], sound: &str, spelling: &str) {
 mod tests {
     use super::*;
 
-    /// All lists of a language, those of vowels last.
+    /// Returns the lists of a language, those of vowels last.
     fn lists(language: &Language) -> Vec<&Vec<String>> {
         let Language { onsets, nuclei, inner, medials, closes: [plain, meant], rimes, .. } = language;
         vec![onsets, medials, plain, meant, rimes, nuclei, inner]

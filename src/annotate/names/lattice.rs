@@ -1,5 +1,5 @@
-//! Land and sea on a coarse lattice, and how far land is from each of its cells in sixteen directions: what capes, bays and straits are
-//! found by.
+//! Land and sea on a coarse lattice, and the distance of land from each of its cells in sixteen directions. Capes, bays and straits are
+//! found by it.
 
 use glam::Vec2;
 
@@ -7,7 +7,7 @@ use crate::land::Region;
 
 /// The side of a cell, in units.
 pub(super) const SIDE: f32 = 8.0;
-/// A cell has so many cells of the land's raster on a side.
+/// The number of cells of the land's raster along a side of a cell.
 const FINE: u32 = SIDE as u32;
 
 /// The number of a cell that is sea.
@@ -63,12 +63,12 @@ impl Lattice {
         }
     }
 
-    /// The middle of a cell, in units.
+    /// Returns the middle of a cell, in units.
     pub fn at(&self, cell: usize) -> Vec2 {
         Vec2::new((cell % self.columns) as f32 + 0.5, (cell / self.columns) as f32 + 0.5) * SIDE
     }
 
-    /// The cell so many columns and rows from another; `None` off the map.
+    /// Returns the cell that lies some columns east and rows south of another; `None` off the map.
     pub fn from(&self, cell: usize, [east, south]: [i32; 2]) -> Option<usize> {
         let column = (cell % self.columns) as i32 + east;
         let row = (cell / self.columns) as i32 + south;
@@ -76,7 +76,8 @@ impl Lattice {
         is_on_map.then(|| row as usize * self.columns + column as usize)
     }
 
-    /// For each cell and direction, the first land there and how many steps away; land 0 where there is none. A land's own cells see it at once.
+    /// Looks around from each cell: returns the first land in each direction, and the number of steps to it; land 0 where there is none.
+    /// From a cell of land that land is seen at once.
     pub fn views(&self) -> Vec<[(u16, u8); 16]> {
         let mut views = vec![[(SEA, u8::MAX); 16]; self.lands.len()];
         for (direction, step) in STEPS.into_iter().enumerate() {
@@ -96,8 +97,8 @@ impl Lattice {
         views
     }
 
-    /// The components of some cells, by sides and corners, each in the order in which it is found. A cell's class is what it has in common with
-    /// the others; cells of class 0 belong to none.
+    /// Returns the connected components of cells of one class, by sides and corners, each in the order in which its cells are found. Cells
+    /// of class 0 belong to none.
     pub fn components(&self, classes: &[u32]) -> Vec<Vec<usize>> {
         let mut is_found = vec![false; classes.len()];
         let mut components = Vec::new();
@@ -123,7 +124,7 @@ impl Lattice {
         components
     }
 
-    /// The way between the two cells of a component that are farthest apart within it, smoothed, from west to east.
+    /// Returns the way between the two cells of a component that are farthest apart within it, smoothed, from west to east.
     pub fn spine(&self, cells: &[usize]) -> Vec<Vec2> {
         let mut before = vec![UNSEEN; self.lands.len()];
         let first = self.farthest(cells, cells.first().copied(), &mut before);
@@ -139,7 +140,7 @@ impl Lattice {
         smoothed(&way)
     }
 
-    /// The cell of a component that takes the most steps to reach; `before` has the one before each on the way.
+    /// Finds the cell of a component that takes the most steps to reach; `before` receives the cell before each on the way.
     fn farthest(&self, cells: &[usize], from: Option<usize>, before: &mut [usize]) -> Option<usize> {
         before.fill(OUTSIDE);
         cells.iter().for_each(|&cell| before[cell] = UNSEEN);
@@ -163,13 +164,13 @@ impl Lattice {
 const UNSEEN: usize = usize::MAX;
 const OUTSIDE: usize = usize::MAX - 1;
 
-/// From a cell to those around it; those at its sides first.
+/// The steps from a cell to those around it; those at its sides first.
 const AROUND: [[i32; 2]; 8] = [[1, 0], [0, 1], [-1, 0], [0, -1], [1, 1], [-1, 1], [-1, -1], [1, -1]];
 
-/// How far a number of steps in a direction is, in units.
+/// Returns the length of some steps in a direction, in units.
 pub(super) fn distance(direction: usize, steps: u8) -> f32 {
     const DIAGONAL: f32 = SIDE * std::f32::consts::SQRT_2;
-    /// Of a step of two cells and one, √5.
+    /// The length of a step of two cells to one side and one to another, √5.
     const ASLANT: f32 = SIDE * 2.236_068;
     let step = if direction.is_multiple_of(4) {
         SIDE
@@ -181,7 +182,7 @@ pub(super) fn distance(direction: usize, steps: u8) -> f32 {
     f32::from(steps) * step
 }
 
-/// A line whose places are the means of those around them; the ends stay.
+/// Smooths a line: each place becomes the mean of itself and its neighbours; the ends stay.
 pub(super) fn smoothed(line: &[Vec2]) -> Vec<Vec2> {
     const AROUND: usize = 3;
     let smooth = |i: usize| {

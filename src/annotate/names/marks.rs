@@ -8,13 +8,13 @@ use super::regions::Found;
 use crate::base::sort;
 use crate::recipe::{Mark, OwnNames};
 
-/// The cells of a row, on maps of any aspect: the widest has 250.
+/// The number of cells of a row, on maps of any aspect: the widest has 250.
 const STRIDE: u32 = 1000;
 
-/// How far a place may be from its mark: so many units, and half its size.
+/// The greatest distance of a place from its mark, in units, to which half its size is added.
 const TOLERANCE: f32 = 48.0;
 
-/// The mark of a place.
+/// Returns the mark of a place.
 pub(super) fn mark(kind: PlaceKind, number: u32) -> Mark {
     match kind {
         PlaceKind::Sea => Mark::Sea(number),
@@ -28,19 +28,19 @@ pub(super) fn mark(kind: PlaceKind, number: u32) -> Mark {
     }
 }
 
-/// The number of the cell of a place. 0 is the main land's.
+/// Returns the number of the cell of a place, from 1: 0 is the main land's.
 fn cell_of(at: Vec2) -> u32 {
     let [column, row] = [at.x, at.y].map(|x| (x / SIDE).max(0.0) as u32);
     (row.min(STRIDE - 1) * STRIDE + column.min(STRIDE - 1)).max(1)
 }
 
-/// The middle of a cell.
+/// Returns the middle of a cell, in units.
 fn middle_of(cell: u32) -> Vec2 {
     Vec2::new((cell % STRIDE) as f32 + 0.5, (cell / STRIDE) as f32 + 0.5) * SIDE
 }
 
-/// The numbers of places: an own mark's number for the place of its kind that is nearest to it and near enough, else that of its own cell.
-/// No two marks are alike. A place that is the main land has 0.
+/// Numbers places: by an own mark for a place of the same kind that is the nearest to it and near enough, else by the place's cell. No two
+/// marks are alike. The main land has 0.
 pub(super) fn numbers(places: &[&Found], own: &OwnNames, is_main: impl Fn(usize) -> bool) -> Vec<u32> {
     let mut numbers: Vec<Option<u32>> = (0..places.len()).map(|i| is_main(i).then_some(0)).collect();
     let mut pairs = Vec::new();
@@ -71,7 +71,7 @@ pub(super) fn numbers(places: &[&Found], own: &OwnNames, is_main: impl Fn(usize)
     numbers.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// The number of a mark for places of a kind.
+/// Returns the number in a mark, if it is one for places of a kind.
 fn number_of(own: Mark, kind: PlaceKind) -> Option<u32> {
     let number = match own {
         Mark::Sea(number)

@@ -1,8 +1,9 @@
 //! Names of rivers, their meanders, seas, lands and parts of their coasts, in a made-up language; and the country's, which is the seed.
 //!
-//! A river's name is made of its [identity](crate::River::identity), the seed and facts of the untrimmed tree: it has the same name whatever is
-//! trimmed, however it meanders and in whatever style it is drawn. That a fork is called after its river, the second of two reaches with the
-//! same word after its own, and that of two great rivers with one word the smaller has another, depends on others.
+//! A river's name is made of its [identity](crate::River::identity), the seed and facts of the untrimmed tree: it has the same name
+//! whatever is trimmed, however it meanders and in whatever style it is drawn. Three names depend on others: a fork is called after its
+//! river; the second of two reaches with the same name is called after its own river; and of two great rivers with the same word the
+//! smaller takes another.
 //!
 //! ```text
 //! identity ─► number ─► word (language, filter) ─► name (kinds), or one's own
@@ -35,9 +36,9 @@ pub struct RiverName {
     pub identity: u32,
     /// Its name; empty if the recipe takes it away.
     pub name: String,
-    /// The same without what kind of river it is.
+    /// The name without the word for its kind.
     pub short: String,
-    /// What kind of river it is, such as `River`, `Beck` or `Fork`.
+    /// The word for its kind, such as `River`, `Beck` or `Fork`.
     pub kind: String,
 }
 
@@ -78,7 +79,7 @@ pub enum PlaceKind {
 }
 
 impl PlaceKind {
-    /// The kind's word in files.
+    /// Returns the kind's word in files.
     pub fn word(self) -> &'static str {
         match self {
             Self::Sea => "sea",
@@ -108,8 +109,8 @@ pub struct PlaceName {
     /// The line along which its name may run, in units: the course of a strait, the crest of a range, the axis of the main land from west
     /// to east. Empty for other places.
     pub line: Vec<Vec2>,
-    /// How large it is, in units: the width of the mouth of a bay or gulf, the length of a strait or range, how far a cape juts out; for a
-    /// sea, lake or island the side of a square of its area.
+    /// Its size, in units: the width of the mouth of a bay or gulf, the length of a strait or range, the distance by which a cape juts out;
+    /// for a sea, lake or island the side of a square of its area.
     pub size: f32,
 }
 
@@ -119,7 +120,7 @@ pub struct PlaceName {
 pub struct Names {
     /// The names of the rivers, in their order.
     pub rivers: Vec<RiverName>,
-    /// The names of their reaches, that with the most water first.
+    /// The names of their reaches, the one with the most water first.
     pub reaches: Vec<ReachName>,
     /// The names of places, by kind, the largest of each first.
     pub places: Vec<PlaceName>,

@@ -1,4 +1,4 @@
-//! Who gives names.
+//! The naming of a map's rivers, reaches and places.
 
 use glam::Vec2;
 
@@ -23,7 +23,7 @@ impl Names {
         Self::with_regions(map).0
     }
 
-    /// The same, with the region of each place.
+    /// Names the rivers of a map and what lies around them. Also returns the region of each place.
     #[doc(hidden)]
     pub fn with_regions(map: &Map) -> (Self, Vec<Region>) {
         let (network, all_reaches) = (map.network(), map.reaches());
@@ -40,7 +40,7 @@ impl Names {
         (Self { rivers, reaches, places, title, subtitle }, regions)
     }
 
-    /// The mark of each name of a network's map, with the name: the map, then rivers, the greatest first, their reaches, and places.
+    /// Lists the names of a network's map, each with its mark: the map, then rivers, the greatest first, their reaches, and places.
     pub fn marked(&self, network: &Network) -> Vec<(Mark, &str)> {
         let by_discharge = sort::argsort(network.rivers.iter().map(|river| u32::MAX - network.discharge(river)));
         let river = |i: usize| self.rivers.get(i).map(|river| (Mark::River(river.identity), river.name.as_str()));
@@ -50,7 +50,7 @@ impl Names {
         title.into_iter().chain(by_discharge.into_iter().filter_map(river)).chain(reaches).chain(places).collect()
     }
 
-    /// The names of one's own in a recipe that name nothing on this map.
+    /// Returns the marks of a recipe's own names that name nothing on this map.
     pub fn unused(&self, recipe: &Recipe) -> Vec<Mark> {
         let is_used = |own: &Mark| match *own {
             Mark::River(identity) => self.rivers.iter().any(|river| river.identity == identity),
@@ -63,11 +63,11 @@ impl Names {
     }
 }
 
-/// The words and the names of one's own by which names are given.
+/// The words and the own names by which names are given.
 struct Namer {
     words: Words,
     own: OwnNames,
-    /// The name of the country, if nothing of one's own is it: the seed, or a made-up word.
+    /// The name of the country unless an own name says otherwise: the seed, or a made-up word.
     country: String,
 }
 
@@ -80,12 +80,13 @@ impl Namer {
         Self { words, own: recipe.own_names(), country }
     }
 
-    /// One's own name for something, or another.
+    /// Returns the recipe's own name for something, or another if it has none.
     fn name(&self, mark: Mark, other: impl FnOnce() -> String) -> String {
         self.own.get(mark).map_or_else(other, String::from)
     }
 
-    /// The same for what is named after it, which has a name even if that has none; without an article.
+    /// Returns the word by which other things are named after something: its own name without an article, or another if it has none or an
+    /// empty one.
     fn name_of_others(&self, mark: Mark, other: impl FnOnce() -> String) -> String {
         let own = self.own.get(mark).filter(|own| !own.is_empty());
         own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
@@ -123,7 +124,7 @@ impl Namer {
         }
     }
 
-    /// Of reaches, that with the most water first.
+    /// Names reaches, which must come with the most water first.
     fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, (rivers, great): (&[RiverName], &Great)) -> Vec<ReachName> {
         let mut named: Vec<ReachName> = Vec::new();
         for (number, course) in reaches {
@@ -139,25 +140,25 @@ impl Namer {
         named
     }
 
-    /// The word of a river.
+    /// Returns the word of a river.
     fn river_word(&self, great: &Great, identity: u32) -> String {
         let great = great.iter().find(|(of, _)| *of == identity);
         great.map_or_else(|| self.words.other(identity.into()), |(_, word)| word.clone())
     }
 
-    /// The map's title: one's own, or the main land's own name, or the country's.
+    /// Returns the map's title: the recipe's own, or the main land's own name, or the country's.
     fn title(&self) -> String {
         let land = self.own.get(Mark::Island(0)).filter(|own| !own.is_empty());
         self.name(Mark::Title, || land.unwrap_or(&self.country).into())
     }
 
-    /// The name of the main land: one's own, or the map's own title, or the country's.
+    /// Returns the name of the main land: the recipe's own, or the map's own title, or the country's.
     fn land(&self) -> String {
         let title = self.own.get(Mark::Title).filter(|own| !own.is_empty());
         self.name(Mark::Island(0), || title.unwrap_or(&self.country).into())
     }
 
-    /// The places of a map, each with its region, which parts of a coast and ranges do not have.
+    /// Names the places of a map. Returns each with its region, which parts of a coast and ranges do not have.
     fn places(&self, map: &Map, land: &Land) -> (Vec<PlaceName>, Vec<Region>) {
         let (places, regions): (Vec<Place>, Vec<Region>) = places::of(map, land).into_iter().unzip();
         let found: Vec<&Found> = places.iter().map(|place| &place.found).collect();
@@ -171,7 +172,7 @@ impl Namer {
         (places.into_iter().zip(numbers).map(named).collect(), regions)
     }
 
-    /// The made-up name of a place, by its kind and rank.
+    /// Makes up the name of a place, by its kind and rank.
     fn usual(&self, place: &Place) -> String {
         let (kind, rank) = place.kind_and_rank();
         let chance = self.words.language.chance.bits([rank, kind as u32, PLACE]);
@@ -179,20 +180,20 @@ impl Namer {
     }
 }
 
-/// The words of great rivers, by their identities.
+/// The words of great rivers, each with the river's identity.
 type Great = [(u32, String)];
 
-/// The number of the word of a place.
+/// Returns the number of a place's word.
 fn number_of_word(kind: PlaceKind, rank: u32) -> u64 {
     u64::from(rank) * 8 + kind as u64
 }
 
-/// Chances of reaches and of places; those of words are above.
+/// The items of chances of reaches and of places; those of words are above.
 const REACH: u32 = 1 << 15;
 const PLACE: u32 = REACH + 1;
 
-/// The river that one is a fork of: it brings over a third of that one's water, and that one is great and no fork itself. No river has two
-/// forks: above the one too little is left for another.
+/// Returns the river that a river is a fork of; `None` if it is no fork. A fork brings over a third of the water of the river that it
+/// joins, which is great and no fork itself. No river has two forks: above the one too little is left for another.
 fn fork_of(heads: &Heads, node: usize, total: u32) -> Option<usize> {
     let parent = heads.parent(node)?;
     let is_fork = u64::from(heads.discharge(node)) * 100 >= u64::from(heads.discharge(parent)) * 35

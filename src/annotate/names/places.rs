@@ -1,4 +1,4 @@
-//! All places of a map that have names, with what their names depend on.
+//! The places of a map that have names, with the facts that their names depend on.
 
 use super::PlaceKind;
 use super::lattice::Lattice;
@@ -22,9 +22,10 @@ impl Place {
     }
 }
 
-/// The places of a map, by kind, the most important of each first; those that are no seas, lakes and islands have no region.
+/// Finds the places of a map that have names, by kind, the most important of each first. Those that are no seas, lakes or islands have no
+/// region.
 pub(super) fn of(map: &Map, land: &Land) -> Vec<(Place, Region)> {
-    /// In square units: smaller ones have no names.
+    /// The least area of seas, lakes and islands with names, in square units.
     const LEAST_SEA: f32 = 10_000.0;
     const LEAST_LAKE: f32 = 400.0;
     const LEAST_ISLAND: f32 = 150.0;

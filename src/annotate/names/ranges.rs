@@ -8,7 +8,7 @@ use super::regions::Found;
 use crate::base::sort;
 use crate::relief::Relief;
 
-/// The most ranges of a map.
+/// The greatest number of ranges of a map.
 const MOST: usize = 3;
 /// The share of land that lies lower than a range.
 const LOWER: f32 = 0.86;
@@ -16,7 +16,7 @@ const LOWER: f32 = 0.86;
 const LEAST_CELLS: usize = 12;
 const SHORTEST: f32 = 90.0;
 
-/// The ranges of a map, the longest first, each with its height over the sea, in units.
+/// Finds the ranges of a map, the longest first, each with its height over the sea, in units.
 pub(super) fn found(lattice: &Lattice, relief: &Relief) -> Vec<(Found, f32)> {
     let high = relief.quantile(LOWER);
     let heights: Vec<f32> = (0..lattice.lands.len()).map(|cell| relief.at(lattice.at(cell))).collect();
@@ -35,7 +35,7 @@ pub(super) fn found(lattice: &Lattice, relief: &Relief) -> Vec<(Found, f32)> {
     ranges
 }
 
-/// A line moved to the highest places beside it, and smoothed.
+/// Moves a line to the highest places beside it, and smooths it.
 fn crest(relief: &Relief, line: &[Vec2]) -> Vec<Vec2> {
     const CELLS: i32 = 2;
     let highest = |&at: &Vec2| {

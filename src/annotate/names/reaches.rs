@@ -1,13 +1,13 @@
-//! Which of the stretches where great rivers are flat wind so much that they have names of their own.
+//! The reaches that have names of their own: those stretches of flat country on which great rivers wind enough.
 
 use glam::Vec2;
 
 use crate::base::geometry::{distance, lengths};
 use crate::network::{Network, Reach, Vertex};
 
-/// The course of a reach as it is; nothing if it hardly winds, or is short for its width.
+/// Returns the course of a reach; `None` if it hardly winds, or is short for its width.
 pub(super) fn course(network: &Network, reach: &Reach) -> Option<Vec<Vec2>> {
-    /// Over that of its smoothed course.
+    /// The least length of a reach, over that of its smoothed course, and over its width.
     const LEAST_LENGTH: f32 = 1.3;
     const LEAST_WIDTHS: f32 = 12.0;
     let river = network.rivers.get(reach.river as usize)?;
@@ -20,8 +20,8 @@ pub(super) fn course(network: &Network, reach: &Reach) -> Option<Vec<Vec2>> {
     (length >= LEAST_LENGTH * straight && length >= LEAST_WIDTHS * width).then_some(line)
 }
 
-/// A line without its bends: each vertex in the middle of those within some widths of it along the line, as many upstream as downstream, so
-/// that the ends stay.
+/// Smooths a line so that its bends are gone: each vertex becomes the mean of those within some widths of it along the line, as many
+/// upstream as downstream, so that the ends stay.
 fn smoothed(line: &[Vec2], width: f32) -> Vec<Vec2> {
     const WIDTHS: f32 = 20.0;
     let mean = line.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f32>() / line.len().max(2) as f32;
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
     use crate::network::{NONE, River};
 
-    /// A river of 400 vertices, two units wide, with bends of some height from vertex 100 on.
+    /// Makes a river of 400 vertices, two units wide, with bends of some height from vertex 100 on.
     fn river(height: f32) -> Network {
         let vertex = |i: u32| Vertex {
             at: Vec2::new(i as f32, if i < 100 { 0.0 } else { height * libm::sinf(i as f32 * 0.3) }),

@@ -14,7 +14,7 @@ pub(super) struct Found {
     pub at: Vec2,
     /// The line along which its name may run, in units; empty for most.
     pub line: Vec<Vec2>,
-    /// How large it is, in units.
+    /// Its size, in units.
     pub size: f32,
 }
 
@@ -25,7 +25,7 @@ pub(super) struct Tract {
     pub region: Region,
 }
 
-/// The seas, which reach the frame of the map; the lakes, which do not; and the islands, the main land first.
+/// Finds the tracts of a land: the seas, which reach the frame of the map; the lakes, which do not; and the islands, the main land first.
 pub(super) fn tracts(land: &Land) -> [Vec<Tract>; 3] {
     let (seas, lakes): (Vec<Region>, Vec<Region>) =
         land.waters().into_iter().partition(|water| reaches_frame(land, water));
@@ -34,9 +34,9 @@ pub(super) fn tracts(land: &Land) -> [Vec<Tract>; 3] {
 }
 
 impl Tract {
-    /// A place in the midst of it: the middle of the cell that is farthest from the coast.
+    /// Returns a place in the midst of the tract: the middle of the cell that is farthest from the coast.
     pub fn midst(&self, land: &Land) -> Vec2 {
-        /// The distance from the coast rises by no more than this along a row, by the unit.
+        /// The greatest rise of the distance from the coast along a row, per unit.
         const STEEPEST: f32 = 2.0;
         let mut midst = (Vec2::ZERO, -1.0);
         for run in &self.region.runs {
@@ -55,7 +55,7 @@ impl Tract {
     }
 }
 
-/// The axis of the main land, from west to east: the middles of what is broadest of it from north to south, without its ends.
+/// Returns the axis of the main land, from west to east: the middles of its broadest parts from north to south, without its ends.
 pub(super) fn axis(lattice: &Lattice) -> Vec<Vec2> {
     /// The share of the columns that is left out at either end.
     const LEFT_OUT: usize = 12;

@@ -7,13 +7,13 @@ use super::lattice::{Lattice, SEA, SIDE, distance};
 use super::regions::Found;
 use crate::base::sort;
 
-/// The most bays, gulfs, straits and capes of a map.
+/// The greatest numbers of bays, gulfs, straits and capes of a map.
 const MOST_BAYS: usize = 6;
 const MOST_GULFS: usize = 2;
 const MOST_STRAITS: usize = 4;
 const MOST_CAPES: usize = 6;
 
-/// All of them, by kind, the most important of each first.
+/// Finds gulfs, bays, capes and straits, by kind, the most important of each first.
 pub(super) fn found(lattice: &Lattice, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
     let views = lattice.views();
     let straits = straits(lattice, &views);
@@ -27,12 +27,13 @@ pub(super) fn found(lattice: &Lattice, far: impl Fn(Vec2) -> f32) -> Vec<Found> 
     gulfs.into_iter().chain(bays).chain(capes).chain(straits).collect()
 }
 
-/// How far a bay is from a gulf or a strait, in units.
+/// The least distance of a bay from a gulf or a strait, in units.
 const APART: f32 = 48.0;
 
 type View = [(u16, u8); 16];
 
-/// Bays or gulfs: sea that sees land near in eleven of sixteen directions at least, all others side by side, and nearly all of one land.
+/// Finds bays or gulfs: sea that sees land near in eleven of sixteen directions at least, all others side by side, and nearly all of one
+/// land.
 fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
     /// Land is near at so many units, and a bay or gulf has so many square units.
     const BAY: (f32, f32) = (72.0, 1000.0);
@@ -67,7 +68,7 @@ fn is_enclosed(view: &View, near: f32) -> bool {
     all.count_ones() >= LEAST && gaps <= 1 && view.iter().any(|(land, _)| *land != SEA && is_most(*land))
 }
 
-/// How wide the opening of a bay is, in units: the larger side of the box around its cells beside open sea.
+/// Returns the width of the opening of a bay, in units: the larger side of the box around its cells beside open sea.
 fn mouth(lattice: &Lattice, classes: &[u32], cells: &[usize]) -> f32 {
     let is_open = |cell: usize| lattice.lands[cell] == SEA && classes[cell] == 0;
     let is_mouth = |cell: usize| {
@@ -81,7 +82,7 @@ fn mouth(lattice: &Lattice, classes: &[u32], cells: &[usize]) -> f32 {
     if least.x > most.x { 0.0 } else { (most - least).max_element() + SIDE }
 }
 
-/// Straits: sea with one land on one side and another on the other, near to both, and much longer than wide.
+/// Finds straits: sea with one land on one side and another on the other, near to both, and much longer than wide.
 fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
     /// Both shores together are no farther off, in units; a strait is no shorter; and a land that makes one has so many cells.
     const WIDEST: f32 = 80.0;
@@ -116,7 +117,7 @@ fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
     best(straits, MOST_STRAITS, APART)
 }
 
-/// Capes: land with little of its own land around it, however far one looks.
+/// Finds capes: land with little of its own land around it, however far one looks.
 fn capes(lattice: &Lattice) -> Vec<Found> {
     /// Radii in cells, and the most land of a disc, in its share: half of it is land on a straight coast.
     const RADII: [i32; 4] = [4, 7, 10, 14];
@@ -159,7 +160,7 @@ fn capes(lattice: &Lattice) -> Vec<Found> {
     best(shore.filter_map(cape).collect(), MOST_CAPES, SPARE)
 }
 
-/// The cells of a disc around one, and of the rings around that, by every other cell.
+/// Returns the cells of a disc around a cell, and of the rings around the disc, every other cell of each.
 fn discs<const N: usize>(radii: [i32; N]) -> [Vec<[i32; 2]>; N] {
     let mut inner = 0;
     radii.map(|radius| {
@@ -173,7 +174,7 @@ fn discs<const N: usize>(radii: [i32; N]) -> [Vec<[i32; 2]>; N] {
     })
 }
 
-/// The best by a number, of those that are no nearer to a better one than so many units.
+/// Chooses places by a number, the greatest first, each of them at least `apart` units from all better ones.
 fn best(places: Vec<(f32, Found)>, most: usize, apart: f32) -> Vec<Found> {
     let mut kept: Vec<Found> = Vec::new();
     for (_, place) in sort::sorted_by(places, |(worth, _)| sort::key(-worth)) {

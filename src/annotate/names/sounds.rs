@@ -1,16 +1,16 @@
-//! Vowels and consonants, and which consonants are easy to say after each other.
+//! Vowels and consonants, and the consonants that are easy to say after each other.
 
 /// Returns `true` for the vowels that languages are spelled with.
 pub(super) fn is_vowel(letter: char) -> bool {
     "aeiouáāäæ".contains(letter)
 }
 
-/// The consonants that a text begins with.
+/// Returns the consonants that a text begins with.
 fn run(text: &str) -> &str {
     text.find(is_vowel).map_or(text, |end| &text[..end])
 }
 
-/// The rest of a text after the consonants that it begins with.
+/// Returns the rest of a text after the consonants that it begins with.
 pub(super) fn rime(text: &str) -> &str {
     &text[run(text).len()..]
 }

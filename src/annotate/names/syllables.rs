@@ -23,12 +23,12 @@ impl Series {
 /// The most pairs of medial and vowel before a word's close.
 pub(super) const LONGEST: usize = 9;
 
-/// How many words there are, of each series and length.
+/// The numbers of words of each series and length.
 #[derive(Clone, Debug)]
 pub(super) struct Syllables {
-    /// For each kind of close, number of pairs and medial: the words' ends that may follow the medial and a vowel.
+    /// The numbers of ends of words that may follow a medial and a vowel: for each kind of close, number of pairs and medial.
     after: [[Vec<u64>; LONGEST]; 2],
-    /// For each series and number of pairs: all words.
+    /// The numbers of all words, for each series and number of pairs.
     counts: [[u64; LONGEST]; Series::COUNT],
 }
 
@@ -51,12 +51,12 @@ impl Syllables {
         this
     }
 
-    /// The number of words of a series with so many pairs of medial and vowel.
+    /// Returns the number of words of a series with `pairs` pairs of medial and vowel.
     pub fn count(&self, series: Series, pairs: usize) -> u64 {
         self.counts[series.0][pairs]
     }
 
-    /// How many ends of words, with so many pairs, may follow a group of consonants and a vowel.
+    /// Counts the ends of words, with `pairs` pairs of medial and vowel, that may follow a group of consonants and a vowel.
     fn ends(&self, language: &Language, series: Series, pairs: usize, before: &str) -> u64 {
         let Some(shorter) = pairs.checked_sub(1) else {
             return series.closes(language).iter().filter(|close| fits(before, close)).count() as u64;
@@ -66,7 +66,7 @@ impl Syllables {
         fitting.map(|(_, ends)| ends * language.inner.len() as u64).sum()
     }
 
-    /// The word of a number below [`count`](Self::count), in small letters.
+    /// Returns the word of a number below [`count`](Self::count), in small letters.
     pub fn word(&self, language: &Language, series: Series, pairs: usize, mut number: u64) -> String {
         let (mut word, mut before) = (String::new(), "");
         for onset in onsets(language, series) {
@@ -103,7 +103,7 @@ fn onsets(language: &Language, series: Series) -> impl Iterator<Item = &str> {
     none.into_iter().chain(onsets.iter().map(String::as_str))
 }
 
-/// An entry by the last digit of a number, which is taken from it.
+/// Takes the last digit from a number, to the base of a list's length. Returns the entry of that digit.
 fn digit<'a>(list: &'a [String], number: &mut u64) -> &'a str {
     let count = list.len().max(1) as u64;
     let digit = *number % count;

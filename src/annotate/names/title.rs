@@ -2,12 +2,12 @@
 
 use crate::annotate::glyph::{capital, is_letter, lacking};
 
-/// The most characters and words of a seed that is a name.
+/// The greatest numbers of characters and of words of a seed that is a name.
 const LONGEST: usize = 24;
 const MOST_WORDS: usize = 3;
 
-/// The name that a seed is: of one to three words of letters that the type has, with apostrophes and hyphens between them. `None` for any
-/// other seed. Words without a capital get one: `new zealand` is `New Zealand`, and `isle of man` is `Isle of Man`.
+/// Returns the name that a seed is: one to three words of letters that the type has, with apostrophes and hyphens between them. `None` for
+/// any other seed. Words without a capital get one: `new zealand` is `New Zealand`, and `isle of man` is `Isle of Man`.
 pub(super) fn country(seed: &str) -> Option<String> {
     let words: Vec<&str> = seed.split_whitespace().collect();
     let letters = seed.chars().filter(|&letter| is_alphabetic(letter)).count();
@@ -19,7 +19,7 @@ pub(super) fn country(seed: &str) -> Option<String> {
 /// The line under a title that is the country's name.
 const RIVERS: &str = "and its rivers";
 
-/// The line under a title. It tells the word that the map grew from, if the title does not; empty if the type lacks a letter of it.
+/// Writes the line under a title. It tells the word that the map grew from, if the title does not; empty if the type lacks a letter of it.
 pub(super) fn subtitle(title: &str, seed: &str) -> String {
     const LONGEST: usize = 40;
     let seed = seed.trim();
@@ -42,7 +42,7 @@ fn is_alphabetic(letter: char) -> bool {
     is_letter(letter) && !letter.is_ascii_digit()
 }
 
-/// Letters with single apostrophes and hyphens between them; one may end with an apostrophe.
+/// Returns `true` if a word consists of letters with single apostrophes and hyphens between them. It may end with an apostrophe.
 fn is_word(word: &str) -> bool {
     let mut parts = word.strip_suffix(is_apostrophe).unwrap_or(word).split(|c| is_apostrophe(c) || c == '-');
     parts.all(|part| !part.is_empty() && part.chars().all(is_alphabetic)) && lacking(word).next().is_none()
@@ -52,7 +52,7 @@ fn is_apostrophe(letter: char) -> bool {
     matches!(letter, '\'' | '\u{2019}')
 }
 
-/// A word as a name has it: as it is if it has a capital, or if it is one that names have in small letters.
+/// Writes a word as names have it: unchanged if it has a capital, or if it is one that names have in small letters; else with a capital.
 fn as_name(word: &str, is_first: bool) -> String {
     const SMALL: [&str; 12] = ["of", "the", "and", "de", "la", "le", "du", "des", "di", "da", "von", "am"];
     let has_capital = word.chars().any(|letter| capital(letter) == letter && is_alphabetic(letter));

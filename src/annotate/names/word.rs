@@ -16,7 +16,7 @@ pub(super) struct Words {
     taken: String,
 }
 
-/// Those who share the words of a language: none has a word that another might have.
+/// The groups that share the words of a language: none has a word that another might have.
 #[derive(Clone, Copy)]
 enum Share {
     Great,
@@ -25,7 +25,7 @@ enum Share {
 }
 
 impl Share {
-    /// The first and the last eighth of all words that it may have.
+    /// Returns the first eighth of all words that this group may have, and the one after its last.
     fn eighths(self) -> [u64; 2] {
         match self {
             Self::Great => [0, 1],
@@ -40,18 +40,18 @@ impl Words {
         Self { syllables: Syllables::of(&language), taken: capitals(land), language }
     }
 
-    /// The word of what is neither a great river nor a place.
+    /// Returns the word of something that is neither a great river nor a place.
     pub fn other(&self, number: u64) -> String {
         self.counted(Share::Other, number)
     }
 
-    /// The word of a place.
+    /// Returns the word of a place.
     pub fn place(&self, number: u64) -> String {
         self.counted(Share::Place, number)
     }
 
-    /// The words of great rivers, by their identities and thousandths of all water, the greatest first: of one syllable or two, the shorter the
-    /// greater they are. One whose word a greater river has takes its next.
+    /// Chooses the words of great rivers, given by their identities and thousandths of all water, the greatest first: words of one syllable
+    /// or two, the shorter the greater the river. A river whose word a greater one has takes its next.
     pub fn great(&self, rivers: Vec<(u32, u64)>) -> Vec<(u32, String)> {
         let mut used: Vec<String> = Vec::new();
         let word = |(identity, thousandths)| {
@@ -63,9 +63,9 @@ impl Words {
         rivers.into_iter().map(word).collect()
     }
 
-    /// One of the words for a great river.
+    /// Returns one of the words for a great river.
     fn short(&self, identity: u32, attempt: u32, thousandths: u64) -> String {
-        /// One syllable for so many in eight, of rivers with so many thousandths of all water.
+        /// The share of words of one syllable, in eighths, among rivers with at least so many thousandths of all water.
         const ONE: [(u64, u32); 3] = [(80, 5), (40, 3), (20, 1)];
         let bits = |item| self.language.chance.bits([identity, attempt, GREAT + item]);
         let eighths = ONE.iter().find(|(least, _)| thousandths >= *least).map_or(0, |(_, eighths)| *eighths);
@@ -82,9 +82,9 @@ impl Words {
         self.spell(series, 0, u64::from(bits(2)) % end.max(1))
     }
 
-    /// The word of a number: words of two syllables come first, then those of three, then four. One that nobody wants to read is replaced by
-    /// that of the same number with a syllable more. The numbers that are due that many anyhow begin where those of shorter words end, so
-    /// a stand-in meets no other word.
+    /// Returns the word of a number: words of two syllables come first, then those of three, then four. A word that nobody wants to read is
+    /// replaced by that of the same number with a syllable more. The numbers of words with that many syllables of their own begin where
+    /// those of shorter words end, so a stand-in meets no other word.
     fn counted(&self, share: Share, number: u64) -> String {
         let (series, rank) = self.series(number);
         let size = |pairs| {
@@ -98,7 +98,7 @@ impl Words {
         capitalized(&words.find(|word| self.is_fit(word)).unwrap_or_else(longest))
     }
 
-    /// The series of a number, and its place among those of that series: of sixteen numbers some are of each.
+    /// Returns the series of a number, and its place among the numbers of that series: of sixteen numbers some are of each.
     fn series(&self, number: u64) -> (Series, u64) {
         let (group, mut slot) = (number / 16, number * 7 % 16);
         for (series, &weight) in self.language.weights.iter().enumerate() {
@@ -121,11 +121,11 @@ impl Words {
     }
 }
 
-/// The most words that a great river tries.
+/// The greatest number of words that a great river tries.
 const TRIES: u32 = 64;
 
-/// Another number below the same count, and no two have the same: four rounds of a Feistel network (Luby and Rackoff 1988) on the next
-/// power of four, walked until they come back below the count (Black and Rogaway 2002).
+/// Exchanges a number for another below the same count, so that no two get the same: four rounds of a Feistel network (Luby and Rackoff
+/// 1988) on the next power of four, walked until the result is below the count (Black and Rogaway 2002).
 fn permuted(language: &Language, number: u64, count: u64, key: u32) -> u64 {
     const ROUNDS: u32 = 4;
     if number >= count {
@@ -146,7 +146,7 @@ fn permuted(language: &Language, number: u64, count: u64, key: u32) -> u64 {
     }
 }
 
-/// Items from here on are those of words, and of great rivers.
+/// The first items of the chances of words, and of great rivers.
 const KEYS: u32 = 1 << 16;
 const GREAT: u32 = 1 << 17;
 
@@ -170,7 +170,7 @@ mod tests {
         Words::new(Language::new("", number), "")
     }
 
-    /// The words of great rivers, places and others on a map with many of each.
+    /// Returns the words of great rivers, places and others on a map with many of each.
     fn all(words: &Words, others: u64) -> Vec<String> {
         let great = words.great((0..120).map(|identity| (identity * 7, 200 / (u64::from(identity) / 6 + 1))).collect());
         let places = (0..120).map(|number| words.place(number));
@@ -192,7 +192,7 @@ mod tests {
         }
     }
 
-    /// Two hundred words of a language, as many of each kind as on a map.
+    /// Returns two hundred words of a language, as many of each kind as on a map.
     fn some(number: u32) -> Vec<String> {
         let words = words_of(number);
         let great = words.great((0..40).map(|identity| (identity * 7, 200 / (u64::from(identity) / 4 + 1))).collect());

@@ -1,10 +1,11 @@
-//! The places along a map's frame that blocks of lines may stand in, and how much room the sea has for them there.
+//! Anchors: the places along a map's frame where blocks of lines may stand, and the room that the sea has for them there.
 
 use glam::Vec2;
 
 use super::input::Input;
 
-/// How far blocks are from the frame, in units, whatever their size: so that a smaller one covers nothing that a larger one does not.
+/// The distance of blocks from the frame, in units. It is the same for blocks of all sizes, so that a smaller one covers nothing that a
+/// larger one does not.
 const FROM_FRAME: f32 = 12.0;
 
 /// A place along the frame, by the shares of the room that are left and above of it.
@@ -22,7 +23,7 @@ impl Anchor {
         Self(Vec2::new(0.5, 1.0)),
     ];
 
-    /// Where the upper left corner of a block is in a frame.
+    /// Returns the upper left corner of a block of a size at this anchor of a frame.
     pub fn place(self, [least, most]: [Vec2; 2], size: Vec2) -> Vec2 {
         least + FROM_FRAME + self.0 * (most - least - 2.0 * FROM_FRAME - size)
     }
@@ -35,8 +36,8 @@ impl Anchor {
 
 /// Returns `true` if all of a block is sea, its surroundings too. Distances from the coast tell this of a whole square at once, so few are asked for.
 pub fn is_open(input: &Input<'_>, at: Vec2, size: Vec2, margin: f32) -> bool {
-    /// Half the diagonal of a part that is no longer divided, in units, or as a share of the margin: none of it is on land if its middle is
-    /// as far from the coast as that.
+    /// Half the diagonal of a part that is not divided any more, in units, or as a share of the margin. No such part has land if the
+    /// distance of its middle from the coast is at least the margin.
     const FINE: f32 = 1.5;
     const SHARE: f32 = 0.5;
     let Some(coast) = input.coast else { return false };

@@ -11,18 +11,18 @@ use crate::land::CoastDistance;
 /// Lengths of the em that are tried, in units, the first that fits; the last for lakes alone.
 const SIZES: [f32; 5] = [34.0, 27.0, 21.0, 16.0, 13.0];
 const SIZES_OF_SEAS: usize = 4;
-/// How much larger letters are than the smallest that can be read.
+/// The least size of letters, over that of the smallest that can be read.
 const OVER_LEAST: f32 = 1.3;
-/// How far middles lie apart that are tried, and how far letters keep from coast, frame and other labels, in ems.
+/// The distances between the middles that are tried, and the least ones of letters from the coast, the frame and other labels, in ems.
 const STEP: f32 = 0.8;
 const FROM_COAST: f32 = 0.75;
 const FROM_FRAME: f32 = 0.6;
 const FROM_LABELS: f32 = 0.5;
-/// More than this many ems of open water around letters are no better.
+/// The distance from the coast beyond which more open water around letters is no better, in ems.
 const WIDE: f32 = 4.0;
 
-/// Directions with how many degrees they are tilted by, and how high an arc along them may rise over its chord, as a share of this: so
-/// that no letter climbs by more than 20 degrees.
+/// The directions of chords, each with the degrees of its tilt and the greatest height of an arc over its chord, as a share of the chord.
+/// No letter then climbs by more than 20 degrees.
 const TILTS: [(Vec2, f32, f32); 5] = [
     (Vec2::new(1.0, 0.0), 0.0, 0.09),
     (Vec2::new(0.992_546_2, -0.121_869_34), 7.0, 0.057),
@@ -30,10 +30,10 @@ const TILTS: [(Vec2, f32, f32); 5] = [
     (Vec2::new(0.970_295_7, -0.241_921_9), 14.0, 0.026),
     (Vec2::new(0.970_295_7, 0.241_921_9), 14.0, 0.026),
 ];
-/// Straight, rising and falling.
+/// The forms of arcs: straight, rising and falling.
 const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
 
-/// The label of a sea or a lake, off the boxes that are taken; `None` if there is no room.
+/// Finds a place for the name of a sea or a lake, off the boxes that are taken; `None` if there is no room.
 pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let sizes = if area.kind == AreaKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
@@ -59,7 +59,7 @@ struct Search<'a> {
     text: Text,
 }
 
-/// Where a label might stand: the middle of its chord, its direction and how high it rises.
+/// A candidate for a label: the middle of its chord, its direction and its height.
 #[derive(Clone, Copy)]
 struct Arc {
     middle: Vec2,
@@ -68,7 +68,7 @@ struct Arc {
 }
 
 impl Search<'_> {
-    /// The label with the most water around it, level and curved if that makes no great difference.
+    /// Returns the label with the most water around it, level and curved if that makes no great difference.
     fn label(&self, text: &str) -> Option<Label> {
         if self.text.letters.is_empty() {
             return None;
@@ -118,12 +118,12 @@ impl Search<'_> {
         ends.into_iter().all(|end| self.area.contains(end)).then_some(least)
     }
 
-    /// Whether a middle has water of this area around it.
+    /// Returns `true` if there is water of this sea or lake around a point.
     fn is_open(&self, middle: Vec2) -> bool {
         self.clearance(middle) >= FROM_COAST && self.area.contains(middle)
     }
 
-    /// Whether no letter comes too near to another label.
+    /// Returns `true` if no letter comes too near to another label.
     fn is_free(&self, letters: &[Placed]) -> bool {
         letters.iter().all(|letter| {
             let around = letter.around(self.em);
@@ -131,7 +131,7 @@ impl Search<'_> {
         })
     }
 
-    /// The point of an arc at a distance from its beginning, in ems.
+    /// Returns the point of an arc at a distance from its beginning, in ems.
     fn at(&self, arc: Arc, at: f32) -> Vec2 {
         let length = self.text.length;
         let (off, rest) = (at - 0.5 * length, at / length);

@@ -1,20 +1,20 @@
-//! What letters stand on, as placement asks about it.
+//! The background of letters, as placement asks about it.
 
 use glam::Vec2;
 
 use super::input::Input;
 use crate::network::Place;
 
-/// No river.
+/// The number of no river.
 pub const NONE: u32 = u32::MAX;
-/// A ridge, which is in the way of every label.
+/// The number of ridges, which are in the way of every label.
 pub const RIDGE: u32 = u32::MAX - 1;
-/// A lake.
+/// The number of lakes.
 pub const LAKE: u32 = u32::MAX - 2;
 
 /// The side of the cells that samples are taken by, in units.
 pub const CELL: f32 = 2.0;
-/// How far from their banks rivers still count as ink, in units.
+/// The distance from their banks within which rivers still count as ink, in units.
 const MARGIN: f32 = 1.0;
 
 /// The widest river over a place.
@@ -22,31 +22,32 @@ const MARGIN: f32 = 1.0;
 pub struct Ink {
     /// Its number; `u32::MAX` where there is none.
     pub river: u32,
-    /// How wide it is there, in units; 0 where there is none.
+    /// Its width there, in units; 0 where there is none.
     pub width: f32,
 }
 
 impl Ink {
-    /// Nothing.
+    /// No ink.
     pub const NOTHING: Self = Self { river: NONE, width: 0.0 };
 }
 
-/// What letters stand on.
+/// The ground that letters stand on, with its rivers, lakes and ridges.
 pub trait Background {
-    /// Whether candidates that cannot be the best any more are left alone.
+    /// `true` if candidates that cannot be the best any more are left alone.
     const STOPS_EARLY: bool;
 
-    /// The widest piece whose ink reaches the middle of a place's cell; the first of equals.
+    /// Returns the ink of the widest piece that reaches the middle of a place's cell; the first of equals.
     fn ink(&self, at: Vec2) -> Ink;
 
-    /// How far a place lies from the banks of one river, and from those of all others that are as wide as this or wider; at most `reach`.
+    /// Returns the distances of a place from the banks of one river, and from those of all others that are at least `least_width` wide; at
+    /// most `reach`.
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2];
 }
 
 /// A straight piece of a river, a lake or a ridge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// The river's number, or what stands for a lake or a ridge.
+    /// The river's number, or that of lakes or ridges.
     pub river: u32,
     /// Its ends.
     pub ends: [Place; 2],
@@ -60,12 +61,12 @@ impl Piece {
         rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| Self::along(RIDGE, line))).collect()
     }
 
-    /// The pieces of a line.
+    /// Returns the pieces of a line.
     pub(super) fn along(river: u32, line: &[Place]) -> impl Iterator<Item = Self> + '_ {
         line.windows(2).map(move |pair| Self { river, ends: [pair[0], pair[1]] })
     }
 
-    /// How far a point lies from the middle line, and half the width there.
+    /// Returns the distance of a point from the middle line, and half the piece's width there.
     #[inline]
     pub fn nearest(&self, point: Vec2) -> (f32, f32) {
         let [from, to] = self.ends;
@@ -76,7 +77,7 @@ impl Piece {
         (off.length_squared().sqrt(), from.half + (to.half - from.half) * t)
     }
 
-    /// Its ink at a point; `None` if that is bare.
+    /// Returns its ink at a point; `None` if that is bare.
     #[inline]
     pub fn ink(&self, point: Vec2) -> Option<Ink> {
         let (distance, half) = self.nearest(point);
@@ -88,26 +89,26 @@ impl Piece {
         (distance <= half + MARGIN).then_some(Ink { river: self.river, width })
     }
 
-    /// Whether it is a river's.
+    /// Returns `true` if it belongs to a river.
     #[inline]
     pub fn is_river(&self) -> bool {
         self.river < LAKE
     }
 
-    /// How far its bank is from a point; less than 0 in the river.
+    /// Returns the distance of its bank from a point; less than 0 in the river.
     #[inline]
     pub fn distance(&self, point: Vec2) -> f32 {
         let (distance, half) = self.nearest(point);
         distance - half
     }
 
-    /// Whether it is as wide as this anywhere.
+    /// Returns `true` if it is as wide as this anywhere.
     #[inline]
     pub fn is_as_wide_as(&self, width: f32) -> bool {
         2.0 * self.ends[0].half.max(self.ends[1].half) >= width
     }
 
-    /// The corners of a box around its ink, which is at least as large.
+    /// Returns the corners of a box around its ink. The box is at least as large as the ink.
     pub fn corners(&self) -> [Vec2; 2] {
         let [from, to] = self.ends;
         let margin = from.half.max(to.half) + MARGIN;
@@ -115,7 +116,7 @@ impl Piece {
     }
 }
 
-/// The middle of a place's cell.
+/// Returns the middle of a place's cell.
 #[inline]
 pub fn cell_middle(at: Vec2) -> Vec2 {
     ((at / CELL).floor() + 0.5) * CELL

@@ -1,11 +1,11 @@
-//! How far a place is from the nearest bank, exactly.
+//! The exact distance of places from the nearest bank.
 
 use glam::Vec2;
 
 use super::background::Piece;
 use super::raster::Squares;
 
-/// Pieces of rivers, lakes or ridges, by where they lie.
+/// Pieces of rivers, lakes or ridges, sorted by squares of the map.
 #[derive(Clone, Debug)]
 pub struct Banks {
     squares: Squares,
@@ -13,12 +13,12 @@ pub struct Banks {
 }
 
 impl Banks {
-    /// Of pieces on a map of a size.
+    /// Sorts pieces by the squares of a map of some size.
     pub fn new(size: Vec2, pieces: Vec<Piece>) -> Self {
         Self { squares: Squares::new(size, Vec2::ZERO, &pieces), pieces }
     }
 
-    /// How far the nearest bank is, at most `most`; less than 0 in the water.
+    /// Returns the distance of the nearest bank, at most `most`; less than 0 in the water.
     pub fn distance(&self, at: Vec2, most: f32) -> f32 {
         let mut nearest = most;
         self.squares.around(at, most, |pieces, _| {
@@ -34,8 +34,8 @@ impl Banks {
     }
 }
 
-/// How far the bank of a piece is from a point, less than 0 inside: of all the discs that the piece is made of, the nearest. Where its
-/// width changes, that is not the one around the nearest point of its middle line.
+/// Returns the distance of a piece's bank from a point, less than 0 inside: that of the nearest of all discs that the piece is made of.
+/// Where its width changes, that is not the disc around the nearest point of its middle line.
 pub fn bank(piece: &Piece, at: Vec2) -> f32 {
     let [from, to] = piece.ends;
     let (along, out) = (to.at - from.at, at - from.at);

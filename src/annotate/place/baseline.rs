@@ -5,23 +5,24 @@ use glam::Vec2;
 use crate::base::geometry::{direction, distance};
 use crate::network::Place;
 
-/// How many samples of a course there are to the em.
+/// The number of samples of a course to the em.
 pub const SAMPLES: usize = 4;
-/// How smooth copies are: the standard deviation of what a point is the mean of, in samples.
+/// The smoothness of copies: the standard deviation of the weights of which each point is a mean, in samples.
 const SMOOTHNESS: [usize; 3] = [SAMPLES, 2 * SAMPLES, 4 * SAMPLES];
-/// How smooth baselines are beyond their copies.
+/// The further smoothness of baselines, which are smoothed once more than their copies, in samples.
 const SMOOTHED_AGAIN: usize = 3;
-/// How far around a place the course may poke into letters, in samples, and how much of that a line keeps away.
+/// The stretch of the course around a place that may poke into letters there, to each side, in samples, and the share of its poking by
+/// which a line keeps away.
 const AROUND: usize = 2 * SAMPLES;
 const KEPT: f32 = 0.7;
-/// The same of reaches, which are named on and beside the belt of their bends.
+/// The smoothness of copies of reaches, which are named on and beside the belt of their bends.
 const SMOOTHNESS_OF_REACHES: [usize; 3] = [3 * SAMPLES, 5 * SAMPLES, 8 * SAMPLES];
 const AROUND_REACHES: usize = 4 * SAMPLES;
 const SMOOTHED_AGAIN_OF_REACHES: usize = 2 * SAMPLES;
-/// How far below its line the baseline of type lies whose small letters stand on the middle of that, in ems.
+/// The distance of the baseline below its line where the middle of small letters stands on the line, in ems.
 const ON: f32 = 0.2;
 
-/// How far the baseline lies from the bank, in ems: above the river, and below it, where type hangs from it.
+/// The distance of the baseline from the bank, in ems: above the river, and below it, where type hangs from it.
 const ABOVE: f32 = 0.25 + 0.06;
 const BELOW: f32 = 0.42 + 0.14;
 
@@ -32,7 +33,7 @@ pub struct Course {
     half: Vec<f32>,
     /// The share of the river's area that lies upstream of each point.
     area: Vec<f32>,
-    /// How wide the river is where it is widest, in units.
+    /// The greatest width of the river, in units.
     thick: f32,
 }
 
@@ -41,24 +42,24 @@ pub struct Course {
 pub struct Line {
     /// Its points, in units.
     pub at: Vec<Vec2>,
-    /// How far each is from the first, along the line.
+    /// The distance of each point from the first, along the line.
     pub along: Vec<f32>,
-    /// Whether it lies above the river, and not below it.
+    /// `true` if it lies above the river, and not below it.
     pub is_above: bool,
-    /// Of each point, the share of the river's area that lies upstream.
+    /// The share of the river's area that lies upstream of each point.
     pub area: Vec<f32>,
-    /// How wide the river is there, in units.
+    /// The width of the river at each point, in units.
     pub width: Vec<f32>,
 }
 
-/// Where a line is at some distance from its beginning. Distances are asked for in rising order.
+/// A walk along a line, which is asked for places at rising distances.
 pub struct Walk<'a> {
     line: &'a Line,
     next: usize,
 }
 
 impl Walk<'_> {
-    /// The point there.
+    /// Returns the point at a distance along the line.
     #[inline]
     pub fn at(&mut self, along: f32) -> Vec2 {
         let Line { at, along: lengths, .. } = self.line;
@@ -70,7 +71,7 @@ impl Walk<'_> {
         at[self.next - 1] + (at[self.next] - at[self.next - 1]) * t
     }
 
-    /// The number of the line's point before it.
+    /// Returns the number of the line's point before the walk's place.
     pub fn place(&self) -> usize {
         self.next - 1
     }
@@ -83,24 +84,24 @@ pub fn walk_from(line: &Line, along: f32) -> Walk<'_> {
 }
 
 impl Line {
-    /// A line through some points.
+    /// Makes a line through some points.
     pub fn through(at: Vec<Vec2>) -> Self {
         let (along, area, width) = (crate::base::geometry::lengths(&at), Vec::new(), Vec::new());
         Self { at, along, is_above: true, area, width }
     }
 
-    /// How long it is, in units.
+    /// Returns its length, in units.
     pub fn length(&self) -> f32 {
         self.along.last().copied().unwrap_or(0.0)
     }
 
-    /// The middle between its ends.
+    /// Returns the middle between its ends.
     pub fn middle(&self) -> Vec2 {
         let ends = [self.at.first(), self.at.last()].map(|at| at.copied().unwrap_or_default());
         (ends[0] + ends[1]) * 0.5
     }
 
-    /// The part of it that begins so far along it and is so long, in units.
+    /// Returns the part that begins at a distance along it and has a length, both in units.
     pub fn part(&self, start: f32, length: f32) -> Self {
         let end = start + length;
         let [from, to] = [start, end].map(|along| walk_from(self, along).at(along));
@@ -110,7 +111,7 @@ impl Line {
 }
 
 impl Course {
-    /// A centerline with as many samples to the em. `None` if it is shorter than an em.
+    /// Takes samples of a centerline, as many to the em as there are; `None` if it is shorter than an em.
     pub fn new(line: &[Place], em: f32) -> Option<Self> {
         let spacing = em / SAMPLES as f32;
         let (mut at, mut half) = (Vec::new(), Vec::new());
@@ -136,28 +137,28 @@ impl Course {
         (at.len() > SAMPLES && total > 0.0).then_some(Self { at, half, area, thick })
     }
 
-    /// How wide it is where it is widest, in units.
+    /// Returns its greatest width, in units.
     pub fn thick(&self) -> f32 {
         self.thick
     }
 
-    /// All lines beside it, for letters of this size, of which some part is read from left to right.
+    /// Returns the lines beside it for letters of this size of which some part is read from left to right.
     pub fn lines(&self, em: f32) -> Vec<Line> {
         SMOOTHNESS.into_iter().flat_map(|radius| self.beside(&smoothed(&self.at, radius), em)).collect()
     }
 
-    /// Lines on and beside the belt of a reach.
+    /// Returns the lines on and beside the belt of a reach.
     pub fn lines_of_reach(&self, em: f32) -> Vec<Line> {
         SMOOTHNESS_OF_REACHES.into_iter().flat_map(|radius| self.along_belt(&smoothed(&self.at, radius), em)).collect()
     }
 
-    /// Those of them that are beside the belt.
+    /// Returns the lines beside the belt of its bends.
     pub fn lines_beside_belt(&self, em: f32) -> Vec<Line> {
         // The first of each three is on it.
         self.lines_of_reach(em).into_iter().enumerate().filter(|(i, _)| i % 3 > 0).map(|(_, line)| line).collect()
     }
 
-    /// The lines on and beside one copy, in both directions if both can be read somewhere.
+    /// Returns the lines on and beside one copy, in both directions if both can be read somewhere.
     fn along_belt(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let along = directions(copy);
         let mut lines = Vec::new();
@@ -176,13 +177,13 @@ impl Course {
         lines
     }
 
-    /// How far the banks come to one side of the copy, at most, around each point.
+    /// Returns for each point the greatest distance of the banks to one side of the copy, around that point.
     fn belt(&self, copy: &[Vec2], aside: &[Vec2]) -> Vec<f32> {
         let off = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i]) + self.half[i]).collect::<Vec<_>>();
         most_around(&off, AROUND_REACHES)
     }
 
-    /// The lines beside one copy.
+    /// Returns the lines beside one copy.
     fn beside(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let last = copy.len() - 1;
         let along = directions(copy);
@@ -215,27 +216,27 @@ impl Course {
         Line { at, along, is_above, area, width }
     }
 
-    /// How far the course comes to one side of its copy, at most, around each point.
+    /// Returns for each point the greatest distance of the course to one side of its copy, around that point.
     fn poking(&self, copy: &[Vec2], aside: &[Vec2]) -> Vec<f32> {
         let off: Vec<f32> = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i])).collect();
         most_around(&off, AROUND)
     }
 }
 
-/// The directions in which a line can be read somewhere: downstream, or up.
+/// Returns the directions in which a line can be read somewhere: downstream, or up.
 fn readable(along: &[Vec2]) -> impl Iterator<Item = bool> {
     let is_read =
         |is_downstream: &bool| along.iter().any(|&along| is_upright(if *is_downstream { along } else { -along }));
     [true, false].into_iter().filter(is_read)
 }
 
-/// The unit vectors along a line.
+/// Returns the unit vectors along a line.
 fn directions(line: &[Vec2]) -> Vec<Vec2> {
     let last = line.len() - 1;
     (0..=last).map(|i| direction(line[(i + 1).min(last)] - line[i.saturating_sub(1)])).collect()
 }
 
-/// The greatest number around each, at least 0.
+/// Returns for each number the greatest of those around it, at least 0.
 fn most_around(numbers: &[f32], around: usize) -> Vec<f32> {
     let most = |i: usize| {
         let around = &numbers[i.saturating_sub(around)..(i + around + 1).min(numbers.len())];
@@ -244,7 +245,7 @@ fn most_around(numbers: &[f32], around: usize) -> Vec<f32> {
     (0..numbers.len()).map(most).collect()
 }
 
-/// Whether type that runs this way is upright: from 100 degrees upward to 80 downward.
+/// Returns `true` if type that runs this way is upright: from 100 degrees upward to 80 downward.
 pub fn is_upright(along: Vec2) -> bool {
     /// The direction ten degrees upward.
     const MIDDLE: Vec2 = Vec2::new(0.984_807_7, -0.173_648_18);
@@ -252,8 +253,8 @@ pub fn is_upright(along: Vec2) -> bool {
     rightward > 0.0 || (rightward == 0.0 && along.y > 0.0)
 }
 
-/// A line whose points are means of those around, three times over; beyond its ends it goes on as its mirror image through them, so it keeps
-/// them.
+/// Smooths a line three times over: each point becomes a mean of those around it. Beyond its ends the line goes on as its mirror image
+/// through them, so it keeps them.
 pub fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
     let last = line.len() - 1;
     let mut smooth = line.to_vec();

@@ -5,7 +5,8 @@ use super::input::{Input, Marks};
 use super::letters::{Box, Label};
 use super::{cartouche, legend, seal};
 
-/// The cartouche, the legend and the seal, whichever there is to be, with what all else keeps off, and what names of seas keep off besides.
+/// Places the cartouche, the legend and the seal, as far as there are to be any. Adds the boxes that all else keeps off to `boxes`; the
+/// second result is the box that names of seas keep off besides.
 pub fn blocks<G: Background>(
     input: &Input<'_>,
     background: &G,

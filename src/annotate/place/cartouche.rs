@@ -11,39 +11,39 @@ use super::letters::{Box, Kind, Label, Placed, Text};
 use super::{compass_rose, frames, neat_line, plate, scale_bar};
 use crate::annotate::glyph::lacking;
 
-/// Lengths of the title's em that are tried, in units; the first of those on land, and which may be larger if it is no wider than this share of
-/// the map's width.
+/// The lengths of the title's em that are tried, in units; the first of those on land; and the first of those on land if the title is no
+/// wider than a share of the map's width.
 const SIZES: [f32; 15] = [58.0, 51.0, 45.0, 39.5, 35.0, 31.0, 27.5, 24.5, 21.5, 19.0, 17.0, 15.0, 13.5, 12.0, 11.0];
 const ON_LAND: usize = 5;
 const ON_LAND_IF_SHORT: usize = 2;
 const SHORT_ON_LAND: f32 = 0.18;
 /// A place at sea with less room than this, in units, is none where the title may stand on land in this size.
 const LEAST_AT_SEA: f32 = 19.0;
-/// How much larger the title is than the smallest letters that can be read, if there is room.
+/// The least size of the title, over that of the smallest letters that can be read, if there is room.
 const OVER_LEAST: f32 = 1.3;
-/// How much smaller letters may be than on other pictures and still be as large.
+/// The share of their size on other pictures down to which letters count as equally large.
 const AS_LARGE: f32 = 0.8;
-/// How large the line under the title is, over the title, and at most, where the title itself is small.
+/// The size of the line under the title, over that of the title, and its greatest where the title itself is small.
 pub(super) const UNDER_TITLE: f32 = 0.4;
 const MOST_UNDER_TITLE: f32 = 0.85;
-/// How small it is at least, in units: it can be read on screens, so it has one size on these and in print.
+/// The least size of the line under the title, in units. It can be read on screens, so it has one size on these and in print.
 const LEAST_UNDER_TITLE: f32 = 9.8;
-/// How much wider than the title it may be, or than a title of so many ems.
+/// The greatest width of the line under the title, over that of the title, or of a title of so many ems.
 const WIDER: f32 = 1.25;
 const SHORT: f32 = 6.0;
 
-/// The most that it takes up of the map's width and height.
+/// The greatest shares of the map's width and height that the cartouche takes up.
 const MOST: Vec2 = Vec2::new(0.6, 0.4);
-/// How far other labels keep from its letters, in ems, and how far those are from the coast.
+/// The distance that other labels keep from the title's letters, in ems, and that of those from the coast.
 const AROUND: f32 = 0.5;
 const FROM_COAST: f32 = 0.3;
-/// How far the names of seas keep from both ends of its lines, in ems.
+/// The distance that names of seas keep from both ends of its lines, in ems.
 const BESIDE: f32 = 6.0;
 
-/// The length of the em that the ground on land is cleared by, in units, where letters are larger: its corners are round.
+/// The greatest em by which the ground on land is cleared, in units: its corners are round.
 const CLEARED: f32 = 12.0;
 
-/// How high capitals are, how deep letters reach under their line, and how far lines are apart, in ems.
+/// The height of capitals, the depth of letters under their line, and the distance between lines, in ems.
 pub(super) const CAPITAL: f32 = 0.66;
 pub(super) const UNDER: f32 = 0.22;
 pub(super) const LINE: f32 = 1.08;
@@ -90,7 +90,7 @@ pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouc
     Some(set)
 }
 
-/// The title in its place.
+/// Sets the title in its place.
 fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<(Set, Anchor)> {
     let Place { anchor, size, is_at_sea } = Place::of(input, background, cartouche)?;
     // On land it has a ground of its own, and that has edges.
@@ -112,7 +112,8 @@ fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche
     Some((block.set(cartouche, *at, is_at_sea), anchor))
 }
 
-/// The lengths of the em that are tried in a picture, the longest first: as in others, and down to the smallest that can be read.
+/// Returns the lengths of the em that are tried in a picture, the longest first: as in other pictures, and down to the smallest that can be
+/// read.
 fn sizes(sizes: &[f32], input: &Input<'_>) -> Vec<f32> {
     let least = input.least();
     let mut sizes: Vec<f32> = sizes.iter().map(|size| size * input.label_size).collect();
@@ -124,11 +125,11 @@ fn sizes(sizes: &[f32], input: &Input<'_>) -> Vec<f32> {
     sizes
 }
 
-/// In how many lines a title stands, and whether there is another under it.
+/// A form of a title: the number of its lines, with or without another line under it.
 struct Form {
     lines: usize,
     has_seed: bool,
-    /// How much larger letters of the first form may be and still be no better.
+    /// The share of the size of its letters that counts in comparisons with the first form.
     worth: f32,
 }
 
@@ -140,7 +141,7 @@ const FORMS: [Form; 4] = [
     Form { lines: 2, has_seed: false, worth: 0.6 },
 ];
 
-/// Where the title of a map stands, and how large it is there in pictures that are large enough.
+/// A place for the title of a map, with its size there in pictures that are large enough.
 struct Place {
     anchor: Anchor,
     size: f32,
@@ -148,7 +149,7 @@ struct Place {
 }
 
 impl Place {
-    /// The place with the most room; that depends on the map alone.
+    /// Finds the place with the most room. It depends on the map alone.
     fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
         let frame = input.frame;
         let sizes = SIZES.map(|size| size * input.whole_size);
@@ -186,7 +187,7 @@ impl Place {
         at_sea.or_else(|| Self::on_land(input, background, on_land.as_ref()?))
     }
 
-    /// The place with the most sea, and the least ink.
+    /// Finds the place with the most sea, and the least ink.
     fn on_land<G: Background>(input: &Input<'_>, background: &G, block: &Block) -> Option<Self> {
         let frame = input.frame;
         let judged = |anchor: Anchor| {
@@ -203,7 +204,7 @@ struct Line {
     kind: Kind,
     text: Text,
     em: f32,
-    /// How far its baseline is below the block's upper side, in units.
+    /// The distance of its baseline below the block's upper side, in units.
     down: f32,
 }
 
@@ -211,12 +212,13 @@ struct Line {
 struct Block {
     em: f32,
     lines: Vec<Line>,
-    /// Of the letters and of what is around them, in units.
+    /// The size of the letters and of what is around them, in units.
     size: Vec2,
 }
 
 impl Block {
-    /// A title in letters of a size, and the line under it in none smaller than `least`; `None` if it has no such form, or does not fit.
+    /// Sets a title in letters of a size, and the line under it in none smaller than `least`; `None` if it has no such form, or does not
+    /// fit.
     fn new(input: &Input<'_>, cartouche: &Cartouche, em: f32, least: f32, form: &Form) -> Option<Self> {
         let around = AROUND * em + if cartouche.is_framed { frames::width(cartouche.frame, em) } else { 0.0 };
         let titles = broken(&cartouche.title, form.lines)?.into_iter().map(|line| Text::new(line, Kind::Title));
@@ -244,7 +246,7 @@ impl Block {
         anchor::is_open(input, at, self.size, FROM_COAST * self.em)
     }
 
-    /// The block in its place: a label for the title, and one for the seed.
+    /// Puts the block into its place: a label for the title, and one for the line under it.
     fn set(&self, cartouche: &Cartouche, at: Vec2, is_at_sea: bool) -> Set {
         let mut labels: Vec<Label> = Vec::new();
         for line in &self.lines {
@@ -276,7 +278,7 @@ impl Block {
     }
 }
 
-/// A title in as many lines, the longest of which is as short as may be; `None` if it has fewer words.
+/// Breaks a title into lines, the longest of which is as short as possible; `None` if it has fewer words.
 pub(super) fn broken(title: &str, count: usize) -> Option<Vec<&str>> {
     let title = title.trim();
     if count == 1 {
@@ -287,8 +289,8 @@ pub(super) fn broken(title: &str, count: usize) -> Option<Vec<&str>> {
     halves.min_by_key(longest).map(|(first, second)| vec![first, second])
 }
 
-/// The line under a title in letters that are not too wide, none smaller than the least; `None` if there are no such letters, or if it is empty
-/// or has some that the type has not.
+/// Sets the line under a title in letters that make it no wider than `most` and are no smaller than `least`. `None` if there are no such
+/// letters, or if the line is empty or has some that the type lacks.
 fn seed(seed: &str, em: f32, least: f32, most: f32) -> Option<(Text, f32)> {
     let text = Text::new(seed, Kind::Seed);
     if text.letters.is_empty() || lacking(seed).next().is_some() {

@@ -9,7 +9,7 @@ use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text};
 use super::search::belongs;
 
-/// How far letters keep from the coast, and names of seas and lakes, in ems.
+/// The least distance of letters from the coast, and of names of seas and lakes, in ems.
 const FROM_COAST: f32 = 0.16;
 const FROM_COAST_AT_SEA: f32 = 0.75;
 
@@ -21,13 +21,13 @@ pub struct Chosen {
     pub text: Text,
     /// The usual length of its em, in units.
     pub usual: f32,
-    /// How much larger its letters are at least than the smallest that can be read.
+    /// The least size of its letters, over that of the smallest that can be read.
     pub over_least: f32,
-    /// How it becomes smaller.
+    /// The way in which it becomes smaller.
     pub shrinks: Shrinks,
 }
 
-/// How a label becomes smaller.
+/// A way in which a label becomes smaller.
 #[derive(Clone, Debug)]
 pub enum Shrinks {
     /// Along the line that it stands on, about its middle.
@@ -35,17 +35,17 @@ pub enum Shrinks {
         line: Line,
         /// The width of its river there, in units.
         width: f32,
-        /// The middle of the line that it stood on first: however often it draws nearer to its river, it stays by that.
+        /// The middle of the line that it stood on first. However often it draws nearer to its river, it stays by that.
         anchor: Vec2,
     },
     /// About the middle between its ends.
     ToMiddle,
-    /// Towards what it stands beside, on the water.
+    /// Towards the island or cape that it stands beside, on the water.
     Towards(Vec2),
 }
 
 impl Shrinks {
-    /// Along a line beside a river of a width, or along none.
+    /// Makes a label shrink along a line beside a river of a width, or along a line beside none.
     pub fn along(line: Line, width: f32) -> Self {
         let anchor = line.middle();
         Self::Along { line, width, anchor }
@@ -53,12 +53,13 @@ impl Shrinks {
 }
 
 impl Chosen {
-    /// The length of its em for another size of pictures; never more than it is.
+    /// Returns the length of its em for another size of pictures; never more than it is.
     pub fn em(&self, input: &Input<'_>) -> f32 {
         input.em(self.usual, self.over_least).min(self.label.em)
     }
 
-    /// The same with letters as small as they are on such pictures; as it is where those would be in the way of its river.
+    /// Returns the label with letters as small as they are on pictures of this size; unchanged where those would be in the way of its
+    /// river.
     pub fn resized<G: Background>(&self, input: &Input<'_>, background: &G) -> Self {
         let em = self.em(input);
         let is_off_coast = |letters: &[Placed]| is_off_coast(self.label.kind, letters, em, input);
@@ -79,7 +80,7 @@ impl Chosen {
         Self { label: label.unwrap_or_else(|| self.label.clone()), ..self.clone() }
     }
 
-    /// Its letters about the middle of its line, or a little before or behind that.
+    /// Returns its letters about the middle of its line, or a little before or behind that.
     fn along(&self, line: &Line, em: f32) -> impl Iterator<Item = Vec<Placed>> {
         const OFF: [f32; 7] = [0.0, -0.15, 0.15, -0.3, 0.3, -0.45, 0.45];
         let start = (line.length() - self.text.length * em) * 0.5;
@@ -99,31 +100,31 @@ impl Chosen {
         letters.iter().all(is_readable) && !letters.iter().any(touches)
     }
 
-    /// Its letters, nearer to a place.
+    /// Returns its letters, drawn together towards a place.
     fn shrunk(&self, to: Vec2, em: f32) -> Vec<Placed> {
         let share = em / self.label.em;
         let place = |letter: &Placed| Placed { at: to + (letter.at - to) * share, ..*letter };
         self.label.letters.iter().map(place).collect()
     }
 
-    /// The middle between its first letter and its last.
+    /// Returns the middle between its first letter and its last.
     pub fn middle(&self) -> Vec2 {
         middle(&self.label)
     }
 
-    /// The boxes of its letters, with the number of its river.
+    /// Returns the boxes of its letters, with the number of its river.
     pub fn boxes(&self) -> impl Iterator<Item = (u32, Box)> + '_ {
         let river = self.label.river.unwrap_or(super::background::NONE);
         self.label.letters.iter().map(move |letter| (river, letter.around(self.label.em)))
     }
 
-    /// The area that it covers, in square units.
+    /// Returns the area that it covers, in square units.
     pub fn area(&self) -> f32 {
         self.text.length * self.label.em * self.label.em
     }
 }
 
-/// The middle between a label's first letter and its last.
+/// Returns the middle between a label's first letter and its last.
 pub fn middle(label: &Label) -> Vec2 {
     let half = |letter: &Placed| letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), label.em);
     let ends = [label.letters.first(), label.letters.last()].map(|letter| letter.map_or(Vec2::ZERO, half));

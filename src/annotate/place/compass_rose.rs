@@ -8,14 +8,14 @@ use super::input::Input;
 use super::letters::{Box, Label, Stroke};
 use super::scale_bar::north;
 
-/// Its radius, in units, and how high the letter over it is.
+/// The radius of the rose, and the height of the letter over it, in units.
 const RADIUS: f32 = 34.0;
 const EM: f32 = 13.0;
-/// The radii of its ring and of the notches between its points, as shares of its own; how far it is from coast and blocks.
+/// The radii of its ring and of the notches between its points, as shares of its own, and its distance from coast and blocks.
 const RING: f32 = 0.62;
 const NOTCH: f32 = 0.2;
 const FROM_COAST: f32 = 8.0;
-/// Half the width of its lines, in units, and how many of them fill the dark side of a point.
+/// Half the width of its lines, in units, and the number of lines that fill the dark side of a point.
 const HALF: f32 = 0.3;
 const DARK: u32 = 9;
 /// Parts of a turn.

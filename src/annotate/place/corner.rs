@@ -6,36 +6,36 @@ use super::background::Background;
 use super::input::Input;
 use super::letters::{Box, Stroke};
 
-/// How far a block is from the frame, and from the coast where it is on the sea, in ems.
+/// The distance of a block from the frame, and from the coast where it is on the sea, in ems.
 const FROM_FRAME: f32 = 0.7;
 const FROM_COAST: f32 = 0.3;
 
-/// Half the widths of the double line around a block, outside and inside, and how far the inner is from the outer, in ems.
+/// Half the widths of the double line around a block, outside and inside, and the distance of the inner line from the outer, in ems.
 const RULES: [f32; 2] = [0.035, 0.014];
 const BETWEEN_RULES: f32 = 0.14;
 
 /// A place that a block may stand in.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
-    /// Where the block's upper left corner is.
+    /// The place of the block's upper left corner.
     pub at: Vec2,
     /// The share of the block that is sea.
     pub sea: f32,
-    /// How much ink is under it.
+    /// The amount of ink under the block.
     pub ink: f32,
-    /// How far it is from the coast, on average, in ems.
+    /// Its distance from the coast, on average, in ems.
     off: f32,
 }
 
 impl Corner {
-    /// Whether there is more sea under it, or as much and less ink.
+    /// Returns `true` if there is more sea under it, or as much and less ink.
     pub fn is_better_than(&self, other: &Self) -> bool {
         let order = self.sea.total_cmp(&other.sea).then(other.ink.total_cmp(&self.ink));
         order.then(self.off.total_cmp(&other.off)).is_gt()
     }
 }
 
-/// The best of the four corners for a block of a size with letters of a size; `None` if all are taken.
+/// Returns the best of the four corners for a block of a size with letters of a size; `None` if all are taken.
 pub fn best<G: Background>(
     input: &Input<'_>,
     background: &G,
@@ -50,19 +50,19 @@ pub fn best<G: Background>(
     }))
 }
 
-/// The best of some places, the first of equals.
+/// Returns the best of some places, the first of equals.
 pub fn best_of(places: impl Iterator<Item = Corner>) -> Option<Corner> {
     places.reduce(|best, next| if next.is_better_than(&best) { next } else { best })
 }
 
-/// Where a block may be in the four corners of the frame, with a margin.
+/// Returns the places of a block in the four corners of the frame, with a margin.
 pub fn corners(input: &Input<'_>, size: Vec2, margin: f32) -> [Vec2; 4] {
     let [least, most] = input.frame;
     let (least, most) = (least + margin, most - margin - size);
     [least, Vec2::new(most.x, least.y), Vec2::new(least.x, most.y), most]
 }
 
-/// What lies under a block in a place, by points an em apart or less.
+/// Judges a place by what lies under a block there, at points an em apart or less.
 pub fn judged<G: Background>(input: &Input<'_>, background: &G, at: Vec2, size: Vec2, em: f32) -> Corner {
     const FAR: f32 = 4.0;
     const MOST_POINTS: f32 = 128.0;
@@ -81,7 +81,7 @@ pub fn judged<G: Background>(input: &Input<'_>, background: &G, at: Vec2, size: 
     Corner { at, sea: sea / points, ink, off: off / points }
 }
 
-/// The double line around a block.
+/// Draws the double line around a block.
 pub fn rules(at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     let rule = |(half, inward): (f32, f32)| {
         let [inward, half] = [inward, half].map(|ems| ems * em);
@@ -92,7 +92,7 @@ pub fn rules(at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     [(RULES[0], RULES[0]), (RULES[1], BETWEEN_RULES)].into_iter().flat_map(rule).collect()
 }
 
-/// Lines of a half width that fill a block, row by row.
+/// Fills a block with lines of a half width, row by row.
 pub fn filled(at: Vec2, size: Vec2, half: f32) -> Vec<Stroke> {
     let rows = ((size.y - 2.0 * half) / half).ceil().max(1.0);
     let row = |row: u32| {

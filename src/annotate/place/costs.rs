@@ -1,11 +1,11 @@
-//! What a label's shape and the ink under it are measured by.
+//! The costs of a label's shape and of the ink under it.
 
 use glam::Vec2;
 
 /// The cosine of 16 degrees, the most between two letters.
 pub(super) const COS_TURN: f32 = 0.961_261_7;
 
-/// What samples have met.
+/// The ink that samples have met.
 #[derive(Default)]
 pub struct Under {
     pub samples: f32,
@@ -24,18 +24,18 @@ impl Under {
     }
 }
 
-/// How much type turns from letter to letter.
+/// The turning of type from letter to letter.
 #[derive(Default)]
 pub struct Turns {
     before: Option<Vec2>,
     turn: Option<f32>,
-    /// Of all turns, in radians.
+    /// The sum of all turns, in radians.
     pub sum: f32,
     changes: f32,
 }
 
 impl Turns {
-    /// The next letter's direction; `None` if that is too far off.
+    /// Takes the next letter's direction; `None` if it is too far off that of the letter before.
     pub fn take(&mut self, along: Vec2) -> Option<()> {
         if let Some(before) = self.before.replace(along) {
             let (sine, cosine) = (before.perp_dot(along), before.dot(along));
@@ -55,7 +55,7 @@ impl Turns {
     }
 }
 
-/// How hard a direction is to read: nothing up to 25 degrees, and more if it falls than if it rises.
+/// Returns how hard a direction is to read: 0 up to 25 degrees, and more if it falls than if it rises.
 pub fn steepness(along: Vec2) -> f32 {
     let degrees = libm::atan2f(along.y, along.x).to_degrees();
     let falling = if degrees > 50.0 { 0.25 } else { 0.0 };

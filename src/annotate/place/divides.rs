@@ -1,4 +1,4 @@
-//! Divides: where the nearest river is one on one side and another on the other.
+//! Divides: the places where the nearest river is one on one side and another on the other.
 
 use glam::Vec2;
 
@@ -7,18 +7,18 @@ use super::input::{SceneryInput, Stream};
 
 /// The side of the cells that know their nearest river, in units.
 const CELL: f32 = 5.0;
-/// Rivers with less of all water than this are part of the one that they join.
+/// The share of all water below which rivers are part of the one that they join.
 const GREAT: f32 = 0.03;
 const NONE: u32 = u32::MAX;
 
-/// What a place lies on.
+/// A divide that a place may lie on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Divide {
-    /// None.
+    /// No divide.
     No,
-    /// Between two rivers that come together.
+    /// A divide between two rivers that come together.
     Minor,
-    /// Between two that reach the sea each for itself.
+    /// A divide between two rivers each of which reaches the sea by itself.
     Main,
 }
 
@@ -27,15 +27,15 @@ pub enum Divide {
 pub struct Divides {
     columns: usize,
     rows: usize,
-    /// The number of the nearest piece of a river, of each cell, and how far it is, in units.
+    /// The number of the piece of a river that is nearest to each cell, and its distance, in units.
     nearest: Vec<(u32, f32)>,
-    /// The river of each piece, if great, else the first great one below it; and the one that reaches the sea.
+    /// Two rivers for each river: the first great one from it downstream, which may be itself, and the one that reaches the sea.
     systems: Vec<[u32; 2]>,
     pieces: Vec<Piece>,
 }
 
 impl Divides {
-    /// Of a map's rivers.
+    /// Finds the nearest river of each cell of a map.
     pub fn new(input: &SceneryInput<'_>) -> Self {
         let [columns, rows] = [input.size.x, input.size.y].map(|length| (length / CELL) as usize + 1);
         let systems = systems(&input.streams, input.total_discharge);
@@ -106,7 +106,7 @@ impl Divides {
         }
     }
 
-    /// What a place lies on, give or take a cell.
+    /// Returns the divide that a place lies on, give or take a cell.
     pub fn at(&self, at: Vec2) -> Divide {
         let Some(own) = self.systems_at(at) else { return Divide::No };
         let around = [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| self.systems_at(at + way * CELL));
@@ -118,7 +118,7 @@ impl Divides {
         }
     }
 
-    /// How far the middle of a place's cell is from the middle of the nearest river, in units.
+    /// Returns the distance between the middle of a place's cell and the middle of the nearest river, in units.
     pub fn distance_to_river(&self, at: Vec2) -> f32 {
         self.cell(at).1
     }

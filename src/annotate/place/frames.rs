@@ -5,22 +5,22 @@ use glam::Vec2;
 use super::input::Frame;
 use super::letters::Stroke;
 
-/// Half the widths of the outer and the inner line, and how far the inner one is from the outer, in ems.
+/// Half the widths of the outer and the inner line, and the distance between them, in ems.
 const RULES: [f32; 2] = [0.035, 0.014];
 const BETWEEN: f32 = 0.14;
-/// How far the inner line's corners are cut in, in ems.
+/// The depth of the notches in the inner line's corners, in ems.
 const NOTCH: f32 = 0.22;
 
-/// The radius of a scroll, in ems; how many pieces it has, how far each turns and how much shorter it is than the one before.
+/// The radius of a scroll, in ems; the number of its pieces, the turn of each, and its length over that of the one before.
 const SCROLL: f32 = 0.34;
 const PIECES: u32 = 17;
 const TURN: Vec2 = Vec2::new(0.866_025_4, 0.5);
 const SHORTER: f32 = 0.955;
 
-/// The length of the em that frames are drawn by, in units, where letters are larger.
+/// The greatest em that frames are drawn by, in units.
 const MOST: f32 = 24.0;
 
-/// How wide a frame is around letters of a size, in units.
+/// Returns the width of a frame around letters of a size, in units.
 pub fn width(frame: Frame, em: f32) -> f32 {
     let widths = match frame {
         Frame::Rules => 0.35,
@@ -29,7 +29,7 @@ pub fn width(frame: Frame, em: f32) -> f32 {
     widths * em.min(MOST)
 }
 
-/// The strokes of a frame just within a block.
+/// Draws a frame just within a block.
 pub fn strokes(frame: Frame, at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     let em = em.min(MOST);
     match frame {
@@ -38,12 +38,12 @@ pub fn strokes(frame: Frame, at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     }
 }
 
-/// The strokes along some points.
+/// Returns the strokes along some points.
 pub fn along(points: &[Vec2], half: f32) -> impl Iterator<Item = Stroke> + '_ {
     points.windows(2).map(move |ends| Stroke { ends: [ends[0], ends[1]], half })
 }
 
-/// The four sides between two corners.
+/// Returns the four sides between two corners, as one line.
 pub fn sides(least: Vec2, most: Vec2) -> [Vec2; 5] {
     [least, Vec2::new(most.x, least.y), most, Vec2::new(least.x, most.y), least]
 }
@@ -66,7 +66,7 @@ fn notched(at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     outer.into_iter().chain(along(&points, RULES[1] * em)).collect()
 }
 
-/// Two lines, of which the outer one ends in a scroll at both ends of the level sides.
+/// Draws two lines, of which the outer one ends in a scroll at both ends of the level sides.
 fn scrolled(at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     let (thick, thin) = (RULES[0] * em, RULES[1] * em);
     let [outer, inner] = [0.55, 0.7].map(|inward| [at + inward * em, at + size - inward * em]);
@@ -89,7 +89,7 @@ fn scrolled(at: Vec2, size: Vec2, em: f32) -> Vec<Stroke> {
     strokes
 }
 
-/// A line that sets out ahead and rolls up to a side.
+/// Draws a line that sets out ahead and rolls up to a side.
 fn scroll(from: Vec2, ahead: Vec2, side: Vec2, radius: f32) -> Vec<Vec2> {
     let (mut at, mut step, mut length) = (from, Vec2::X, radius * 0.52);
     let mut points = vec![from];

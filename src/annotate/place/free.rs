@@ -1,4 +1,4 @@
-//! Whether a glyph may stand somewhere: off the water, the coast, ridges, letters and what stands there already, whole and exactly.
+//! The ground on which glyphs may stand: off the water, the coast, ridges, letters and other glyphs. Tests are exact, and of whole glyphs.
 
 use glam::Vec2;
 
@@ -8,19 +8,19 @@ use super::input::SceneryInput;
 use super::letters::Box;
 use super::standing::Standing;
 
-/// How far all of a glyph keeps from banks, in units, and how far a tree's foot does.
+/// The least distance of all of a glyph from banks, in units, and of a tree's foot.
 pub const FROM_BANKS: f32 = 2.4;
 pub const FOOT_FROM_BANKS: f32 = 4.2;
-/// How far all of it keeps from the coast, and from letters.
+/// The least distance of all of a glyph from the coast, and from letters.
 pub const FROM_COAST: f32 = 4.0;
 pub const FROM_LETTERS: f32 = 3.0;
-/// How wide great rivers are at least, in units.
+/// The least width of great rivers, in units.
 pub const GREAT: f32 = 3.0;
 
 /// A disc of the map: its middle and its radius.
 pub type Disc = (Vec2, f32);
 
-/// What scenery keeps off.
+/// The water, ridges and letters that scenery keeps off.
 #[derive(Clone, Debug)]
 pub struct FreeGround {
     size: Vec2,
@@ -32,7 +32,7 @@ pub struct FreeGround {
 }
 
 impl FreeGround {
-    /// Of a map.
+    /// Gathers the obstacles of a map.
     pub fn new(input: &SceneryInput<'_>) -> Self {
         let streams = (0..).zip(&input.streams).flat_map(|(number, stream)| Piece::along(number, &stream.course));
         let lakes = input.lakes.iter().flat_map(|line| Piece::along(LAKE, line));
@@ -48,22 +48,22 @@ impl FreeGround {
         }
     }
 
-    /// How far a place is from the nearest bank, at most `most`.
+    /// Returns the distance of a place from the nearest bank, at most `most`.
     pub fn distance_to_bank(&self, at: Vec2, most: f32) -> f32 {
         self.water.distance(at, most)
     }
 
-    /// How far it is from the nearest bank of a great river, at most `most`.
+    /// Returns the distance of a place from the nearest bank of a great river, at most `most`.
     pub fn distance_to_great_bank(&self, at: Vec2, most: f32) -> f32 {
         self.great.distance(at, most)
     }
 
-    /// How far it is from the nearest ridge, at most `most`.
+    /// Returns the distance of a place from the nearest ridge, at most `most`.
     pub fn distance_to_ridge(&self, at: Vec2, most: f32) -> f32 {
         self.ridges.distance(at, most)
     }
 
-    /// Whether all of a glyph is clear of water, coast, ridges and letters.
+    /// Returns `true` if all of a glyph is clear of water, coast, ridges and letters.
     pub fn is_clear(&self, input: &SceneryInput<'_>, one: &Standing) -> bool {
         // If one disc around all of them is clear of something, they all are.
         let (middle, reach) = one.around();
@@ -85,7 +85,7 @@ impl FreeGround {
         one.discs().all(|disc| is_ashore(disc) && is_dry(disc) && is_blank(disc))
     }
 
-    /// Things by where they stand, none yet, on a map so many times as high.
+    /// Makes an empty index of discs for a map that is `times` times as high as this one.
     pub fn spots(&self, times: f32) -> Spots {
         Spots::new(self.size * Vec2::new(1.0, times))
     }
@@ -95,7 +95,7 @@ fn squared(x: f32) -> f32 {
     x * x
 }
 
-/// Discs by where they lie.
+/// Discs, sorted by squares of the map.
 #[derive(Clone, Debug)]
 pub struct Spots {
     columns: usize,
@@ -126,7 +126,7 @@ impl Spots {
         self.most = self.most.max(disc.1);
     }
 
-    /// Whether a disc overlaps none.
+    /// Returns `true` if a disc overlaps none of these.
     pub fn is_free(&self, (at, radius): Disc) -> bool {
         let reach = radius + self.most;
         let ([left, top], [right, bottom]) = (self.square(at - reach), self.square(at + reach));
@@ -152,7 +152,7 @@ mod tests {
     const RIDGE: [Vec2; 2] = [Vec2::new(150.0, 25.0), Vec2::new(155.0, 50.0)];
     const LETTER: Box = Box { middle: Vec2::new(150.0, 90.0), along: Vec2::new(8.0, 4.0), down: Vec2::new(-1.5, 3.0) };
 
-    /// A line of one width.
+    /// Makes a line of one width.
     fn line(ends: [Vec2; 2], half: f32) -> Vec<Place> {
         ends.map(|at| Place { at, half }).to_vec()
     }
@@ -167,7 +167,7 @@ mod tests {
         Vec2::new(outside(LETTER.along), outside(LETTER.down)).length()
     }
 
-    /// By how much a glyph is clear of the coast, which lies along x = 20, of the stream, the lake, the ridge and the letter.
+    /// Measures by how much a glyph is clear of the coast, which lies along x = 20, of the stream, the lake, the ridge and the letter.
     fn rooms(one: &Standing) -> [f32; 5] {
         let rooms = |(at, radius): Disc| {
             let bank = |ends: [Vec2; 2], half: f32| to_segment(at, ends) - half - 2.4 - radius;

@@ -7,20 +7,21 @@ use super::corner::filled;
 use super::input::{Input, SheetGrid};
 use super::letters::{Box, Kind, Label, Stroke, Text};
 
-/// How high capitals are, in ems.
+/// The height of capitals, in ems.
 const CAPITAL: f32 = 0.65;
-/// Columns and rows of which less is seen have no letters, in ems.
+/// The least visible part of a column or row that has a letter, in ems.
 const LEAST_SEEN: f32 = 1.2;
-/// How long the ends of lines are, half of where they cross, and half their width, in ems.
+/// The length of the ends of lines, half of that of crossings, and half the width of both, in ems.
 const END: f32 = 0.5;
 const CROSS: f32 = 0.36;
 const HALF: f32 = 0.028;
-/// Half the width of the lines that fill the margin's corners, and how far they reach beyond it, in ems: less than a pixel.
+/// Half the width of the lines that fill the margin's corners, and the length by which they reach beyond the margin, in ems: less than a
+/// pixel.
 const CORNER: f32 = 0.06;
-/// How far crossings keep from the coast, from ink and from labels, in ems.
+/// The least distance of crossings from the coast, from ink and from labels, in ems.
 const CLEAR: f32 = 0.25;
 
-/// The letters and numbers, each twice, on opposite sides.
+/// Sets the letters and numbers, each twice, on opposite sides.
 pub fn letters(input: &Input<'_>, grid: &SheetGrid) -> Vec<Label> {
     let [least, most] = input.view;
     let off = 0.5 * SheetGrid::MARGIN * grid.em;
@@ -35,7 +36,7 @@ pub fn letters(input: &Input<'_>, grid: &SheetGrid) -> Vec<Label> {
     columns.chain(rows).collect()
 }
 
-/// The columns or rows of which enough is seen, each with the middle of what is seen of it.
+/// Returns the columns or rows of which enough is seen, each with the middle of its visible part.
 fn cells(least: f32, most: f32, grid: &SheetGrid) -> impl Iterator<Item = (u32, f32)> {
     let (every, room) = (grid.every, LEAST_SEEN * grid.em);
     // A conversion makes 0 of what is below.
@@ -48,7 +49,7 @@ fn cells(least: f32, most: f32, grid: &SheetGrid) -> impl Iterator<Item = (u32, 
     (first..end).filter_map(middle)
 }
 
-/// A letter around a place.
+/// Sets a letter around a place.
 fn letter(name: &str, middle: Vec2, em: f32) -> Label {
     let text = Text::new(name, Kind::GridLetter);
     let start = middle + Vec2::new(-0.5 * text.length, 0.5 * CAPITAL) * em;
@@ -56,7 +57,8 @@ fn letter(name: &str, middle: Vec2, em: f32) -> Label {
     Label::new(Kind::GridLetter, None, name, em, letters)
 }
 
-/// The margin and the line around the map, the ends of the grid's lines in it, and where they cross, but for crossings in the way of something.
+/// Draws the margin and the line around the map, the ends of the grid's lines in it, and the crossings of these lines, but for those in the
+/// way of something.
 pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid, taken: &[(u32, Box)]) -> Label {
     let ([least, most], em) = (input.view, grid.em);
     let along = |least: f32, most: f32| {
@@ -80,7 +82,8 @@ pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid,
     }
 }
 
-/// A margin around a map: a line along each side, and its corners, which lines with round ends leave out; they reach a little beyond it.
+/// Draws a margin around a map: a line along each side, and its corners, which lines with round ends leave out; they reach a little beyond
+/// it.
 pub fn margin(least: Vec2, most: Vec2, wide: f32, fine: f32) -> Vec<Stroke> {
     let half = 0.5 * wide;
     let middles = around(least - half, most + half);
@@ -88,13 +91,13 @@ pub fn margin(least: Vec2, most: Vec2, wide: f32, fine: f32) -> Vec<Stroke> {
     middles.map(|ends| Stroke { ends, half }).into_iter().chain(corners.into_iter().flatten()).collect()
 }
 
-/// The four sides between two corners.
+/// Returns the four sides between two corners.
 pub fn around(least: Vec2, most: Vec2) -> [[Vec2; 2]; 4] {
     let corners = [least, Vec2::new(most.x, least.y), most, Vec2::new(least.x, most.y)];
     [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4]])
 }
 
-/// Whether a crossing is off the coast, rivers, lakes, ridges and labels.
+/// Returns `true` if a crossing is off the coast, rivers, lakes, ridges and labels.
 fn is_clear<G: Background>(input: &Input<'_>, background: &G, at: Vec2, em: f32, taken: &[(u32, Box)]) -> bool {
     let cross = Box::level(at - CROSS * em, at + CROSS * em);
     let reach = cross.radius() + 0.5 * CLEAR * em;

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::cartouche::{CAPITAL, LINE, TO_SEED, UNDER, UNDER_TITLE, broken};
 use super::letters::{Kind, Label, Placed, Text};
 
-/// How large letters of one line may be over those of two and still be no better.
+/// The share of their size that letters of two lines count for in comparisons with letters of one.
 const WORTH_OF_TWO: f32 = 0.7;
 
 /// Sets a title in the middle of a box, its upper left and its lower right corner, with a line under it where that is no
@@ -34,7 +34,7 @@ struct Heading {
 }
 
 impl Heading {
-    /// The largest that a room has; `None` if there are no letters, or if the line under the title is too wide.
+    /// Makes the largest heading that fits into a room; `None` if there are no letters, or if the line under the title is too wide.
     fn new(titles: &[Text], under: Option<Text>, room: Vec2) -> Option<Self> {
         let wide = titles.iter().map(|text| text.length).fold(0.0, f32::max);
         if titles.iter().any(|text| text.letters.is_empty()) || wide <= 0.0 {
@@ -47,17 +47,17 @@ impl Heading {
         (has_letters && this.em > 0.0 && under <= room.x).then_some(this)
     }
 
-    /// How far the first line's baseline is above the last title's, in ems.
+    /// Returns the distance of a line's baseline below the upper side, in ems.
     fn down(&self, line: usize) -> f32 {
         CAPITAL + LINE * line as f32
     }
 
-    /// How far the baseline of the line under the title is below the upper side, in ems.
+    /// Returns the distance of the baseline of the line under the title below the upper side, in ems.
     fn down_to_under(&self) -> f32 {
         self.down(self.titles.len() - 1) + TO_SEED * UNDER_TITLE + 0.12
     }
 
-    /// How high it is, in ems.
+    /// Returns its height, in ems.
     fn height(&self) -> f32 {
         match self.under {
             Some(_) => self.down_to_under() + UNDER * UNDER_TITLE,
@@ -65,7 +65,7 @@ impl Heading {
         }
     }
 
-    /// The labels around a middle: the title, and the line under it.
+    /// Sets the labels around a middle: the title, and the line under it.
     fn labels(&self, title: &str, under: &str, middle: Vec2) -> Vec<Label> {
         let top = middle.y - 0.5 * self.height() * self.em;
         let line = |text: &Text, em: f32, down: f32| -> Vec<Placed> {
@@ -87,7 +87,7 @@ mod tests {
 
     const BOX: [Vec2; 2] = [Vec2::new(100.0, 50.0), Vec2::new(900.0, 250.0)];
 
-    /// The corners of all letters of a label.
+    /// Returns the corners of all letters of a label.
     fn corners(label: &Label) -> impl Iterator<Item = Vec2> + '_ {
         label.letters.iter().flat_map(|letter| letter.around(label.em).corners())
     }

@@ -1,4 +1,4 @@
-//! How hills and mountains are drawn: a profile from foot to foot, crest lines that wander down from each peak towards the reader, and
+//! The drawing of hills and mountains: a profile from foot to foot, crest lines that wander down from each peak towards the reader, and
 //! hatches and a wash on the flank that lies in the dark.
 
 use glam::Vec2;
@@ -12,7 +12,7 @@ const fn at(x: f32, y: f32) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// A mountain, the higher the greater a share of all mountains is lower: of one peak, or of two or three.
+/// Draws a mountain of one peak, or of two or three. `share` is the share of all mountains that are lower.
 pub(super) fn mountain(mut hand: Hand, share: f32) -> Shape {
     let height = 0.92 + 0.55 * share + hand.swing(0.04);
     let (mut summits, mut saddles) = (Vec::new(), Vec::new());
@@ -32,7 +32,7 @@ pub(super) fn mountain(mut hand: Hand, share: f32) -> Shape {
     massif(&mut hand, &summits, &saddles)
 }
 
-/// The lowest place between two summits.
+/// Chooses the lowest place between two summits.
 fn saddle(hand: &mut Hand, left: Vec2, right: Vec2) -> Vec2 {
     let lower = left.y.max(right.y);
     // It is nearer to the lower one.
@@ -40,7 +40,7 @@ fn saddle(hand: &mut Hand, left: Vec2, right: Vec2) -> Vec2 {
     at(left.x + (right.x - left.x) * along, lower * hand.between(0.78, 0.88))
 }
 
-/// A mountain of summits with a saddle between each two, from left to right.
+/// Draws a mountain of summits with a saddle between each two, from left to right.
 fn massif(hand: &mut Hand, summits: &[Vec2], saddles: &[Vec2]) -> Shape {
     let feet = [at(-1.0, hand.swing(0.03)), at(1.0, hand.swing(0.03))];
     let (mut profile, mut outline, mut shade) = (vec![feet[0]], Vec::new(), Vec::new());
@@ -71,14 +71,14 @@ fn massif(hand: &mut Hand, summits: &[Vec2], saddles: &[Vec2]) -> Shape {
     Shape { feature: Feature::Mountain, silhouette, wash, outline, shade, discs: Vec::new() }.within(&middles)
 }
 
-/// The ascents and descents of an outline as one line.
+/// Joins the ascents and descents of an outline to one line.
 fn outline_of(outline: &[PenStroke], start: Vec2) -> PenStroke {
     // Of each summit there are an ascent, a descent and a crest.
     let slopes = outline.chunks(3).flat_map(|summit| summit.iter().take(2));
     PenStroke { start, curves: slopes.flat_map(|slope| slope.curves.iter().copied()).collect(), halves: [0.0; 2] }
 }
 
-/// A rugged slope from one place to another, flatter at its lower end.
+/// Draws a rugged slope from one place to another, flatter at its lower end.
 fn slope(hand: &mut Hand, from: Vec2, to: Vec2) -> Vec<Vec2> {
     let way = to - from;
     let pieces = (way.length() * 4.5) as u8 + 2;
@@ -91,7 +91,7 @@ fn slope(hand: &mut Hand, from: Vec2, to: Vec2) -> Vec<Vec2> {
     std::iter::once(from).chain(between).chain([to]).collect()
 }
 
-/// A ridge that wanders from a summit down towards the reader, over a share of its height.
+/// Draws a ridge that wanders from a summit down towards the reader, over a share of its height.
 fn crest(hand: &mut Hand, summit: Vec2, share: f32) -> Vec<Vec2> {
     const TURNS: u8 = 5;
     let mut side = if hand.between(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
@@ -106,14 +106,14 @@ fn crest(hand: &mut Hand, summit: Vec2, share: f32) -> Vec<Vec2> {
     std::iter::once(summit).chain(turns).collect()
 }
 
-/// Where a line that runs down is at a height; its end below that.
+/// Returns the place of a line that runs down at a height; its end below that.
 fn at_height(line: &[Vec2], y: f32) -> Vec2 {
     let crosses = |pair: &&[Vec2]| pair[0].y <= y && pair[1].y > y;
     let Some(pair) = line.windows(2).find(crosses) else { return line.last().copied().unwrap_or_default() };
     pair[0].lerp(pair[1], (y - pair[0].y) / (pair[1].y - pair[0].y))
 }
 
-/// Hatches down the dark flank between a crest and a descent, in two rows: from the crest, and below them.
+/// Draws hatches down the dark flank between a crest and a descent, in two rows: from the crest, and below them.
 fn hatches(hand: &mut Hand, crest: &[Vec2], descent: &[Vec2], foot: Vec2) -> Vec<PenStroke> {
     let (Some(&summit), Some(&end)) = (crest.first(), descent.last()) else { return Vec::new() };
     let height = -summit.y;
@@ -139,7 +139,7 @@ fn hatches(hand: &mut Hand, crest: &[Vec2], descent: &[Vec2], foot: Vec2) -> Vec
     all
 }
 
-/// Two short strokes on the lit flank, where ravines begin.
+/// Draws two short strokes on the lit flank, where ravines begin.
 fn lit(hand: &mut Hand, crest: &[Vec2], ascent: &[Vec2]) -> Vec<PenStroke> {
     let (Some(&summit), Some(&foot)) = (crest.first(), ascent.first()) else { return Vec::new() };
     let stroke = |share: f32| {
@@ -151,7 +151,7 @@ fn lit(hand: &mut Hand, crest: &[Vec2], ascent: &[Vec2]) -> Vec<PenStroke> {
     [0.34, 0.6].map(stroke).into()
 }
 
-/// A hill, the higher the greater a share of all hills is lower: round, with a few hatches down its dark flank.
+/// Draws a hill: round, with a few hatches down its dark flank. `share` is the share of all hills that are lower.
 pub(super) fn hill(mut hand: Hand, share: f32) -> Shape {
     let height = 0.44 + 0.3 * share;
     let top = at(hand.swing(0.14), -height);

@@ -12,39 +12,39 @@ use super::standing::Standing;
 use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;
 
-/// Half of a hill's width at least, and at most; and half of a mountain's, in units.
+/// The least and the greatest half of a hill's width, and of a mountain's, in units.
 const LEAST: f32 = 3.5;
 const MOST: f32 = 9.0;
 const LEAST_MOUNTAIN: f32 = 3.7;
 const MOST_MOUNTAIN: f32 = 17.0;
-/// How wide a hill is beside its disc around the middle, in which there may be no water.
+/// The width of a hill over that of the disc around its middle in which there may be no water.
 const REACH: f32 = 1.06;
-/// How far banks are at least from where the largest mountain stands, and the steps to where they are farther, in units.
+/// The distance of banks that leaves room for the largest mountain, and the steps by which roomier places are looked for, in units.
 const ENOUGH: f32 = MOST_MOUNTAIN * REACH + FROM_BANKS;
 const STEPS: [f32; 2] = [2.8, 1.4];
-/// How many sizes a hill is tried in, each this much as large as the one before.
+/// The number of sizes in which a hill is tried, and each size over the one before.
 const TRIES: u8 = 4;
 const SMALLER: f32 = 0.84;
-/// What distance from rivers main divides count more, in units.
+/// The additional distance from rivers that main divides count for, in units.
 const MAIN_FIRST: f32 = 8.0;
-/// How far middles of hills and of mountains are apart, in sums of halves of their widths: they overlap, as in a range.
+/// The distance between the middles of hills and of mountains, in sums of halves of their widths: they overlap, as in a range.
 const SPACING: f32 = 0.8;
 const SPACING_IN_RANGES: f32 = 0.56;
-/// How much closer they stand one before the other than side by side.
+/// The factor by which they stand closer one before the other than side by side.
 const BEFORE: f32 = 1.7;
-/// How far from the coast hills begin, and over how much more they become frequent, in units.
+/// The distance from the coast at which hills begin, and the further one over which they become frequent, in units.
 const FROM_COAST: f32 = 14.0;
 const FADE: f32 = 30.0;
-/// How many of the points of a range a hill is tried at, with as many hills as there can be.
+/// The share of the points of a range at which a hill is tried, on maps with as many hills as there can be.
 const TAKEN: f32 = 0.95;
-/// How far they keep from ridges, in units.
+/// The least distance of hills from ridges, in units.
 const FROM_RIDGES: f32 = 8.0;
-/// Ranges and gaps between them: about how long they are, in units, and which share of divides are gaps.
+/// The approximate length of ranges and of the gaps between them, in units.
 const RANGE: f32 = 150.0;
-/// Land as high as this has hills beside divides, and as high as that mountains, as shares of the highest.
+/// The heights from which on land has hills beside divides, and mountains, as shares of the highest.
 pub const HIGH: f32 = 0.26;
 pub const ALPINE: f32 = 0.45;
-/// How far inland main divides have mountains in the middle of their ranges, where heights are not known, in units.
+/// The distance from the coast at which main divides have mountains in the middle of their ranges, where heights are not known, in units.
 const FAR: f32 = 70.0;
 
 /// A place where a hill might stand.
@@ -62,11 +62,11 @@ struct Plan {
     /// Half of its width, if nothing but water is in its way.
     half: f32,
     feature: Feature,
-    /// How high it rises among its kind, from 0 to 1.
+    /// Its height among its kind, from 0 to 1.
     rise: f32,
 }
 
-/// The hills of a map, those first that stand in the best places.
+/// Places the hills of a map, those in the best places first.
 pub fn hills(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, divides: &Divides) -> Vec<Standing> {
     let rules = Rules { input, ground, divides, chance: input.seed.item_hash(Purpose::Scenery), ranges: ranges(input) };
     let candidates: Vec<Candidate> =
@@ -81,7 +81,7 @@ pub fn hills(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, div
     hills
 }
 
-/// Where ranges are, from -1 to 1.
+/// Makes the noise that says where ranges are, from -1 to 1.
 fn ranges(input: &SceneryInput<'_>) -> FastNoiseLite {
     input.seed.noise(Purpose::Scenery, 2, 1.0 / RANGE, 2)
 }
@@ -123,7 +123,7 @@ impl Rules<'_> {
         Some(Candidate { number, at, divide, range, rank })
     }
 
-    /// The largest hill that a candidate has room for beside water.
+    /// Plans the largest hill that a candidate has room for beside water.
     fn plan(&self, candidate: &Candidate) -> Plan {
         let (at, room) = self.roomiest(candidate.at);
         let high = self.input.heights.map(|heights| heights.share(at));
@@ -148,7 +148,7 @@ impl Rules<'_> {
         Plan { at, half: largest.min((room - FROM_BANKS) / REACH), feature, rise }
     }
 
-    /// The place with most room that a few steps from another lead to, and how far banks are from it.
+    /// Looks for the place with the most room that a few steps lead to. Returns it with its distance from banks.
     fn roomiest(&self, at: Vec2) -> (Vec2, f32) {
         let mut best = (at, self.ground.distance_to_bank(at, ENOUGH));
         for step in STEPS {
@@ -163,7 +163,7 @@ impl Rules<'_> {
         best
     }
 
-    /// The hill of a candidate, as large as there is room for, and the spot that it takes; `None` if there is room for none.
+    /// Returns the hill of a candidate, as large as there is room for, and the spot that it takes; `None` if there is room for none.
     fn hill(&self, candidate: &Candidate, spots: &Spots) -> Option<(Standing, (Vec2, f32))> {
         // Most candidates stand where there is a hill by now.
         if !spots.is_free((candidate.at * Vec2::new(1.0, BEFORE), 0.0)) {
@@ -203,7 +203,7 @@ impl Rules<'_> {
 }
 
 impl Heights<'_> {
-    /// How high the land is at a place, as a share of the highest; 0 at sea.
+    /// Returns the height of the land at a place, as a share of the highest; 0 at sea.
     pub fn share(&self, at: Vec2) -> f32 {
         let rows = self.heights.len() / self.columns.max(1);
         let [column, row] = [(at.x, self.columns), (at.y, rows)]

@@ -1,4 +1,4 @@
-//! The names of what lies along a coast: bays in their water, straits along theirs, capes on the water before them.
+//! The names of parts of a coast: of bays in their water, of straits along theirs, of capes on the water before them.
 
 use glam::Vec2;
 
@@ -11,28 +11,28 @@ use crate::land::CoastDistance;
 
 /// Lengths of the em that are tried, in units.
 const SIZES: &[f32] = &[21.0, 17.0, 14.0, 12.5, 11.0];
-/// The first of these are for bays as wide as this, in units.
+/// The number of the first sizes that only wide bays have, and the least width of such bays, in units.
 const WIDE_SIZES: usize = 2;
 const WIDE: f32 = 120.0;
-/// How far letters keep from the coast, the frame and other labels, in ems.
+/// The least distances of letters from the coast, the frame and other labels, in ems.
 const FROM_COAST: f32 = 0.25;
 const FROM_FRAME: f32 = 0.4;
 const FROM_LABELS: f32 = 0.35;
-/// The most that the em is, in units, or as a share of how large a place is.
+/// The greatest em, in units, or as a share of the size of a place.
 const MOST_EM: f32 = 20.0;
 const MOST_SHARE: f32 = 0.2;
-/// How far around a bay's midst its name is tried, in ems and in widths of the bay, and how far apart, in ems.
+/// The reach around a bay's midst within which its name is tried, in ems and in widths of the bay, and the distance between tries, in ems.
 const AROUND: f32 = 1.0;
 const WIDTHS: f32 = 0.45;
 const STEP: f32 = 0.7;
-/// How far a cape's name is from its tip, in ems.
+/// The distances of a cape's name from its tip that are tried, in ems.
 const GAPS: [f32; 3] = [0.5, 0.8, 1.2];
-/// How far above its line the middle of type is, in ems.
+/// The height of the middle of type over its line, in ems.
 const MIDDLE: f32 = 0.24;
-/// How smooth the line of a strait is, as a share of its length.
+/// The smoothness of the line of a strait, as a share of its length.
 const SMOOTHED: f32 = 0.1;
 
-/// The label of a bay, a strait or a cape, off the boxes that are taken; `None` if there is no room.
+/// Finds a place for the name of a bay, a strait or a cape, off the boxes that are taken; `None` if there is no room.
 pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
@@ -69,7 +69,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Letters in the water of a bay, near its midst and off its coast.
+    /// Returns letters in the water of a bay, near its midst and off its coast.
     fn in_the_bay(&self) -> Option<Vec<Placed>> {
         let reach = AROUND * self.em + WIDTHS * self.landmark.size;
         let steps = (reach / (STEP * self.em)) as i32;
@@ -81,7 +81,7 @@ impl Search<'_> {
         self.cheapest(places.map(|(cost, middle)| (cost, self.level(middle, 0.5))))
     }
 
-    /// Letters on the water beside the tip of a cape: to its right or left, above or below.
+    /// Returns letters on the water beside the tip of a cape: to its right or left, above or below.
     fn before_the_cape(&self) -> Option<Vec<Placed>> {
         let places = GAPS.into_iter().flat_map(|gap| {
             let sides = [(1.0, 0.0), (1.0, -0.6), (1.0, 0.6), (-1.0, 0.0), (-1.0, -0.6), (-1.0, 0.6)];
@@ -96,7 +96,7 @@ impl Search<'_> {
         self.cheapest(places.map(letters))
     }
 
-    /// Letters along a strait, and the line that they stand on.
+    /// Returns letters along a strait, and the line that they stand on.
     fn along(&self) -> Option<(Vec<Placed>, Shrinks)> {
         let mut line = smoothed(&self.landmark.line, (SMOOTHED * self.landmark.line.len() as f32) as usize);
         if !is_upright(*line.last()? - *line.first()?) {
@@ -125,7 +125,7 @@ impl Search<'_> {
         self.text.along(line, start, self.em).filter(|letters| letters.iter().all(is_readable))
     }
 
-    /// The cheapest of some places that is free; the first of equals.
+    /// Returns the cheapest of some places that is free; the first of equals.
     fn cheapest(&self, places: impl Iterator<Item = (f32, Vec<Placed>)>) -> Option<Vec<Placed>> {
         let mut best: Option<(f32, Vec<Placed>)> = None;
         for (cost, letters) in places {
@@ -136,7 +136,7 @@ impl Search<'_> {
         best.map(|(_, letters)| letters).filter(|letters| !letters.is_empty())
     }
 
-    /// Letters of a level line; a share of its length lies before the place.
+    /// Returns the letters of a level line of which a share lies before a point.
     fn level(&self, at: Vec2, share: f32) -> Vec<Placed> {
         let from = at + Vec2::new(-share * self.text.length, MIDDLE) * self.em;
         self.text.level(from, self.em)

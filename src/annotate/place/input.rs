@@ -1,4 +1,4 @@
-//! What labels and scenery are placed by.
+//! The input of the placement of labels and scenery.
 
 use glam::Vec2;
 
@@ -125,15 +125,15 @@ pub struct Landmark {
 /// The title of a map, and what stands with it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cartouche {
-    /// What the map is called.
+    /// The name of the map.
     pub title: String,
     /// The line under the title, such as the word that the map has grown from.
     pub seed: String,
-    /// Returns `true` if the title has a frame.
+    /// `true` if the title has a frame.
     pub is_framed: bool,
     /// The look of a frame.
     pub frame: Frame,
-    /// Returns `true` if there is a scale bar.
+    /// `true` if there is a scale bar.
     pub has_scale: bool,
     /// The sign that tells where north is.
     pub north: Option<NorthPoint>,
@@ -181,7 +181,7 @@ pub struct StraightRiver {
     pub name: String,
     /// The length of its course, in kilometres.
     pub kilometres: f32,
-    /// Points at even distances from its end to its source: how far it winds to one side there, and half its width, in units.
+    /// Points at even distances from its end to its source: the distance by which it winds to one side there, and half its width, in units.
     pub points: Vec<[f32; 2]>,
 }
 
@@ -207,18 +207,18 @@ pub struct Tributary {
     pub river: u32,
     /// Its name; empty if it has none.
     pub name: String,
-    /// Where it joins the other: the share of that one's length from its end on.
+    /// The place where it joins the other: the share of that one's length from its end on.
     pub share: f32,
 }
 
-/// The relief, and what its heights are in numbers.
+/// The relief, and the scale of its heights.
 #[derive(Clone, Copy, Debug)]
 pub struct Elevations<'a> {
     /// The relief.
     pub heights: Heights<'a>,
-    /// How many metres a unit of height is.
+    /// The number of metres of a unit of height.
     pub metres: f32,
-    /// How far the places are apart whose heights are told, in units.
+    /// The least distance between places whose heights are told, in units.
     pub apart: f32,
 }
 
@@ -227,7 +227,7 @@ pub struct Elevations<'a> {
 pub struct SheetGrid {
     /// The part of the domain that is seen, the labels' frame and the margin around it: its north-western and its south-eastern corner.
     pub sheet: [Vec2; 2],
-    /// How far lines are apart, in units; the first are the domain's western and northern side.
+    /// The distance between lines, in units; the first are the domain's western and northern side.
     pub every: f32,
     /// The length of its letters' em.
     pub em: f32,
@@ -247,16 +247,16 @@ impl SheetGrid {
 pub struct RiverClass {
     /// Strahler's order.
     pub order: u8,
-    /// How many there are.
+    /// The number of such rivers.
     pub count: u32,
     /// Half of their width at their ends, on average, in units.
     pub half: f32,
 }
 
-/// What is said of a map in a box.
+/// A box with facts about a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
-    /// What the map is called, and what it has grown from; nothing where the cartouche says that.
+    /// The name of the map, and the line under it; `None` where the cartouche has both.
     pub heading: Option<[String; 2]>,
     /// Its rivers, those of the highest order first.
     pub classes: Vec<RiverClass>,
@@ -267,16 +267,16 @@ pub struct Legend {
 pub struct Seal {
     /// One letter or two.
     pub letters: String,
-    /// What its edge is uneven by.
+    /// The seed of the chances by which its edge is uneven.
     pub seed: Seed,
 }
 
-/// What a style has on its maps besides names.
+/// The marks that a style has on its maps besides names.
 #[derive(Clone, Debug, Default)]
 pub struct Marks<'a> {
     /// The relief; `None` if no heights are told.
     pub elevations: Option<Elevations<'a>>,
-    /// Returns `true` if large pictures of the whole map have a grid with letters.
+    /// `true` if large pictures of the whole map have a grid with letters.
     pub has_grid: bool,
     /// The grid; `None` if this picture has none, or has no room for its letters.
     pub grid: Option<SheetGrid>,
@@ -293,9 +293,9 @@ pub struct Input<'a> {
     pub frame: [Vec2; 2],
     /// The part of it that the picture shows, its two corners: what reaches beyond that is left out.
     pub view: [Vec2; 2],
-    /// The smallest letters that can be read, as the length of their em before it is multiplied by their size.
+    /// The em of the smallest letters that can be read, before it is multiplied by the factor of their size.
     pub least_em: f32,
-    /// What sizes of letters are multiplied by.
+    /// The factor of the sizes of letters.
     pub label_size: f32,
     /// The same on the whole map. (Not computed from that: rounding would make other choices of places.)
     pub whole_size: f32,
@@ -303,8 +303,8 @@ pub struct Input<'a> {
     pub shrink: f32,
     /// Returns `true` if no river has more than one label.
     pub is_one_each: bool,
-    /// Labels of rivers end when they cover so much of the land, in square units, and those of lakes and islands when they cover so much
-    /// of the water. Where labels may cover no land there are none.
+    /// The greatest area that the labels of rivers cover on land, in square units, and the greatest that those of lakes and islands cover
+    /// on the water. Where labels may cover no land there are none.
     pub most_area: [f32; 2],
     /// How many bays, capes and straits have labels at most, of each.
     pub most_landmarks: usize,
@@ -324,14 +324,15 @@ pub struct Input<'a> {
     pub areas: Vec<Area>,
     /// Places besides these, the most important of each kind first.
     pub landmarks: Vec<Landmark>,
-    /// What there is besides names.
+    /// The marks besides names.
     pub marks: Marks<'a>,
     /// How far inland each point lies; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
 }
 
 impl Input<'_> {
-    /// The length of an em of a usual length, in units: at least so many times that of the smallest letters that can be read.
+    /// Returns the em of letters whose usual em is `usual`, in units: at least `over_least` times that of the smallest letters that can be
+    /// read.
     pub fn em(&self, usual: f32, over_least: f32) -> f32 {
         usual.max(over_least * self.least_em) * self.label_size
     }
@@ -343,7 +344,7 @@ impl Input<'_> {
         sizes
     }
 
-    /// The frame in pictures of this size: the letters of a grid take more of small ones.
+    /// Returns the frame in pictures of this size: the letters of a grid take more of small ones.
     pub fn inner_frame(&self) -> [Vec2; 2] {
         let em = self.em(SheetGrid::EM, 1.0);
         let has_grid = self.marks.has_grid && em <= SheetGrid::MOST_EM;
@@ -358,12 +359,12 @@ impl Input<'_> {
         at.cmpge(least + margin).all() && at.cmple(most - margin).all()
     }
 
-    /// The smallest letters that can be read, as the length of their em, in units.
+    /// Returns the em of the smallest letters that can be read, in units.
     pub fn least(&self) -> f32 {
         self.least_em * self.shrink
     }
 
-    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    /// Returns the part of the domain that is seen: its north-western and its south-eastern corner.
     pub fn sheet(&self) -> [Vec2; 2] {
         self.marks.grid.map_or(self.view, |grid| grid.sheet)
     }
@@ -380,12 +381,12 @@ pub struct Stream {
     pub parent: u32,
 }
 
-/// How high the land is, cell by cell, row by row from the map's north-western corner on.
+/// The heights of the land, cell by cell, row by row from the map's north-western corner on.
 #[derive(Clone, Copy, Debug)]
 pub struct Heights<'a> {
     /// Heights over the sea, in units.
     pub heights: &'a [f32],
-    /// How many cells lie side by side.
+    /// The number of cells of a row.
     pub columns: usize,
     /// The side of a cell, in units.
     pub cell_size: f32,
@@ -398,11 +399,11 @@ pub struct Heights<'a> {
 pub struct SceneryInput<'a> {
     /// Width and height of the domain.
     pub size: Vec2,
-    /// What chance is drawn from.
+    /// The seed of all chances.
     pub seed: Seed,
-    /// How much of the land is wooded, from 0 to 1.
+    /// The share of the land that is wooded, from 0 to 1.
     pub woods: f32,
-    /// How thickly hills stand, from 0 to 1.
+    /// The density of hills, from 0 to 1.
     pub hills: f32,
     /// What all rivers together bring to the sea, in the unit of their discharge.
     pub total_discharge: u32,

@@ -9,36 +9,36 @@ use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::base::geometry::length;
 use crate::land::CoastDistance;
 
-/// Sizes of letters, the length of their em in units, by how large an island is, in square units.
+/// The lengths of the em, in units, by the least area of an island that has it, in square units.
 const SIZES: [(f32, f32); 4] = [(20_000.0, 18.5), (5000.0, 16.0), (1000.0, 13.5), (0.0, 11.5)];
-/// How much smaller letters are tried if there is no room for those.
+/// The size of smaller letters, which are tried if there is no room for those, over their size.
 const SMALLER: f32 = 0.85;
-/// An island whose area is that of a square of this side, in ems, is too small for its name.
+/// The side of a square with the least area of an island that has a name, in ems.
 const LEAST_SIDE: f32 = 0.8;
 
-/// How far an island's midst is from its coast where its name stands on it, and how far letters keep from that there, in ems.
+/// The least distance of an island's midst from its coast for a name on the island, and of letters from the coast there, in ems.
 const ROOM: f32 = 3.0;
 const FROM_COAST_INSIDE: f32 = 0.4;
-/// How far around the midst places are tried, and how far apart, in ems.
+/// The number of places that are tried to each side of the midst, and the distance between them, in ems.
 const AROUND: i32 = 6;
 const STEP: f32 = 0.7;
 /// The widest river that may run under letters, in units.
 const WIDEST_UNDER: f32 = 2.4;
 
-/// How far letters keep from the island, the coast, the frame and other labels, in ems.
+/// The distances of letters from the island that are tried, and the least ones from the coast, the frame and other labels, in ems.
 const GAPS: [f32; 3] = [0.4, 0.7, 1.1];
 const FROM_COAST: f32 = 0.2;
 const FROM_FRAME: f32 = 0.4;
 const FROM_LABELS: f32 = 0.28;
-/// How far over their line capitals rise, how far under it letters reach, and where the middle of small ones is, in ems.
+/// The height of capitals over their line, the depth of letters under it, and the height of the middle of small ones, in ems.
 const CAPITAL: f32 = 0.66;
 const UNDER: f32 = 0.27;
 const MIDDLE: f32 = 0.24;
-/// How much farther letters may be from their island than from any coast, on average: as a share, and in ems.
+/// The factor and the number of ems by which letters may be farther from their island than from the nearest coast, on average.
 const NEARER: f32 = 1.3;
 const NEARER_EM: f32 = 0.3;
 
-/// The label of an island, off the boxes that are taken; `None` if there is no room.
+/// Finds a place for the name of an island, off the boxes that are taken; `None` if there is no room.
 pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
     let coast = input.coast?;
     let (size, corners) = (area.size(), area.corners());
@@ -64,20 +64,20 @@ struct Search<'a, G> {
     background: &'a G,
     coast: &'a CoastDistance,
     area: &'a Area,
-    /// Of the box around the island.
+    /// The corners of the box around the island.
     corners: [Vec2; 2],
     taken: &'a [(u32, Box)],
     em: f32,
-    /// The usual length of that, in units.
+    /// The usual em, in units.
     usual: f32,
     text: Text,
 }
 
-/// The cheapest place so far, and what it costs.
+/// The cheapest place so far, and its cost.
 type Best = Option<(f32, Vec<Placed>)>;
 
 impl<G: Background> Search<'_, G> {
-    /// The letters on the island, or beside it.
+    /// Returns the letters on the island, or beside it.
     fn letters(&self) -> Option<(Kind, Vec<Placed>)> {
         if self.text.letters.is_empty() {
             return None;
@@ -94,7 +94,7 @@ impl<G: Background> Search<'_, G> {
         })
     }
 
-    /// The letters near the island's midst, where the least ink is under them.
+    /// Returns the letters near the island's midst, where the least ink is under them.
     fn inside(&self) -> Option<Vec<Placed>> {
         if self.coast.height(self.area.midst) < ROOM * self.em {
             return None;
@@ -110,7 +110,7 @@ impl<G: Background> Search<'_, G> {
         best.map(|(_, letters)| letters)
     }
 
-    /// What the ink under letters on land costs; `None` if there is too much of it, or they are not all on land.
+    /// Returns the cost of the ink under letters on land; `None` if there is too much of it, or if they are not all on land.
     fn ink(&self, letters: &[Placed]) -> Option<f32> {
         let (mut hits, mut samples) = (0.0, 0.0);
         for letter in letters {
@@ -131,7 +131,7 @@ impl<G: Background> Search<'_, G> {
         Some(4.0 * hits / samples)
     }
 
-    /// The letters on the water: right of the island if they can be, else left, above or below.
+    /// Returns the letters on the water: right of the island if they can be, else left, above or below.
     fn beside(&self) -> Option<Vec<Placed>> {
         let (em, long) = (self.em, self.text.length * self.em);
         let middle = (self.corners[0] + self.corners[1]) * 0.5;
@@ -161,20 +161,20 @@ impl<G: Background> Search<'_, G> {
         best.map(|(_, letters)| letters)
     }
 
-    /// How far the island reaches to the west and to the east in some rows; `None` if it has nothing there.
+    /// Returns the western and the eastern end of the island in some rows; `None` if it has nothing there.
     fn across(&self, [top, bottom]: [f32; 2]) -> Option<[f32; 2]> {
         let strips = self.area.strips.iter().filter(|strip| strip.top < bottom && strip.top + Area::ROW > top);
         strips.map(|strip| [strip.left, strip.right]).reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
     }
 
-    /// How far it reaches to the north and to the south between two sides; `None` if it has nothing there.
+    /// Returns the northern and the southern end of the island between two sides; `None` if it has nothing there.
     fn down(&self, [left, right]: [f32; 2]) -> Option<[f32; 2]> {
         let strips = self.area.strips.iter().filter(|strip| strip.left < right && strip.right > left);
         let ends = strips.map(|strip| [strip.top, strip.top + Area::ROW]);
         ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
     }
 
-    /// What it costs that other land is near to letters on the water; `None` if they touch land, or would seem to name another.
+    /// Returns the cost of other land near letters on the water; `None` if they touch land, or would seem to name another island.
     fn apart(&self, letters: &[Placed]) -> Option<f32> {
         let (mut own, mut any) = (0.0, 0.0);
         for letter in letters {
@@ -189,20 +189,20 @@ impl<G: Background> Search<'_, G> {
         (own <= NEARER * any + NEARER_EM).then_some(0.8 * (own - any).max(0.0))
     }
 
-    /// How far a place is from the island, in units.
+    /// Returns the distance of a place from the island, in units.
     fn away(&self, at: Vec2) -> f32 {
         let off = |strip: &Strip| within(strip, at).distance_squared(at);
         self.area.strips.iter().map(off).fold(f32::MAX, f32::min).sqrt()
     }
 
-    /// The place of the island that is nearest to another.
+    /// Returns the place of the island that is nearest to a point.
     fn nearest(&self, at: Vec2) -> Vec2 {
         let places = self.area.strips.iter().map(|strip| within(strip, at));
         let nearer = |a: Vec2, b: Vec2| if b.distance_squared(at) < a.distance_squared(at) { b } else { a };
         places.reduce(nearer).unwrap_or(at)
     }
 
-    /// The letters of a level line that begins at a place.
+    /// Returns the letters of a level line that begins at a place.
     fn level(&self, from: Vec2) -> Vec<Placed> {
         self.text.level(from, self.em)
     }

@@ -1,4 +1,5 @@
-//! The legend: a box in a corner that says what the map is called, how long a hundred kilometres are, and how many rivers of each order there are.
+//! The legend: a box in a corner that shows the name of the map, the length of a hundred kilometres, and the number of rivers of each
+//! order.
 
 use glam::Vec2;
 
@@ -9,34 +10,36 @@ use super::letters::{Box, Kind, Label, Stroke, Text};
 
 /// The length of its em, in units.
 const EM: f32 = 11.0;
-/// How much larger the title is, in ems.
+/// The size of the title over that of other lines.
 const TITLE: f32 = 1.4;
-/// The most that it takes up of the map's width and height, and on land.
+/// The greatest shares of the map's width and height that the legend takes up, and on land.
 const MOST: Vec2 = Vec2::new(0.36, 0.4);
 const MOST_ON_LAND: Vec2 = Vec2::new(0.25, 0.25);
-/// How many orders it has, and how many if there is no room for these.
+/// The number of orders of rivers, and the numbers that are tried if there is no room for these.
 const ORDERS: [usize; 3] = [6, 3, 0];
 
-/// How far its lines are from the frame around it, and apart, and how far the lines between its parts are from both, in ems.
+/// The distance of its lines from the frame around it, the distance between them, and that of the lines between its parts from both, in
+/// ems.
 const AROUND: f32 = 0.8;
 const LINE: f32 = 1.35;
 const BETWEEN: f32 = 0.5;
-/// Half the width of such lines, in ems.
+/// Half the width of the lines between its parts, in ems.
 const RULE: f32 = 0.014;
 
-/// How long the scale is, in units.
+/// The length of the scale, in units.
 const SCALE: f32 = 100.0 * KILOMETRE;
-/// How long the samples of rivers are, how wide half of one is at least and at most, and how far type is behind both, in ems.
+/// The length of the samples of rivers, the least and the greatest half of their width, and the distance of type behind them and the scale,
+/// in ems.
 const SAMPLE: f32 = 2.4;
 const HALF: [f32; 2] = [0.03, 0.25];
 const BEHIND: f32 = 0.7;
-/// How far above the line that type stands on they lie, in ems.
+/// The height of the samples of rivers over the line that type stands on, in ems.
 const ABOVE: f32 = 0.22;
 
 /// A legend in its place: its lines of type, the first with all strokes.
 pub struct Set {
     pub labels: Vec<Label>,
-    /// What other labels keep off.
+    /// The box that other labels keep off.
     pub around: Box,
 }
 
@@ -60,7 +63,7 @@ struct Block {
     em: f32,
     lines: Vec<Line>,
     strokes: Vec<Stroke>,
-    /// Of all with the frame, in units.
+    /// The size of all with the frame, in units.
     size: Vec2,
 }
 
@@ -68,12 +71,12 @@ struct Line {
     says: String,
     text: Text,
     em: f32,
-    /// Where it begins, from the block's upper left corner, in units.
+    /// The place where it begins, from the block's upper left corner, in units.
     at: Vec2,
 }
 
 impl Block {
-    /// With so many orders of rivers at most.
+    /// Sets a legend with some orders of rivers at most.
     fn new(legend: &Legend, em: f32, orders: usize) -> Self {
         let mut this = Self { em, lines: Vec::new(), strokes: Vec::new(), size: Vec2::splat(2.0 * AROUND * em) };
         let mut rules = Vec::new();
@@ -117,7 +120,7 @@ impl Block {
         self.strokes.push(Stroke { ends: ends.map(Vec2::from), half });
     }
 
-    /// A bar in two halves, the first of them filled.
+    /// Adds a bar in two halves, the first of them filled.
     fn add_scale(&mut self) {
         const HEIGHT: f32 = 0.36;
         const THIN: f32 = 0.03;
@@ -142,7 +145,7 @@ impl Block {
         self.stroke([[left + half, y], [left + SAMPLE * em - half, y]], half);
     }
 
-    /// All of it in its place.
+    /// Puts the block into its place.
     fn set(&self, at: Vec2, is_on_land: bool) -> Set {
         let label = |line: &Line| {
             let letters = line.text.level(at + line.at, line.em);

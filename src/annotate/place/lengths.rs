@@ -7,25 +7,25 @@ use super::input::StraightRiver;
 use super::letters::{Kind, Text};
 use super::panel::{Panel, step};
 
-/// How many rivers there are at most and at least.
+/// The greatest and the least number of rivers.
 const MOST: usize = 14;
 const LEAST: usize = 3;
-/// How far rivers are apart at least and at most, and how wide the scale is at their left, in ems.
+/// The least and the greatest distance between rivers, and the width of the scale at their left, in ems.
 const PITCH: [f32; 2] = [1.95, 2.6];
 const SCALE: f32 = 2.6;
-/// How far a name is from its river's middle line, in ems.
+/// The distance of a name from its river's middle line, in ems.
 const TO_NAME: f32 = 1.16;
 /// Half the widths of the base line and of ticks, in ems.
 const BASE: f32 = 0.035;
 const TICK: f32 = 0.02;
-/// How far a river leaves its line at most, in ems, and how far it winds where it leaves it half as far, in units.
+/// The greatest distance of a drawn river from its line, in ems, and the winding that is drawn half as far from it, in units.
 const ASIDE: f32 = 0.3;
 const WINDING: f32 = 6.0;
-/// How long the pieces are that it consists of, in ems.
+/// The length of the pieces of a river, in ems.
 const PIECE: f32 = 0.3;
-/// Half the width of a river at least, and of the widest, in ems.
+/// Half the width of a river: the least, and that of the widest, in ems.
 const HALF: [f32; 2] = [0.03, 0.19];
-/// Widths have so many steps, which a file writes as one line each.
+/// The number of steps of widths, each of which a file writes as one line.
 const STEPS: f32 = 12.0;
 
 /// Draws the longest rivers that there is room for. Returns `false` if that are too few.
@@ -60,14 +60,14 @@ pub fn draw(panel: &mut Panel, rivers: &[StraightRiver]) -> bool {
     true
 }
 
-/// The text beside a river.
+/// Returns the text beside a river.
 fn named(river: &StraightRiver) -> (String, Text) {
     let says = format!("{}, {} km", river.name, (river.kilometres + 0.5) as u32);
     let text = Text::new(&says, Kind::Plate);
     (says, text)
 }
 
-/// The line that rivers end at, and kilometres at its left.
+/// Draws the line that rivers end at, and kilometres at its left.
 fn draw_scale(panel: &mut Panel, foot: f32, longest: f32, per_kilometre: f32) {
     let (em, [least, most]) = (panel.em, panel.within);
     let left = least.x + (SCALE - 0.6) * em;
@@ -83,7 +83,7 @@ fn draw_scale(panel: &mut Panel, foot: f32, longest: f32, per_kilometre: f32) {
     }
 }
 
-/// A river upward from its end, `widest` the half width that is drawn as the greatest.
+/// Draws a river upward from its end; `widest` is the half width that is drawn as the greatest.
 fn draw_river(panel: &mut Panel, river: &StraightRiver, from: Vec2, length: f32, widest: f32) {
     let em = panel.em;
     let last = river.points.len().saturating_sub(1).max(1);

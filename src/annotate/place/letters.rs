@@ -7,7 +7,7 @@ use crate::annotate::glyph::{Face, Glyph, Letter, capitals, line_of};
 use crate::base::geometry::{distance, gap, length};
 use crate::network::Place;
 
-/// What a label names.
+/// The subject of a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A river.
@@ -28,7 +28,7 @@ pub enum Kind {
     Region,
     /// The map.
     Title,
-    /// What the map has grown from.
+    /// The line under the title, such as the word that the map has grown from.
     Seed,
     /// A line or a name on a plate, under the title.
     Plate,
@@ -46,32 +46,32 @@ pub enum Kind {
     Seal,
 }
 
-/// What a label belongs to.
+/// A group of labels that belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Group {
     /// Names on the map.
     Names,
     Cartouche,
     Legend,
-    /// What a style has besides names, in an ink of its own.
+    /// Marks of a style besides names, in an ink of their own.
     Marks,
 }
 
-/// How labels of a kind are set. Lengths are ems.
+/// The type of labels of a kind. Lengths are ems.
 #[derive(Clone, Copy, Debug)]
 struct Setting {
     group: Group,
     face: Face,
     /// The space between letters besides their advance.
     tracking: f32,
-    /// How far its halo reaches around outlines.
+    /// The reach of its halo around outlines.
     halo: f32,
-    /// Rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
+    /// `true` if rivers are left as they are around its letters: it stands on open water, or has its own areas to be cleared.
     is_afloat: bool,
 }
 
 impl Kind {
-    /// The row of a kind in the table of kinds.
+    /// Returns the row of a kind in the table of kinds.
     fn setting(self) -> Setting {
         let set = |group, face, tracking, halo, is_afloat| Setting { group, face, tracking, halo, is_afloat };
         let (italic, roman) = (Face::Italic, Face::Roman);
@@ -93,12 +93,12 @@ impl Kind {
         }
     }
 
-    /// The space between letters besides their advance, in ems.
+    /// Returns the space between letters that is added to their advance, in ems.
     pub fn tracking(self) -> f32 {
         self.setting().tracking
     }
 
-    /// The face of its letters: italic on water, upright on land.
+    /// Returns the face of its letters: italic on water, upright on land.
     pub fn face(self) -> Face {
         self.setting().face
     }
@@ -128,21 +128,21 @@ impl Kind {
         self.setting().group == Group::Marks
     }
 
-    /// How far its halo reaches around outlines, in ems.
+    /// Returns the reach of its halo around outlines, in ems.
     pub fn halo(self) -> f32 {
         self.setting().halo
     }
 }
 
-/// How far below its baseline the middle of a small letter lies, in ems.
+/// The depth of the middle of a small letter below its baseline, in ems.
 pub const MIDDLE: f32 = -0.2;
 
 /// A letter in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
-    /// What it looks like.
+    /// Its outline and its advance.
     pub glyph: &'static Glyph,
-    /// Where its origin lies, in units.
+    /// The place of its origin, in units.
     pub at: Vec2,
     /// The unit vector along its baseline.
     pub along: Vec2,
@@ -151,11 +151,11 @@ pub struct Placed {
 /// A label in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it names.
+    /// The kind of thing that it names.
     pub kind: Kind,
     /// The number of its river; `None` if it names none.
     pub river: Option<u32>,
-    /// What it says.
+    /// Its text.
     pub text: String,
     /// The length of its em, in units.
     pub em: f32,
@@ -177,24 +177,24 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// The box around it, if it is level or upright.
+    /// Returns the box around it, if it is level or upright.
     pub fn around(&self) -> Box {
         Box::level(self.ends[0].min(self.ends[1]) - self.half, self.ends[0].max(self.ends[1]) + self.half)
     }
 }
 
 impl Label {
-    /// A label of letters alone.
+    /// Makes a label of letters alone.
     pub fn new(kind: Kind, river: Option<u32>, text: &str, em: f32, letters: Vec<Placed>) -> Self {
         Self { kind, river, text: text.into(), em, letters, strokes: Vec::new(), cleared: Vec::new() }
     }
 }
 
 impl Label {
-    /// The spaces between its words, each from one letter's middle to the next one's, in units; none where letters stand so far apart
-    /// that what shows between them cannot be taken for a hyphen.
+    /// Returns the spaces between its words, each from the middle of one letter to that of the next, in units; none where letters stand so
+    /// far apart that what shows between them cannot be taken for a hyphen.
     pub fn spaces(&self) -> impl Iterator<Item = [Vec2; 2]> + '_ {
-        /// More than there is between the letters of a word, in ems.
+        /// The least space between words, in ems: more than there is between the letters of a word.
         const LEAST: f32 = 0.28;
         let space = |pair: &[Placed]| {
             let end = Vec2::new(pair[0].glyph.advance, MIDDLE);
@@ -218,7 +218,7 @@ impl Text {
         Self::spaced(text, kind, kind.tracking())
     }
 
-    /// A text with so much space between its letters, in ems.
+    /// Sets a text with some space between its letters, in ems.
     pub fn spaced(text: &str, kind: Kind, tracking: f32) -> Self {
         let capital = kind.is_in_capitals().then(|| capitals(text));
         let (mut letters, length) = line_of(capital.as_deref().unwrap_or(text), kind.face(), tracking);
@@ -228,7 +228,7 @@ impl Text {
 }
 
 impl Text {
-    /// Its letters on a line, from so far along it on; `None` if the line is too short to have a direction.
+    /// Places its letters on a line, from a distance along it on; `None` if the line is too short to have a direction.
     pub fn along(&self, line: &Line, start: f32, em: f32) -> Option<Vec<Placed>> {
         let mut walk = walk_from(line, start);
         let place = |letter: &Letter| {
@@ -238,7 +238,7 @@ impl Text {
         self.letters.iter().map(place).collect()
     }
 
-    /// Its letters on a level line that begins at a place.
+    /// Places its letters on a level line that begins at a place.
     pub fn level(&self, from: Vec2, em: f32) -> Vec<Placed> {
         self.letters.iter().map(|letter| Placed::level(letter, from, em)).collect()
     }
@@ -247,27 +247,27 @@ impl Text {
 /// A letter's box, turned as the letter is.
 #[derive(Clone, Copy, Debug)]
 pub struct Box {
-    /// Where its middle lies, in units.
+    /// Its middle, in units.
     pub middle: Vec2,
-    /// From there along the baseline to its side.
+    /// The way from its middle along the baseline to the middle of its side, in units.
     pub along: Vec2,
-    /// The same across.
+    /// The way from its middle to the middle of its lower side, in units.
     pub down: Vec2,
 }
 
 impl Placed {
-    /// Where a point of the letter lies, in units.
+    /// Returns the place of a point of the letter, in units.
     #[inline]
     pub fn place(&self, point: Vec2, em: f32) -> Vec2 {
         self.at + (self.along * point.x + self.along.perp() * point.y) * em
     }
 
-    /// A letter of a level line that begins at a place.
+    /// Places a letter of a level line that begins at a place.
     pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
         Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
     }
 
-    /// The box around it.
+    /// Returns the box around the letter.
     #[inline]
     pub fn around(&self, em: f32) -> Box {
         let (least, most) = (self.glyph.least, self.glyph.most);
@@ -278,31 +278,31 @@ impl Placed {
 }
 
 impl Box {
-    /// One from a north-western corner to a south-eastern one.
+    /// Makes the box from a north-western corner to a south-eastern one.
     pub fn level(least: Vec2, most: Vec2) -> Self {
         let half = (most - least) * 0.5;
         Self { middle: least + half, along: Vec2::new(half.x, 0.0), down: Vec2::new(0.0, half.y) }
     }
 
-    /// Its corners, one after the other around it.
+    /// Returns its corners, one after the other around it.
     pub fn corners(&self) -> [Vec2; 4] {
         let Self { middle, along, down } = *self;
         [middle - along - down, middle + along - down, middle + along + down, middle - along + down]
     }
 
-    /// Three by five points from corner to corner.
+    /// Returns three by five points from corner to corner.
     pub fn samples(&self) -> impl Iterator<Item = Vec2> + '_ {
         let across = |i: usize| (i as f32 - 1.0) * 1.0;
         let down = |i: usize| (i as f32 - 2.0) * 0.5;
         (0..15).map(move |i| self.middle + self.along * across(i % 3) + self.down * down(i / 3))
     }
 
-    /// How far the farthest corner is from the middle.
+    /// Returns the distance of its corners from its middle.
     pub fn radius(&self) -> f32 {
         (self.along.length_squared() + self.down.length_squared()).sqrt()
     }
 
-    /// How far it is from a straight piece; 0 if they meet.
+    /// Returns its distance from a straight piece; 0 if they meet.
     pub fn gap(&self, ends: [Vec2; 2]) -> f32 {
         let corners = self.corners();
         let sides = [0, 1, 2, 3].map(|i| (corners[i], corners[(i + 1) % 4]));
@@ -317,7 +317,7 @@ impl Box {
         sides.iter().map(|&side| gap(side, (ends[0], ends[1]))).fold(f32::MAX, f32::min)
     }
 
-    /// Whether it meets a river with these places.
+    /// Returns `true` if it meets a river with these places.
     pub fn meets_river(&self, pair: &[Place]) -> bool {
         let half = pair[0].half.max(pair[1].half);
         let reach = self.radius() + half;
@@ -326,7 +326,7 @@ impl Box {
         !far(pair[0].at, reach + length) && self.gap([pair[0].at, pair[1].at]) <= half
     }
 
-    /// Whether it comes nearer than this to another.
+    /// Returns `true` if it comes nearer to another box than a margin.
     pub fn meets(&self, other: &Self, margin: f32) -> bool {
         if distance(self.middle, other.middle) > self.radius() + other.radius() + margin {
             return false;
@@ -337,7 +337,7 @@ impl Box {
     }
 }
 
-/// A letter between two points of its line.
+/// Places a letter between two points of its line.
 #[inline]
 pub fn between(letter: &Letter, from: Vec2, to: Vec2, em: f32) -> Option<Placed> {
     let way = to - from;

@@ -4,10 +4,10 @@
 
 use super::input::Input;
 
-/// The smallest letters of pictures of whole maps, as the length of their em in units, from small pictures to such on which all letters have
-/// their usual sizes: of a map 1,250 units wide these are some 180, 255, 360, 460, 560, 700, 830, 980 and 1,150 pixels.
+/// The em of the smallest letters of pictures of whole maps, in units, from small pictures to those on which all letters have their usual
+/// sizes. Of a map 1,250 units wide these are some 180, 255, 360, 460, 560, 700, 830, 980 and 1,150 pixels wide.
 const LEAST_EMS: [f32; 10] = [76.0, 54.0, 38.0, 30.0, 24.5, 19.7, 16.5, 14.0, 12.0, 0.0];
-/// By how much letters are smaller in views of parts of a map.
+/// The factors of the sizes of letters in views of parts of a map.
 const SHRINKS: [f32; 7] = [0.72, 0.52, 0.37, 0.27, 0.19, 0.14, 0.1];
 /// The smallest usual letters, in units.
 const SMALLEST: f32 = 11.0;
@@ -15,7 +15,7 @@ const SMALLEST: f32 = 11.0;
 /// The size of letters on one of these pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
-    /// The em of the smallest letters that can be read, before it is multiplied by what follows.
+    /// The em of the smallest letters that can be read, before it is multiplied by `shrink`.
     pub least_em: f32,
     /// The factor of sizes of letters because the picture shows a part of the map.
     pub shrink: f32,
@@ -25,13 +25,13 @@ impl Level {
     /// Pictures of whole maps on which all letters have their usual sizes.
     pub const USUAL: Self = Self { least_em: 0.0, shrink: 1.0 };
 
-    /// All levels, the smallest picture first.
+    /// Returns all levels, the smallest picture first.
     fn all() -> impl Iterator<Item = Self> {
         let wholes = LEAST_EMS.map(|least_em| Self { least_em, shrink: 1.0 });
         wholes.into_iter().chain(SHRINKS.map(|shrink| Self { least_em: 0.0, shrink }))
     }
 
-    /// The levels whose letters are no smaller than those of a picture: what is chosen on these has room on it.
+    /// Returns the levels whose letters are no smaller than those of a picture: what is chosen on these has room on it.
     pub fn up_to(input: &Input<'_>) -> impl Iterator<Item = Self> + use<> {
         let least_em = input.least_em * input.shrink;
         let shrink = input.shrink;
@@ -46,7 +46,7 @@ impl Level {
 
     /// Returns `true` if pictures are at least as large as on a phone, some 370 pixels wide.
     pub fn is_readable(self) -> bool {
-        /// The smallest letters on those.
+        /// The em of the smallest letters on a phone.
         const PHONE: f32 = 38.0;
         self.least_em <= PHONE
     }

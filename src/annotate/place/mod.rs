@@ -1,9 +1,9 @@
-//! Places for what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; marks, which some
-//! styles have besides: heights, a grid, a legend, a seal; and scenery, woods and hills on the land between.
+//! The placement of labels and scenery. Labels are words set along courses, letter by letter, and on the sea; marks, which some styles have
+//! besides, are heights, a grid, a legend, a seal; and scenery is woods and hills on the land between.
 //!
-//! Input is plain arrays, so is the result, and neither knows what pixels or files are. After Wolff, Knipping, van Kreveld, Strijk and
-//! Agarwal, *A simple and efficient algorithm for high-quality line labeling*: lines of type that bend little, at a small and even distance
-//! from the course; ours are found by trying many. Rules of taste are Imhof's (*Positioning names on maps*, 1975).
+//! The input is a map with its names, the result plain arrays, and neither knows pixels or files. After Wolff, Knipping, van Kreveld,
+//! Strijk and Agarwal, *A simple and efficient algorithm for high-quality line labeling*: lines of type that bend little, at a small and
+//! even distance from the course; ours are found by trying many. Rules of taste are Imhof's (*Positioning names on maps*, 1975).
 //!
 //! ```text
 //! courses ─► copies of them, smoothed ─► baselines beside those ─► candidates ─► the cheapest that nothing forbids

@@ -5,14 +5,14 @@ use glam::Vec2;
 use super::grid_letters::{around, margin};
 use super::letters::{Kind, Label, Stroke};
 
-/// How wide the margin of a sheet is, in units.
+/// The width of the margin of a sheet, in units.
 pub const MARGIN: f32 = 9.0;
-/// How far the lines are from the map, and half their widths, in units.
+/// The distances of the lines from the map, and half their widths, in units.
 const LINES: [(f32, f32); 2] = [(0.35, 0.35), (3.65, 0.75)];
 /// Half the width of the lines that fill the margin's corners, in units.
 const CORNER: f32 = 0.4;
 
-/// The neat line just within a sheet.
+/// Draws the neat line just within a sheet.
 pub fn label([least, most]: [Vec2; 2]) -> Label {
     let (least, most) = (least + MARGIN, most - MARGIN);
     let lines = LINES

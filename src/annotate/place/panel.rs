@@ -6,28 +6,28 @@ use super::input::{Cartouche, Plate};
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 use crate::annotate::glyph::Letter;
 
-/// How far its figure is from the frame, in ems.
+/// The distance of its figure from the frame, in ems.
 const AROUND: f32 = 1.0;
 
-/// How large the title and the lines under it are at most, and how far lines are apart, in ems.
+/// The greatest sizes of the title and of the lines under it, and the distance between lines, in ems.
 const TITLE: f32 = 2.1;
 const SUBJECT: f32 = 1.2;
 const LINE: f32 = 1.25;
 
-/// The panel that a figure is drawn in: what it consists of so far.
+/// A panel with a figure, as far as it is drawn.
 pub struct Panel {
     /// The length of its em, in units.
     pub em: f32,
-    /// Where figures may be: the upper left and the lower right corner, in units.
+    /// The room of the figure: its upper left and its lower right corner, in units.
     pub within: [Vec2; 2],
-    /// Where its heading is.
+    /// The box of its heading.
     pub heading: Box,
     pub labels: Vec<Label>,
     pub strokes: Vec<Stroke>,
 }
 
 impl Panel {
-    /// A panel with its heading in the upper right corner.
+    /// Makes a panel with its heading in the upper right corner.
     pub fn new(at: Vec2, size: Vec2, em: f32, cartouche: &Cartouche, plate: &Plate) -> Option<Self> {
         let within = [at + AROUND * em, at + size - AROUND * em];
         let heading = Box::level(within[0], within[0]);
@@ -85,14 +85,14 @@ impl Panel {
         self.strokes.push(Stroke { ends: [from, to], half });
     }
 
-    /// How high the heading reaches down over a column, or the panel's upper side where it does not.
+    /// Returns the foot of the heading over a column, or the panel's upper side where the heading does not reach.
     pub fn ceiling(&self, x: f32) -> f32 {
         let [left, foot] = [self.heading.middle.x - self.heading.along.x, self.heading.middle.y + self.heading.down.y];
         if x < left { self.within[0].y } else { foot }
     }
 }
 
-/// The least of 1, 2, 5, 10, 20, … that goes into a length no more often than this.
+/// Returns the least of 1, 2, 5, 10, 20, … that goes into a length at most `most` times.
 pub fn step(length: f32, most: f32) -> f32 {
     let mut step = 1.0;
     // More than any map has.

@@ -1,5 +1,5 @@
-//! What a glyph is made of: a silhouette and the strokes of a pen, around its foot, the middle of its base, in sizes of its own: a tree's is its
-//! height, a hill's and a marsh's half of its width.
+//! The parts of a glyph: a silhouette and the strokes of a pen. They lie around its foot, the middle of its base, in sizes of the glyph: a
+//! tree's size is its height, that of a hill or marsh half of its width.
 
 use glam::Vec2;
 
@@ -40,7 +40,7 @@ impl Feature {
         matches!(self, Self::Broadleaf | Self::Canopy | Self::Willow)
     }
 
-    /// The numbers of its glyphs.
+    /// Returns the numbers of its glyphs.
     pub fn shapes(self) -> std::ops::Range<u8> {
         match self {
             Self::Broadleaf => 0..5,
@@ -57,9 +57,9 @@ impl Feature {
 /// A line of a pen.
 #[derive(Clone, Debug)]
 pub struct PenStroke {
-    /// Where it begins.
+    /// The place where it begins.
     pub start: Vec2,
-    /// Where it runs from there.
+    /// The curves along which it runs from there.
     pub curves: Vec<Curve>,
     /// Half of its width at its start and at its end.
     pub halves: [f32; 2],
@@ -91,23 +91,23 @@ pub(super) struct Hand {
 }
 
 impl Hand {
-    /// For the glyph of a number.
+    /// Makes the hand that draws the glyph of a number.
     pub fn of(number: u8) -> Self {
         Self { chance: Seed::from_text("glyphs").item_hash(Purpose::Scenery), number, strokes: 0 }
     }
 
-    /// A number between two.
+    /// Returns a number between two.
     pub fn between(&mut self, least: f32, most: f32) -> f32 {
         self.strokes += 1;
         least + (most - least) * self.chance.unit([u32::from(self.number), self.strokes, 4])
     }
 
-    /// A number as far from 0 as this at most, to either side.
+    /// Returns a number that is at most this far from 0, to either side.
     pub fn swing(&mut self, most: f32) -> f32 {
         self.between(-most, most)
     }
 
-    /// A line through points, which wavers a little between them.
+    /// Draws a line through points, which wavers a little between them.
     pub fn line(&mut self, points: &[Vec2], halves: [f32; 2]) -> PenStroke {
         let start = points.first().copied().unwrap_or_default();
         let mut from = start;
@@ -122,12 +122,12 @@ impl Hand {
 }
 
 impl PenStroke {
-    /// One curve.
+    /// Draws one curve.
     pub(super) fn dash(start: Vec2, control: Vec2, end: Vec2, halves: [f32; 2]) -> Self {
         Self { start, curves: vec![[control, end]], halves }
     }
 
-    /// Points along it, close to each other.
+    /// Returns points along it, close to each other.
     pub(super) fn points(&self) -> impl Iterator<Item = Vec2> {
         const PIECES: u8 = 6;
         let starts = std::iter::once(self.start).chain(self.curves.iter().map(|curve| curve[1]));
@@ -141,9 +141,9 @@ impl PenStroke {
 }
 
 impl Shape {
-    /// The same with the smallest discs around some middles that hold its strokes and all between them.
+    /// Adds the smallest discs around some middles that hold its strokes and all between them.
     pub(super) fn within(mut self, middles: &[Vec2]) -> Self {
-        /// How far points may be from each other, which lie in one disc or in the next.
+        /// The greatest distance between points one of which lies in one disc and one in the next.
         const SLACK: f32 = 0.03;
         let edge: Vec<Vec2> = self.silhouette.points().collect();
         let least = edge.iter().fold(f32::MAX, |least, at| least.min(at.x));

@@ -12,8 +12,8 @@ use super::placing::Map;
 use super::{grid_letters, spot_heights};
 use crate::base::sort;
 
-/// The labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of regions,
-/// lakes and islands, of seas; the title; and what the style has besides names.
+/// Places the labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of
+/// regions, lakes and islands, of seas; the title; and the marks that the style has besides names.
 pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
     Places::default().place(input, background)
 }
@@ -23,7 +23,7 @@ pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
 pub struct Places {
     /// The frame that they are chosen in.
     frame: [Vec2; 2],
-    /// Those of each level, from the smallest pictures on.
+    /// The labels of each level, from the smallest pictures on.
     levels: Vec<Vec<Chosen>>,
 }
 
@@ -52,7 +52,7 @@ impl Places {
     }
 }
 
-/// The labels that a picture shows whole, with what stands in its corners and margin.
+/// Returns the labels that a picture shows whole, with those in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
     let mut boxes = Vec::new();
     let (mut corners, _) = blocks(input, background, &mut boxes);

@@ -15,24 +15,26 @@ use super::{areas, inlets, islands, regions};
 use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
 
-/// Sizes of letters, the length of their em in units, by the share of all water that a river has.
+/// The usual lengths of the em, in units, by the least share of all water of a river that has it.
 const SIZES: [(f32, f32); 5] = [(0.10, 18.5), (0.045, 16.0), (0.018, 14.0), (0.007, 12.5), (0.0, 11.0)];
 
-/// How much smaller letters are tried for reaches, and for rivers with this share of all water, if there is no room for those.
+/// The size of smaller letters, which are tried for reaches, and for rivers with this share of all water, if there is no room for those of
+/// the usual size.
 const SMALLER: f32 = 0.85;
 const GREAT: f32 = 0.018;
 
-/// Shorter rivers have no label, and beyond this length a river is no more important for being longer. In units.
+/// The least length of a river that has a label, and the length beyond which a river is no more important for being longer, in units.
 const SHORTEST: f32 = 60.0;
 const LONG: f32 = 400.0;
-/// A river has a further label for each stretch of its course as long as this, in units and in labels; they lie so many of their lengths apart.
+/// The length of course, in units and in lengths of its label, for each of which a river has a further label; and the least distance
+/// between its labels, in their lengths.
 const LONG_ENOUGH_FOR_TWO: f32 = 420.0;
 const LABELS_FOR_TWO: f32 = 7.0;
 const APART: f32 = 2.2;
-/// How near to its place a label stays that becomes smaller, in ems: its line draws nearer to the river.
+/// The greatest distance by which a label that becomes smaller leaves its place, in ems: its line draws nearer to the river.
 const NEAR: f32 = 0.6;
 
-/// How many rivers are tried, however many there are.
+/// The greatest number of rivers that are tried.
 const MOST_RIVERS: usize = 400;
 
 /// The rivers that are long enough, in the order in which they are labelled.
@@ -48,7 +50,7 @@ fn length(river: &River) -> f32 {
     river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
 }
 
-/// What a label is wanted for.
+/// A river or a reach that a label is wanted for.
 #[derive(Clone, Copy)]
 struct Subject<'a> {
     kind: Kind,
@@ -58,7 +60,7 @@ struct Subject<'a> {
     usual: f32,
 }
 
-/// Where a label may be.
+/// The limits of a label's place.
 #[derive(Clone, Copy, Default)]
 struct Within<'a> {
     away: &'a [(Vec2, f32)],
@@ -73,12 +75,12 @@ pub struct Map<'a, G> {
     level: Level,
     chosen: Vec<Chosen>,
     boxes: Vec<(u32, Box)>,
-    /// The box that names of seas keep off besides.
+    /// The box that the names of seas keep off, besides those that all labels do.
     beside: Option<Box>,
 }
 
 impl<'a, G: Background> Map<'a, G> {
-    /// A map with the labels of smaller pictures, and with places that are kept for others.
+    /// Makes a map with the labels of smaller pictures, and with places that are kept for other labels.
     pub fn new(
         input: &'a Input<'a>,
         background: &'a G,
@@ -99,7 +101,7 @@ impl<'a, G: Background> Map<'a, G> {
         this
     }
 
-    /// All labels that there is room for, those of smaller pictures included.
+    /// Chooses all labels that there is room for, those of smaller pictures included.
     pub fn choose(mut self) -> Vec<Chosen> {
         self.label_rivers();
         self.label_areas();
@@ -127,7 +129,7 @@ impl<'a, G: Background> Map<'a, G> {
         }
     }
 
-    /// The area that the labels of some kinds cover, in square units.
+    /// Returns the area that the labels of some kinds cover, in square units.
     fn area(&self, is_one: impl Fn(Kind) -> bool) -> f32 {
         self.chosen.iter().filter(|chosen| is_one(chosen.label.kind)).map(Chosen::area).sum()
     }
@@ -179,18 +181,18 @@ impl<'a, G: Background> Map<'a, G> {
         self.chosen.iter().filter(move |chosen| chosen.label.river == Some(river))
     }
 
-    /// The share of all water that a river has.
+    /// Returns the share of all water that a river has.
     fn share(&self, number: usize) -> f32 {
         self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32
     }
 
-    /// The usual size of a river's letters.
+    /// Returns the usual size of a river's letters.
     fn usual(&self, number: usize) -> f32 {
         let share = self.share(number);
         SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size)
     }
 
-    /// The length of an em of a usual length.
+    /// Returns the em of letters whose usual em is `usual`, in units.
     fn em(&self, usual: f32) -> f32 {
         self.input.em(usual, 1.0)
     }

@@ -13,16 +13,16 @@ use super::{lengths, profile};
 
 /// The length of the em of its letters, in units.
 const EM: f32 = 11.0;
-/// How wide plates are that are tried, as shares of the side of a square as large as the map, the first that fits, and which of them it is on
-/// land.
+/// The widths of plates that are tried, the first that fits, as shares of the side of a square as large as the map; and the number of the
+/// one that a plate on land has.
 const WIDTHS: [f32; 7] = [0.53, 0.48, 0.43, 0.38, 0.34, 0.3, 0.265];
 const ON_LAND: usize = 3;
-/// How wide and how high a plate may be, as shares of the map's width and height.
+/// The greatest width and height of a plate, as shares of the map's.
 const MOST: [f32; 2] = [0.9, 0.7];
-/// How far apart places are that are tried, and how far they are from the coast, in units.
+/// The distance between places that are tried, and the least one from the coast, in units.
 const STEP: f32 = 20.0;
 const FROM_COAST: f32 = 5.0;
-/// How many places are tried side by side at most, in frames that show much more than the map.
+/// The greatest number of places that are tried side by side, in frames that show much more than the map.
 const MOST_STEPS: f32 = 60.0;
 
 /// A plate in its place.
@@ -55,7 +55,7 @@ pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouc
     Some(Set { labels, around: Box::level(at, at + size) })
 }
 
-/// The upper left corner and the size of the largest plate that fits; the same in pictures of all sizes.
+/// Returns the upper left corner and the size of the largest plate that fits; the same in pictures of all sizes.
 fn place<G: Background>(input: &Input<'_>, background: &G, aspect: f32) -> Option<[Vec2; 2]> {
     let [least, most] = input.frame;
     let room = most - least;
@@ -68,7 +68,7 @@ fn place<G: Background>(input: &Input<'_>, background: &G, aspect: f32) -> Optio
     at_sea().or_else(|| Some([corner::best(input, background, size, EM, &[])?.at, size]))
 }
 
-/// The place at sea for a block, that nearest to a corner; `None` if there is none.
+/// Returns the place at sea for a block that is nearest to a corner; `None` if there is none.
 fn at_sea(input: &Input<'_>, frame: [Vec2; 2], size: Vec2) -> Option<Vec2> {
     let corners = [0, 1, 2, 3].map(|i| anchor::Anchor::ALL[i].place(frame, size));
     let room = corners[3] - corners[0];

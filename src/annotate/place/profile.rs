@@ -6,18 +6,18 @@ use super::input::LongProfile;
 use super::letters::{Kind, Text};
 use super::panel::{Panel, step};
 
-/// How wide the scale of heights is, and how high that of kilometres, in ems.
+/// The width of the scale of heights, and the height of that of kilometres, in ems.
 const HEIGHTS: f32 = 3.2;
 const KILOMETRES: f32 = 1.35;
-/// Half the widths of the profile, of axes and of the lines that fill it, and how far these are apart, in ems.
+/// Half the widths of the profile, of axes and of the lines that fill it, and the distance between these, in ems.
 const LINE: f32 = 0.055;
 const AXIS: f32 = 0.022;
 const FILL: f32 = 0.011;
 const APART: f32 = 0.3;
-/// How long the marks of tributaries are, in ems, and how many there are at most.
+/// The length of the marks of tributaries, in ems, and their greatest number.
 const MARK: f32 = 0.6;
 const MARKS: usize = 24;
-/// How many of them have names at most, how large those are and how far apart, in ems.
+/// The greatest number of names of tributaries, their size, and the distance between them, in ems.
 const NAMES: usize = 5;
 const NAME: f32 = 0.9;
 const NAMES_APART: f32 = 1.5;
@@ -90,7 +90,7 @@ fn draw_tributaries(panel: &mut Panel, profile: &LongProfile, place: impl Fn(f32
     }
 }
 
-/// The sea with kilometres from the source, and heights in metres.
+/// Draws the sea with kilometres from the source, and heights in metres.
 fn draw_axes(panel: &mut Panel, corner: Vec2, right: f32, [highest, kilometres]: [f32; 2], per_metre: f32) {
     let em = panel.em;
     let top = corner.y - highest * per_metre;

@@ -8,10 +8,10 @@ use super::input::Input;
 /// The side of the squares that pieces are sorted into, in units.
 const SQUARE: f32 = 24.0;
 
-/// What letters stand on, to be looked up.
+/// The background of letters as a table that is looked up.
 #[derive(Clone, Debug)]
 pub struct Raster {
-    /// The first place that is known.
+    /// The north-western corner of the table.
     corner: Vec2,
     columns: usize,
     ink: Vec<Ink>,
@@ -19,21 +19,21 @@ pub struct Raster {
     pieces: Vec<Piece>,
 }
 
-/// Which pieces come near each square.
+/// The pieces that come near each square.
 #[derive(Clone, Debug)]
 pub(super) struct Squares {
     columns: usize,
     rows: usize,
-    /// Where those of each square begin in the list, and where the last end.
+    /// The place in the list where the pieces of each square begin, and the place where the last end.
     starts: Vec<u32>,
     pieces: Vec<u32>,
 }
 
 impl Raster {
-    /// How many bytes it takes at most, besides the pieces.
+    /// The greatest number of bytes that it takes, besides the pieces.
     pub const BYTES: usize = 4_000_000;
 
-    /// Of a map.
+    /// Draws the rivers, lakes and ridges of a map.
     pub fn new(input: &Input<'_>) -> Self {
         let pieces = Piece::all(input);
         // All of the map, where places are chosen, and what the picture shows around it.
@@ -131,7 +131,7 @@ impl Squares {
         this
     }
 
-    /// The squares between two corners. What lies outside belongs to those at the border.
+    /// Returns the squares between two corners. Squares at the border stand for what lies outside.
     fn squares(&self, least: Vec2, most: Vec2) -> impl Iterator<Item = usize> + use<> {
         let clamp = |x: f32, count: usize| ((x / SQUARE) as usize).min(count - 1);
         let (left, right) = (clamp(least.x, self.columns), clamp(most.x, self.columns));

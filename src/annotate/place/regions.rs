@@ -9,29 +9,29 @@ use super::costs::COS_TURN;
 use super::input::{Input, Landmark, LandmarkKind};
 use super::letters::{Box, Kind, Label, Placed, Text};
 
-/// Lengths of the em that are tried, in units: for the main land, and for ranges.
+/// The lengths of the em that are tried, in units: for the main land, and for ranges.
 const SIZES: [[f32; 3]; 2] = [[30.0, 24.0, 19.0], [15.0, 13.0, 11.0]];
-/// How much larger letters are than the smallest that can be read.
+/// The least size of letters, over that of the smallest that can be read.
 const OVER_LEAST: f32 = 1.1;
 /// The space between letters, in ems, the widest first that fits.
 const TRACKING: [f32; 6] = [2.2, 1.6, 1.1, 0.75, 0.5, 0.3];
-/// The share of its line that a name takes up at most.
+/// The greatest share of its line that a name takes up.
 const SHARE: f32 = 0.72;
-/// How smooth lines are, as a share of their length, and how far from the line names are tried, and along it, in ems.
+/// The smoothness of lines, as a share of their length, and the distances from the line and along it at which names are tried, in ems.
 const SMOOTHED: f32 = 0.15;
 const ASIDE: [f32; 7] = [0.0, -1.2, 1.2, -2.4, 2.4, -3.6, 3.6];
 const ASIDE_OF_RANGES: usize = 3;
 const STEP: f32 = 0.8;
-/// How far letters keep from the coast, the frame and other labels, in ems.
+/// The least distances of letters from the coast, the frame and other labels, in ems.
 const FROM_COAST: f32 = 0.3;
 const FROM_FRAME: f32 = 0.4;
 const FROM_LABELS: f32 = 0.4;
 /// The widest river that may run under letters, in units.
 const WIDEST_UNDER: f32 = 2.4;
-/// How high capitals are, in ems.
+/// The height of capitals, in ems.
 const CAPITAL: f32 = 0.65;
 
-/// The label of the main land or of a range, off the boxes that are taken; `None` if there is no room.
+/// Finds a place for the name of the main land or of a range, off the boxes that are taken; `None` if there is no room.
 pub fn region<G: Background>(
     input: &Input<'_>,
     background: &G,
@@ -52,14 +52,14 @@ pub fn region<G: Background>(
     })
 }
 
-/// A line without its bends, in the direction that it is read in; `None` if it has no length.
+/// Smooths a line so that its bends are gone, and turns it to the direction in which it is read; `None` if it has no length.
 fn upright(line: &[Vec2]) -> Option<Line> {
     let (first, last) = (*line.first()?, *line.last()?);
     let mut line = line.to_vec();
     if !is_upright(last - first) {
         line.reverse();
     }
-    /// So many points stand for it.
+    /// The number of points that stand for a line.
     const POINTS: usize = 64;
     let whole = Line::through(line);
     let length = whole.length();
@@ -80,7 +80,7 @@ struct Search<'a, G> {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// The letters in the best place, and the line that they stand on; `None` if there is none.
+    /// Returns the letters in the best place, and the line that they stand on; `None` if there is none.
     fn best(&self) -> Option<(Vec<Placed>, Line)> {
         let (length, step) = (self.text.length * self.em, STEP * self.em);
         let room = self.line.length() - length;
@@ -107,7 +107,7 @@ impl<G: Background> Search<'_, G> {
         best.map(|(_, letters, line)| (letters, line))
     }
 
-    /// The line, so many ems to its right, for letters that stand in its middle.
+    /// Moves the line to its right, by some ems, for letters whose middle stands on it.
     fn shifted(&self, aside: f32) -> Line {
         let at = &self.line.at;
         let last = at.len() - 1;
@@ -118,7 +118,7 @@ impl<G: Background> Search<'_, G> {
         Line::through((0..=last).map(down).collect())
     }
 
-    /// The letters from a place of a line on, and what the ink under them costs; `None` if they cannot stand there.
+    /// Places the letters from a place of a line on. Returns them with the cost of the ink under them; `None` if they cannot stand there.
     fn lay(&self, line: &Line, start: f32) -> Option<(f32, Vec<Placed>)> {
         let letters = self.text.along(line, start, self.em)?;
         let turns = |pair: &[Placed]| pair[0].along.dot(pair[1].along) < COS_TURN;
@@ -132,7 +132,7 @@ impl<G: Background> Search<'_, G> {
         Some((3.0 * hits / letters.len() as f32, letters))
     }
 
-    /// The share of a letter that has ink under it; `None` if it cannot stand there.
+    /// Returns the share of a letter that has ink under it; `None` if it cannot stand there.
     fn ink(&self, around: &Box) -> Option<f32> {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);

@@ -11,23 +11,23 @@ use super::letters::{Box, Kind, Label, Stroke, Text};
 
 /// The length of the em of its letters, in units.
 const EM: f32 = 11.5;
-/// How far it is from the coast, and from other blocks, in ems.
+/// The least distance of the scale bar from the coast, and from other blocks, in ems.
 const FROM_COAST: f32 = 0.5;
 const FROM_BLOCKS: f32 = 0.8;
-/// How many kilometres each part is long, and how many parts there are.
+/// The length of each part in kilometres, and the number of parts.
 const PART: f32 = 50.0;
 const PARTS: u32 = 4;
-/// How high the bar is, how thin its lines, and how high its letters with the space under them are, in ems.
+/// The height of the bar, the width of its lines, and the height of its letters with the space under them, in ems.
 const HEIGHT: f32 = 0.3;
 const THIN: f32 = 0.026;
 const LETTERS: f32 = 1.05;
-/// How wide and how high the needle is with what is around it, in ems.
+/// The width and the height of the needle with what is around it, in ems.
 const NEEDLE: Vec2 = Vec2::new(1.7, 3.1);
 
 /// The numbers under the bar, in kilometres.
 const NUMBERS: [(&str, f32); 3] = [("0", 0.0), ("100", BETWEEN), ("200 km", 200.0)];
 const BETWEEN: f32 = 100.0;
-/// How far the middles of two numbers are apart at least, in ems.
+/// The least distance between the middles of two numbers, in ems.
 const APART: f32 = 2.2;
 
 /// Puts it into a place at sea that the title leaves free, with the box around it; `None` if there is no room. Which place that is does not
@@ -68,19 +68,19 @@ fn meets(at: Vec2, size: Vec2, em: f32, taken: &[Box]) -> bool {
     taken.iter().any(|other| Box::level(at, at + size).meets(other, FROM_BLOCKS * em))
 }
 
-/// The length of the bar, in units.
+/// Returns the length of the bar, in units.
 fn length() -> f32 {
     PART * PARTS as f32 * KILOMETRE
 }
 
-/// The size of all of it, in units.
+/// Returns the size of the bar with all that stands with it, in units.
 fn size(em: f32, has_needle: bool) -> Vec2 {
     let needle = if has_needle { NEEDLE * em } else { Vec2::ZERO };
     let ends = Text::new(NUMBERS[2].0, Kind::Margin).length;
     Vec2::new(needle.x + length() + (0.4 + ends) * em, ((LETTERS + HEIGHT) * em).max(needle.y))
 }
 
-/// A label for each number, the first with all strokes.
+/// Sets a label for each number, the first with all strokes.
 fn bar(at: Vec2, em: f32, has_needle: bool) -> Vec<Label> {
     let size = size(em, has_needle);
     let left = at.x + 0.3 * em + if has_needle { NEEDLE.x * em } else { 0.0 };
@@ -123,7 +123,7 @@ fn written(says: &str, from: Vec2, em: f32) -> Label {
     Label::new(Kind::Margin, None, says, em, letters)
 }
 
-/// A line with half an arrowhead.
+/// Draws a line with half an arrowhead.
 fn needle(tip: Vec2, foot: Vec2, em: f32) -> Vec<Stroke> {
     let mut strokes = vec![Stroke { ends: [tip, foot], half: 1.4 * THIN * em }];
     for i in 0..=5 {
@@ -135,7 +135,7 @@ fn needle(tip: Vec2, foot: Vec2, em: f32) -> Vec<Stroke> {
     strokes
 }
 
-/// An N over a tip.
+/// Sets an N over a tip.
 pub fn north(tip: Vec2, em: f32) -> Label {
     let half = 0.5 * Text::new("N", Kind::Margin).length;
     written("N", tip - Vec2::new(half, 0.12) * em, em)

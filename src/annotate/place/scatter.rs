@@ -8,17 +8,17 @@ use glam::Vec2;
 
 use crate::base::random::{Purpose, Seed};
 
-/// How far apart points are at least, in units.
+/// The least distance between points, in units.
 pub const APART: f32 = 5.0;
 
-/// How many candidates a cell has.
+/// The number of candidates of a cell.
 const CANDIDATES: u32 = 3;
-/// How many cells lie within reach of one, to each side.
+/// The number of cells within reach of one, to each side.
 const REACH: usize = 2;
 /// No point: farther from all others than can be squared.
 const NOTHING: Vec2 = Vec2::splat(f32::MAX);
 
-/// The points of a map, row by row.
+/// Scatters points over a map. Returns them row by row.
 pub fn scatter(size: Vec2, seed: Seed) -> Vec<Vec2> {
     // So small that two points in one are too near.
     let side = APART * std::f32::consts::FRAC_1_SQRT_2;
@@ -47,7 +47,7 @@ pub fn scatter(size: Vec2, seed: Seed) -> Vec<Vec2> {
     cells
 }
 
-/// Whether no point in the cells around is too near.
+/// Returns `true` if no point in the cells around is too near.
 fn is_free(cells: &[Vec2], place: usize, stride: usize, at: Vec2) -> bool {
     let is_far = |other: &Vec2| at.distance_squared(*other) >= APART * APART;
     let first = place - REACH * stride - REACH;
@@ -55,7 +55,7 @@ fn is_free(cells: &[Vec2], place: usize, stride: usize, at: Vec2) -> bool {
     [2, 1, 3, 0, 4].into_iter().all(|row| cells[first + row * stride..][..=2 * REACH].iter().all(is_far))
 }
 
-/// All numbers below one, in steps of the golden section of it: any run of them is spread evenly.
+/// Returns all numbers below a count, in steps of the golden section of it: any run of them is spread evenly.
 fn evenly(count: usize) -> impl Iterator<Item = usize> {
     const GOLDEN: f64 = 0.618_033_988_75;
     let mut step = ((count as f64 * GOLDEN) as usize).max(1);

@@ -21,10 +21,10 @@ pub struct Scenery {
 }
 
 impl Scenery {
-    /// How many bytes it takes at most, besides what rivers are made of: points, cells, and glyphs.
+    /// The greatest number of bytes that it takes, besides those of the pieces of rivers: points, cells, and glyphs.
     pub const BYTES: usize = 8_000_000;
 
-    /// All of it at once.
+    /// Places all of a map's scenery at once.
     pub fn whole(input: &SceneryInput<'_>) -> Vec<Standing> {
         let mut this = Self::default();
         while this.advance(input) {}
@@ -53,13 +53,13 @@ impl Scenery {
         false
     }
 
-    /// What stands on the map, what is behind first; nothing before all of it is placed.
+    /// Returns the glyphs on the map, the hindmost first; none before all of the scenery is placed.
     pub fn placed(&self) -> &[Standing] {
         self.all.as_deref().unwrap_or_default()
     }
 }
 
-/// By y, then x, then number.
+/// Sorts glyphs by y, then x, then number.
 fn from_behind(all: Vec<Standing>) -> Vec<Standing> {
     let sorted = |all: Vec<Standing>, key: &dyn Fn(&Standing) -> u32| -> Vec<Standing> {
         sort::argsort(all.iter().map(key)).into_iter().map(|i| all[i]).collect()

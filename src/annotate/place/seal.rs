@@ -11,23 +11,23 @@ use crate::base::random::{ItemHash, Purpose};
 /// The side of the square, as a share of the map's shorter side, and in ems of the smallest letters at least, for one letter and for two.
 const SIDE: f32 = 0.04;
 const LEAST: [f32; 2] = [1.7, 2.2];
-/// Where that would be a greater share there is none.
+/// The greatest share of the map's shorter side: where the seal would be larger there is none.
 const MOST: f32 = 0.12;
-/// How far it is from the frame, and from other labels, in sides.
+/// The distance of the seal from the frame, and from other labels, in sides.
 const FROM_FRAME: f32 = 0.9;
 const FROM_LABELS: f32 = 0.5;
-/// How far from the corners places are tried, in so many steps of this many sides.
+/// The number of steps from the corners in which places are tried, and the length of a step, in sides.
 const STEPS: u32 = 12;
 const STEP: f32 = 0.75;
-/// How large its letters are at most, and how much of it they take up, in sides.
+/// The greatest size of its letters, and the width that they take up, in sides.
 const EM: f32 = 0.98;
 const LETTERS: f32 = 0.74;
 
-/// How far its edge is uneven, half the width of its strokes, and how far these are apart, in sides.
+/// The unevenness of its edge, half the width of its strokes, and the distance between these, in sides.
 const UNEVEN: f32 = 0.05;
 const HALF: f32 = 0.06;
 const APART: f32 = 0.08;
-/// How many strokes a side of its edge has.
+/// The number of strokes of a side of its edge.
 const EDGE: u32 = 6;
 
 /// Puts the seal near the corner with the most sea, off the labels that there are. With the box around it; `None` if there is no room.
@@ -56,7 +56,7 @@ pub fn set<G: Background>(
     Some((label, Box::level(at, at + side)))
 }
 
-/// The first place that is all sea, from the corners on along the frame; else the first that is off rivers and coasts.
+/// Returns the first place that is all sea, from the corners on along the frame; else the first that is off rivers and coasts.
 fn place<G: Background>(input: &Input<'_>, background: &G, side: f32, taken: &[(u32, Box)]) -> Option<Vec2> {
     let size = Vec2::splat(side);
     let places = |step: u32| {
@@ -82,12 +82,12 @@ fn place<G: Background>(input: &Input<'_>, background: &G, side: f32, taken: &[(
     first(&is_sea).or_else(|| first(&is_bare)).map(|place| place.at)
 }
 
-/// Whether all of a square is land, its surroundings too.
+/// Returns `true` if all of a square and its surroundings are land.
 fn is_off_coast(input: &Input<'_>, at: Vec2, side: f32) -> bool {
     input.coast.is_none_or(|coast| coast.height(at + 0.5 * side) >= side)
 }
 
-/// A square with an uneven edge, of strokes.
+/// Draws a square with an uneven edge, of strokes.
 fn square(at: Vec2, side: f32, chance: ItemHash) -> Vec<Stroke> {
     let corners = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let count = 4 * EDGE;
@@ -108,5 +108,5 @@ fn square(at: Vec2, side: f32, chance: ItemHash) -> Vec<Stroke> {
     edge.chain((0..=rows).map(row)).collect()
 }
 
-/// Chances of the seal's edge; those of words have other numbers.
+/// The item of chances of the seal's edge; those of words have other numbers.
 const SEAL: u32 = 1 << 16;

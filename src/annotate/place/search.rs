@@ -1,4 +1,4 @@
-//! The search for a label's place: many candidates, what forbids them, what each costs, and the cheapest.
+//! The search for a label's place: of many candidates the cheapest that nothing forbids.
 
 use glam::Vec2;
 
@@ -10,7 +10,8 @@ use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
 use crate::base::geometry::direction;
 use crate::base::sort;
 
-/// How far candidates lie apart along their line, in ems, and how far from the best three more are tried.
+/// The distance between candidates along their line, in ems, and that between the best and further ones that are tried around them; and the
+/// number of the best.
 const STEP: f32 = 1.5;
 const REFINED: f32 = 0.5;
 const BEST: usize = 3;
@@ -26,31 +27,32 @@ const USUAL: f32 = 18.5;
 /// The cosine of 55 degrees, the most between a letter and its label.
 const COS_LETTER: f32 = 0.573_576_4;
 
-/// How far letters keep from the frame, the coast and other labels, in ems.
+/// The least distances of letters from the frame, the coast and other labels, in ems.
 const FROM_FRAME: f32 = 0.4;
 const FROM_COAST: f32 = 0.15;
 const FROM_LABELS: f32 = 0.28;
-/// The same of other labels of the same river, with which they would read as one.
+/// The least distance of letters from other labels of the same river, with which they would read as one, in ems.
 const FROM_OWN_LABELS: f32 = 1.6;
 
-/// How far from the bank letters may stand on average, in ems, and any of them.
+/// The greatest distance of letters from the bank on average, in ems, and of any of them.
 const MOST_MEAN: f32 = 1.35;
 const FARTHEST: f32 = 2.0;
-/// The share of its river's width from which on another river could be taken for it, and how much nearer a label has to be to its own.
+/// The least width of a rival, which could be taken for the label's river, over the width of that; and the factor by which a label is
+/// nearer to its own river.
 const RIVAL: f32 = 0.4;
 const NEARER: f32 = 1.15;
-/// How far rivals should be, in ems.
+/// The distance from rivals that costs nothing, in ems.
 const RIVALS_AWAY: f32 = 1.6;
 
-/// What is known of one river and one text.
+/// The search for a place for one text along one river.
 pub struct Search<'a, G> {
     pub input: &'a Input<'a>,
     pub background: &'a G,
-    /// The boxes of the labels that there are, with the numbers of their rivers.
+    /// The boxes of the labels so far, with the numbers of their rivers.
     pub taken: &'a [(u32, Box)],
     pub river: u32,
     pub kind: Kind,
-    /// How wide the river is where it is widest, in units.
+    /// The greatest width of the river, in units.
     pub thick: f32,
     pub lines: &'a [Line],
     pub text: Text,
@@ -70,12 +72,12 @@ pub struct Search<'a, G> {
 struct Candidate {
     cost: f32,
     line: usize,
-    /// How far from the line's beginning, in units.
+    /// The distance from the line's beginning, in units.
     start: f32,
 }
 
 impl<G: Background> Search<'_, G> {
-    /// The label in the best place, with the line that it stands on and how wide the river is there; `None` if there is none.
+    /// Returns the label in the best place, with the line that it stands on and the width of the river there; `None` if there is none.
     pub fn label(&self, text: &str) -> Option<(Label, Line, f32)> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
@@ -86,7 +88,7 @@ impl<G: Background> Search<'_, G> {
         Some((label, line.part(candidate.start, length), width))
     }
 
-    /// The cheapest candidate that nothing forbids; the earlier of equals.
+    /// Returns the cheapest candidate that nothing forbids; the earlier of equals.
     fn best(&self) -> Option<Candidate> {
         let mut letters = Vec::with_capacity(self.text.letters.len());
         let mut best: Vec<Candidate> = Vec::with_capacity(BEST + 1);
@@ -113,7 +115,7 @@ impl<G: Background> Search<'_, G> {
         Some(best)
     }
 
-    /// All candidates whose letters can be read, with what their shape costs, the cheapest first.
+    /// Returns all candidates whose letters can be read, with the costs of their shapes, the cheapest first.
     fn candidates(&self) -> Vec<Candidate> {
         // Near one place few candidates are left: they lie closer.
         let step = if self.near.is_some() { REFINED } else { STEP } * self.em;
@@ -132,7 +134,7 @@ impl<G: Background> Search<'_, G> {
         sort::argsort(all.iter().map(|candidate| sort::key(candidate.cost))).into_iter().map(|i| all[i]).collect()
     }
 
-    /// A candidate with all that it costs, if that is less than the limit and nothing forbids it.
+    /// Returns a candidate with all of its cost, if that is less than the limit and nothing forbids it.
     fn judged(&self, candidate: Candidate, limit: f32, letters: &mut Vec<Placed>) -> Option<Candidate> {
         let Candidate { line, start, .. } = candidate;
         let shape = self.lay(line, start, letters)?;
@@ -191,7 +193,7 @@ impl<G: Background> Search<'_, G> {
         self.input.is_in_frame(at, FROM_FRAME * self.em)
     }
 
-    /// What the ink under the letters costs; `None` if there is too much of it, or sea.
+    /// Returns the cost of the ink under the letters; `None` if there is too much of it, or sea.
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
         // Large letters stand over wider rivers as well as small ones do over narrow ones.
         let larger = (self.em / USUAL).max(1.0);
@@ -229,7 +231,7 @@ impl<G: Background> Search<'_, G> {
         around.corners().into_iter().all(|at| self.is_in_frame(at) && is_ashore(at))
     }
 
-    /// What distances from the river and from others cost; `None` if the label would not seem to belong to its river.
+    /// Returns the cost of the distances from the river and from others; `None` if the label would not seem to belong to its river.
     fn distances(&self, letters: &[Placed], width: f32) -> Option<f32> {
         let (mut own_sum, mut squares, mut rival_sum, mut missing) = (0.0, 0.0, 0.0, 0.0);
         for letter in letters {
@@ -257,7 +259,7 @@ impl<G: Background> Search<'_, G> {
         Some(1.2 * mean.max(0.0) + 0.6 * deviation + 0.8 * missing / count)
     }
 
-    /// Whether no letter touches its own river or comes too near to another label, exactly.
+    /// Returns `true` if no letter touches its own river or comes too near to another label. The test is exact.
     fn is_free(&self, letters: &[Placed]) -> bool {
         let course = &self.input.rivers[self.river as usize].course;
         letters.iter().map(|letter| letter.around(self.em)).all(|around| {
@@ -271,8 +273,8 @@ impl<G: Background> Search<'_, G> {
     }
 }
 
-/// The distances of a letter from the banks of its river, which is so wide there, and from those of the nearest that could be taken for it, in
-/// ems.
+/// Returns the distances of a letter from the banks of its river, which has this width there, and from those of the nearest river that
+/// could be taken for it, in ems.
 fn distances<G: Background>(background: &G, letter: &Placed, em: f32, river: u32, width: f32) -> [f32; 2] {
     let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), em);
     background.distances(middle, river, RIVAL * width, FARTHEST * em).map(|distance| distance / em)

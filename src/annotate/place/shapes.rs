@@ -10,7 +10,7 @@ use super::tree_shapes::{broadleaf, canopy, conifer, marsh, willow};
 /// All glyphs.
 pub static SHAPES: LazyLock<Vec<Shape>> = LazyLock::new(|| Feature::ALL.into_iter().flat_map(drawn).collect());
 
-/// The glyphs of a feature.
+/// Draws the glyphs of a feature.
 fn drawn(feature: Feature) -> impl Iterator<Item = Shape> {
     let numbers = feature.shapes();
     let (first, count) = (numbers.start, numbers.len() as f32);

@@ -16,14 +16,14 @@ const LANDMARK: f32 = 130.0;
 /// Lower ones are not worth telling, in metres.
 const LEAST_METRES: f32 = 10.0;
 
-/// How large a dot is, and a triangle, and half the width of its lines, in ems.
+/// The size of a dot, that of a triangle, and half the width of its lines, in ems.
 const DOT: f32 = 0.11;
 const TRIANGLE: f32 = 0.32;
 const HALF: f32 = 0.035;
-/// How far type is from them, how high figures are, in ems.
+/// The distance of type from the symbol, and the height of figures, in ems.
 const BESIDE: f32 = 0.24;
 const FIGURE: f32 = 0.65;
-/// How far all of it keeps from banks and coast, from other labels, and from the frame, in ems.
+/// The least distances of symbol and figures from banks and coast, from other labels, and from the frame, in ems.
 const FROM_BANKS: f32 = 0.18;
 const FROM_LABELS: f32 = 0.3;
 const FROM_FRAME: f32 = 0.4;
@@ -33,12 +33,12 @@ const FROM_FRAME: f32 = 0.4;
 struct Spot {
     at: Vec2,
     height: f32,
-    /// Whether it has a triangle.
+    /// `true` if it has a triangle.
     is_landmark: bool,
 }
 
-/// The spot heights of a map, off rivers, coasts and the labels that there are, each with the boxes around its symbol and its figures: of
-/// summits, the highest first, then of saddles.
+/// Places the spot heights of a map, off rivers, coasts and the labels that there are, each with the boxes around its symbol and its
+/// figures: of summits, the highest first, then of saddles.
 pub fn labels<G: Background>(
     input: &Input<'_>,
     background: &G,
@@ -62,7 +62,7 @@ pub fn labels<G: Background>(
     labels
 }
 
-/// All summits, the highest first, then all saddles likewise.
+/// Returns all summits, the highest first, then all saddles likewise.
 fn spots(elevations: &Elevations<'_>) -> Vec<Spot> {
     let Elevations { heights, metres, .. } = elevations;
     let field = Field::new(heights);
@@ -96,20 +96,20 @@ impl<'a> Field<'a> {
         Self { heights: heights.heights, columns: heights.columns as i32, rows: rows as i32, size: heights.cell_size }
     }
 
-    /// The middle of a cell.
+    /// Returns the middle of a cell.
     fn at(&self, cell: usize) -> Vec2 {
         let (column, row) = (cell as i32 % self.columns, cell as i32 / self.columns);
         (Vec2::new(column as f32, row as f32) + 0.5) * self.size
     }
 
-    /// The height some columns and rows away; nothing is lower than what lies beyond the map.
+    /// Returns the height some columns and rows away; nothing is lower than what lies beyond the map.
     fn height(&self, cell: usize, [right, down]: [i32; 2]) -> f32 {
         let (column, row) = (cell as i32 % self.columns + right, cell as i32 / self.columns + down);
         let is_on_map = (0..self.columns).contains(&column) && (0..self.rows).contains(&row);
         if is_on_map { self.heights[(row * self.columns + column) as usize] } else { f32::MIN }
     }
 
-    /// Whether it is on the map, all cells as near as this are lower, or as high and later.
+    /// Returns `true` if a cell is on the map, and all cells within a distance are lower, or as high and later.
     fn is_summit(&self, cell: usize, around: f32) -> bool {
         let (own, reach) = (self.heights[cell], (around / self.size) as i32);
         let is_lower = |[right, down]: [i32; 2]| {
@@ -124,7 +124,8 @@ impl<'a> Field<'a> {
             })
     }
 
-    /// Whether land rises from it in two directions and falls in the two between, at once and as far as summits are seen from.
+    /// Returns `true` if land rises from a cell in two directions and falls in the two between, at once and as far as summits are seen
+    /// from.
     fn is_saddle(&self, cell: usize) -> bool {
         let own = self.heights[cell];
         let reach = (AROUND / self.size) as i32;
@@ -147,7 +148,8 @@ struct Search<'a, G> {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// The height of a place beside it: to the right if it can be, else left, above or below. With the boxes around figures and symbol.
+    /// Sets the height of a place beside it: to the right if it can be, else left, above or below. Returns it with the boxes around figures
+    /// and symbol.
     fn label(&self, spot: &Spot, taken: &[(u32, Box)]) -> Option<(Label, [Box; 2])> {
         let em = self.em;
         let symbol = if spot.is_landmark { TRIANGLE } else { DOT } * em;
@@ -174,9 +176,9 @@ impl<G: Background> Search<'_, G> {
         Some((label, [dot, figures]))
     }
 
-    /// Whether a box is in the frame, and off rivers, lakes, ridges, coast and labels.
+    /// Returns `true` if a box is in the frame, and off rivers, lakes, ridges, coast and labels.
     fn is_clear(&self, around: &Box, taken: &[(u32, Box)]) -> bool {
-        /// How far apart places are that are asked, in units.
+        /// The distance between places that are asked, in units.
         const STEP: f32 = 2.0;
         let ([least, most], em) = (self.input.frame, self.em);
         let half = Vec2::new(around.along.x, around.down.y);
@@ -202,7 +204,7 @@ impl<G: Background> Search<'_, G> {
     }
 }
 
-/// A triangle with a dot in it.
+/// Draws a triangle with a dot in it.
 fn triangle(at: Vec2, em: f32) -> Vec<Stroke> {
     let corners = [[0.0, -1.0], [0.87, 0.5], [-0.87, 0.5]].map(|corner| at + Vec2::from(corner) * (TRIANGLE * em));
     let sides = [0, 1, 2].map(|i| Stroke { ends: [corners[i], corners[(i + 1) % 3]], half: HALF * em });

@@ -14,24 +14,24 @@ pub struct Standing {
     pub number: u32,
     /// The middle of its base, in units.
     pub foot: Vec2,
-    /// How high a tree is, and half of the width of a hill or a marsh, in units.
+    /// The height of a tree, or half of the width of a hill or a marsh, in units.
     pub size: f32,
 }
 
 impl Standing {
-    /// One of a feature, in one of its shapes: the first for a chance of 0, the last for one of 1.
+    /// Makes a glyph of a feature, in one of its shapes: the first for a chance of 0, the last for one of 1.
     pub(super) fn new(feature: Feature, foot: Vec2, size: f32, number: u32, chance: f32) -> Self {
         let shapes = feature.shapes();
         let shape = (shapes.start + (chance * shapes.len() as f32) as u8).min(shapes.end - 1);
         Self { shape, number, foot, size }
     }
 
-    /// Its glyph.
+    /// Returns its shape.
     pub fn shape(&self) -> &'static Shape {
         &SHAPES[usize::from(self.shape) % SHAPES.len()]
     }
 
-    /// Its subject.
+    /// Returns its feature.
     pub fn feature(&self) -> Feature {
         self.shape().feature
     }
@@ -41,7 +41,7 @@ impl Standing {
         self.feature().is_plant()
     }
 
-    /// A disc around all of those.
+    /// Returns a disc around all of its discs: its middle and radius, in units.
     pub(super) fn around(&self) -> (Vec2, f32) {
         let discs = &self.shape().discs;
         let middle = discs.iter().fold(Vec2::ZERO, |sum, disc| sum + disc.0) / discs.len().max(1) as f32;
@@ -50,7 +50,7 @@ impl Standing {
         (self.foot + middle * self.size, reach * self.size + 1e-3)
     }
 
-    /// The discs that it lies within: their middles and radii, in units.
+    /// Returns the discs that it lies within: their middles and radii, in units.
     pub(super) fn discs(&self) -> impl Iterator<Item = (Vec2, f32)> {
         self.shape().discs.iter().map(|(middle, radius)| (self.foot + *middle * self.size, radius * self.size))
     }

@@ -1,4 +1,4 @@
-//! How trees and reeds are drawn.
+//! The drawing of trees and reeds.
 
 use glam::Vec2;
 
@@ -14,7 +14,7 @@ const fn at(x: f32, y: f32) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// A tree that stands alone: a trunk under a small crown with a few strokes on its dark side.
+/// Draws a tree that stands alone: a trunk under a small crown with a few strokes on its dark side.
 pub(super) fn broadleaf(mut hand: Hand) -> Shape {
     let radius = at(hand.between(0.34, 0.38), hand.between(0.33, 0.36));
     let middle = at(hand.swing(0.02), -0.52);
@@ -27,7 +27,7 @@ pub(super) fn broadleaf(mut hand: Hand) -> Shape {
     tree(Feature::Broadleaf, &mut hand, (middle, radius, 7), shade)
 }
 
-/// A crown in a closed wood: a ring of boughs, which others cut into, and now and then a bough within.
+/// Draws a crown in a closed wood: a ring of boughs, which others cut into, and now and then a bough within.
 pub(super) fn canopy(mut hand: Hand) -> Shape {
     let radius = at(hand.between(0.42, 0.44), hand.between(0.41, 0.43));
     let middle = at(hand.swing(0.02), -0.54);
@@ -43,7 +43,7 @@ pub(super) fn canopy(mut hand: Hand) -> Shape {
     tree(Feature::Canopy, &mut hand, (middle, radius, 5), shade)
 }
 
-/// A small tree of a row.
+/// Draws a small tree of a row.
 pub(super) fn willow(mut hand: Hand) -> Shape {
     let radius = at(hand.between(0.3, 0.34), hand.between(0.32, 0.36));
     let start = at(0.1, -0.4);
@@ -52,7 +52,7 @@ pub(super) fn willow(mut hand: Hand) -> Shape {
     tree(Feature::Willow, &mut hand, (middle, radius, 5), shade)
 }
 
-/// A trunk and a crown around a middle, with radii and a number of boughs.
+/// Draws a trunk and a crown around a middle, with radii and a number of boughs.
 fn tree(feature: Feature, hand: &mut Hand, (middle, radius, boughs): (Vec2, Vec2, u8), shade: Vec<PenStroke>) -> Shape {
     let turn = hand.between(0.0, 1.0);
     let corner = |hand: &mut Hand, i: u8| {
@@ -85,7 +85,7 @@ fn tree(feature: Feature, hand: &mut Hand, (middle, radius, boughs): (Vec2, Vec2
     Shape { feature, silhouette, wash: None, outline, shade, discs: LEAFY.to_vec() }
 }
 
-/// A spire of three tiers of branches.
+/// Draws a spire of three tiers of branches.
 pub(super) fn conifer(mut hand: Hand) -> Shape {
     let (width, top) = (hand.between(0.24, 0.29), at(hand.swing(0.03), hand.between(-1.0, -0.92)));
     let left = side(&mut hand, top, -width);
@@ -110,7 +110,7 @@ pub(super) fn conifer(mut hand: Hand) -> Shape {
     Shape { feature: Feature::Conifer, silhouette, wash: None, outline, shade, discs: POINTED.to_vec() }
 }
 
-/// A side of a spire from its top down.
+/// Draws a side of a spire from its top down.
 fn side(hand: &mut Hand, top: Vec2, width: f32) -> Vec<Vec2> {
     const TIERS: u8 = 3;
     let mut points = vec![top];
@@ -126,7 +126,7 @@ fn side(hand: &mut Hand, top: Vec2, width: f32) -> Vec<Vec2> {
     points
 }
 
-/// A tuft of reeds, and lines of water under it.
+/// Draws a tuft of reeds, and lines of water under it.
 pub(super) fn marsh(mut hand: Hand) -> Shape {
     const BLADES: u8 = 5;
     let pen = 0.075;

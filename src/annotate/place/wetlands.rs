@@ -9,18 +9,19 @@ use super::pen::Feature;
 use super::standing::Standing;
 use crate::base::random::{ItemHash, Purpose};
 
-/// How far from banks rows of trees stand at most, and how many of the points there have one.
+/// The greatest distance of rows of trees from banks, in units, and the share of the points there that have a tree.
 const ROW: f32 = 8.5;
 const IN_ROWS: f32 = 0.85;
-/// How far from banks marshes lie at most, in units.
+/// The greatest distance of marshes from banks, in units.
 pub const MARSH: f32 = 30.0;
-/// How high marshes lie at most, as a share of the highest land; how far inland, in units, where heights are not known.
+/// The greatest height of marshes, as a share of the highest land, and their greatest distance from the coast, in units, where heights are
+/// not known.
 pub const LOW: f32 = 0.09;
 const NEAR_THE_SEA: f32 = 70.0;
-/// How much the land rises or falls at most, as a share of the highest, over this way to each side, in units.
+/// The greatest rise or fall of the land around marshes, as a share of the highest, over a distance to each side, in units.
 pub const LEVEL: f32 = 0.05;
 pub const AROUND: f32 = 8.0;
-/// How large marshes and the gaps between them are, in units.
+/// The size of marshes and of the gaps between them, in units.
 const SIZE: f32 = 70.0;
 /// The noise from which on there are marshes, in a map with few woods, and how much less it takes with all.
 const FEW: f32 = 0.34;
@@ -35,13 +36,13 @@ pub struct Wetlands<'a> {
 }
 
 impl<'a> Wetlands<'a> {
-    /// Of a map.
+    /// Prepares the placement of marshes and rows of trees on a map.
     pub fn new(input: &'a SceneryInput<'a>, ground: &'a FreeGround) -> Self {
         let noise = input.seed.noise(Purpose::Scenery, 3, 1.0 / SIZE, 2);
         Self { input, ground, chance: input.seed.item_hash(Purpose::Scenery), noise }
     }
 
-    /// The marsh or the tree of a row at a point, if it has one.
+    /// Returns the marsh or the tree of a row at a point, if it has one.
     pub fn at(&self, number: u32, at: Vec2, inland: f32) -> Option<Standing> {
         let away = self.ground.distance_to_great_bank(at, MARSH);
         if away >= MARSH {

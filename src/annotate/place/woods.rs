@@ -11,16 +11,17 @@ use super::standing::Standing;
 use super::wetlands::Wetlands;
 use crate::base::random::{ItemHash, Purpose};
 
-/// How large woods and their glades are, at most, in units, and in how many sizes, each half as large as the one before.
+/// The greatest size of woods and their glades, in units, and the number of sizes, each half as large as the one before.
 const SIZE: f32 = 150.0;
 const OCTAVES: i32 = 3;
 /// The noise from which on there are woods, where next to all land is wooded and where next to none is.
 const NONE: f32 = 0.54;
 const ALL: f32 = -0.6;
-/// How much less noise trees that stand alone need, and how many of the points there have one.
+/// The lower noise that trees that stand alone need, and the share of the points there that have one.
 const FRINGE: f32 = 0.16;
 const ALONE: f32 = 0.1;
-/// How far from the coast woods begin, and over how much more they need more noise, at most so much, in units.
+/// The distance from the coast at which woods begin, and the further one over which they need more noise, with the greatest addition, in
+/// units.
 const FROM_COAST: f32 = 10.0;
 const SHORE: f32 = 16.0;
 const MORE_AT_THE_SHORE: f32 = 0.25;
@@ -28,16 +29,16 @@ const MORE_AT_THE_SHORE: f32 = 0.25;
 /// more at the highest.
 const TREE_LINE: f32 = 0.4;
 const MORE_AT_THE_TOP: f32 = 3.2;
-/// How much of a second noise it takes for conifers at the lowest, and how much less at the highest land.
+/// The second noise that conifers need on the lowest land, and by how much less on the highest.
 const CONIFERS: f32 = 0.75;
 const FEWER_BELOW: f32 = 3.0;
-/// How far inland is as good as half of the greatest height, where heights are not known, in units.
+/// The distance from the coast that counts for half of the greatest height, where heights are not known, in units.
 const HALFWAY_UP: f32 = 150.0;
-/// How high trees are, in units: the lowest, and how much higher others are.
+/// The heights of trees, in units: of the lowest, and the difference to the highest.
 const ROUND: [f32; 2] = [7.2, 2.0];
 const POINTED: [f32; 2] = [5.6, 2.6];
 
-/// The trees and marshes of a map, in the order of its points.
+/// Places the trees and marshes of a map, in the order of its points.
 pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hills: &[Standing]) -> Vec<Standing> {
     let mut taken = ground.spots(1.0);
     hills.iter().flat_map(Standing::discs).for_each(|disc| taken.add(disc));
@@ -73,7 +74,7 @@ impl<'a> Trees<'a> {
         Self { input, chance: input.seed.item_hash(Purpose::Scenery), noise }
     }
 
-    /// The tree of a point, if it has one.
+    /// Returns the tree of a point, if it has one.
     fn at(&self, number: u32, at: Vec2, inland: f32) -> Option<Standing> {
         let share = self.input.heights.map_or((0.5 * inland / HALFWAY_UP).min(0.5), |heights| heights.share(at));
         let above = (self.input.heights.map_or(0.0, |_| share) - TREE_LINE).max(0.0);

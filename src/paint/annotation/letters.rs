@@ -18,7 +18,7 @@ pub(crate) const SPACE: f32 = 0.33;
 pub(crate) const FULL: f32 = 0.45;
 pub(crate) const FADED: f32 = 2.0;
 
-/// The masks of labels; empty if there are no labels or not enough memory.
+/// Paints the masks of labels; empty if there are no labels, or not enough memory.
 pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
     /// One byte for the halo and one for letters.
     const BYTES_A_PIXEL: usize = 2;
@@ -39,10 +39,10 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
     }
 }
 
-/// How far the outlines that the halo is drawn along are from the letters', in pixels.
+/// The greatest distance between the letters' outlines and those that the halo is drawn along, in pixels.
 const HALO_TOLERANCE_PX: f32 = 0.5;
 
-/// The mask of strokes and of the surroundings of letters, which fades outward.
+/// Paints the mask of strokes and of the surroundings of letters, which fades outward.
 fn halo<'a>(
     view: &View,
     strokes: impl Iterator<Item = &'a Stroke>,
@@ -76,7 +76,7 @@ fn halo<'a>(
     SparseMask::of(&feather.mask)
 }
 
-/// The mask of strokes.
+/// Paints the mask of strokes.
 fn lines<'a>(view: &View, strokes: impl Iterator<Item = &'a Stroke>) -> SparseMask {
     let mut strokes = strokes.peekable();
     if strokes.peek().is_none() {
@@ -94,7 +94,7 @@ fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a 
     }
 }
 
-/// The mask of letters and the lines around them. The letters of a seal are cut out.
+/// Paints the mask of letters and of the lines around them. The letters of a seal are cut out.
 fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> SparseMask {
     if labels.clone().next().is_none() {
         return SparseMask::default();
@@ -119,18 +119,18 @@ fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> 
     SparseMask::of(&mask)
 }
 
-/// The coverage of a pixel from which a letter is cut out.
+/// Returns the coverage of a pixel from which a letter is cut out.
 fn without(cover: u8, letter: u8) -> u8 {
     ((u32::from(cover) * (255 - u32::from(letter)) + 127) / 255) as u8
 }
 
-/// The coverage of a pixel by two letters together.
+/// Returns the coverage of a pixel by two letters together.
 fn both(one: u8, other: u8) -> u8 {
     let bare = (255 - u32::from(one)) * (255 - u32::from(other));
     (255 - (bare + 127) / 255) as u8
 }
 
-/// The pixels of a letter's box with a margin; `None` if it lies outside the picture.
+/// Returns the pixels of a letter's box with a margin; `None` if it lies outside the picture.
 fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
     let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
     let (least, most) =

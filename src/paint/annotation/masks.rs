@@ -60,7 +60,7 @@ impl SparseMask {
         self.shares.is_empty()
     }
 
-    /// The covered pixels, each with its coverage in 255ths.
+    /// Returns the covered pixels, each with its coverage in 255ths.
     pub fn pixels(&self) -> impl Iterator<Item = (usize, u8)> {
         let pixels = self.runs.iter().flat_map(|&[first, count]| first as usize..first as usize + count as usize);
         pixels.zip(self.shares.iter().copied())

@@ -186,13 +186,13 @@ impl SceneryPainter {
 
 const TOLERANCE_PX: f32 = 0.15;
 
-/// The corners of a box around a line. A parabola lies within the box of its ends and its control point.
+/// Returns the corners of a box around a line. A parabola lies within the box of its ends and its control point.
 fn box_around(edge: &PenStroke) -> (Vec2, Vec2) {
     let start = (edge.start, edge.start);
     edge.curves.iter().flatten().fold(start, |(least, most), at| (least.min(*at), most.max(*at)))
 }
 
-/// The strength of strokes for a glyph size in pixels. Small glyphs in full ink would be blots.
+/// Returns the strength of strokes for a glyph size in pixels. Small glyphs in full ink would be blots.
 fn paleness(size: f32) -> f32 {
     const FULL_PX: f32 = 5.0;
     (0.35 + 0.65 * size / FULL_PX).min(1.0)
