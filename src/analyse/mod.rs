@@ -1,5 +1,4 @@
 //! Questions about a finished map: measures of the whole network, and what lies at a place.
 
-#[doc(hidden)]
 pub mod query;
 pub mod statistics;

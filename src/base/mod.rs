@@ -1,6 +1,5 @@
 //! Tools that any stage may use: geometry, exact random numbers, sorting, memory. They know no rivers.
 
-#[doc(hidden)]
 pub mod dice;
 pub(crate) mod geometry;
 pub(crate) mod memory;
@@ -11,5 +10,5 @@ pub(crate) mod simplify;
 pub(crate) mod skeletonize;
 pub(crate) mod sort;
 pub(crate) mod trigonometry;
-#[doc(hidden)]
+#[doc(hidden)] // Tests count with it.
 pub mod work;

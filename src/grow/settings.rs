@@ -126,8 +126,7 @@ impl GrowthSettings {
 }
 
 impl GrowthSettings {
-    /// Returns the land, for tests.
-    #[doc(hidden)]
+    /// Returns the land; `None` if the whole domain is land.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }

@@ -45,11 +45,8 @@ pub(crate) use low_stand::LowStand;
 pub(crate) use margin::{MARGIN, margin_of, runs_off};
 pub(crate) use outline::{divided, in_units};
 pub use queries::Land;
-#[doc(hidden)]
-pub use regions::{Cells, Run};
-pub use regions::{Region, Shore};
+pub use regions::{Cells, Region, Run, Shore};
 pub(crate) use risen::RisenSea;
-#[doc(hidden)]
 pub use smoothed_distance::SmoothedDistance;
 pub(crate) use smoothed_distance::{Across, Parabola, beside, nearest};
 pub use strokes::DrawError;
