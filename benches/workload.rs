@@ -76,13 +76,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["bends", model, measure, percent] => network::bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => pictures::late(&format!("{key}={one}"), &format!("{key}={other}")),
         #[cfg(feature = "png")]
-        ["whole", growth, attractors] => files::whole(growth, attractors),
-        #[cfg(feature = "png")]
-        ["file", form, attractors] => files::file(form, attractors),
-        #[cfg(feature = "png")]
-        ["png", style] => files::png(style, false),
-        #[cfg(feature = "png")]
-        ["balanced-png", style] => files::png(style, true),
+        ["whole" | "file" | "png" | "balanced-png", ..] => files::repetition(&words),
         ["relief"] => relief::relief(),
         ["map", look] => pictures::pictured_at(link::read(look).ok()?, 1024, 640),
         ["grid", cells, threads] => relief::grid(cells.parse().ok()?, threads.parse().ok()?),

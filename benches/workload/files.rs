@@ -35,8 +35,19 @@ fn large(growth: &str, attractors: &str) -> Option<Recipe> {
     recipe(&format!("growth={growth}&land=island&mouths=0&trim=0&style=atlas&attractors={attractors}"))
 }
 
+/// Prepares a task; `None` if there is no such task.
+pub fn repetition(task: &[&str]) -> Option<Repetition> {
+    match *task {
+        ["whole", growth, attractors] => whole(growth, attractors),
+        ["file", form, attractors] => file(form, attractors),
+        ["png", style] => png(style, false),
+        ["balanced-png", style] => png(style, true),
+        _ => None,
+    }
+}
+
 /// Makes a whole map with its relief and its three data files. Returns the number of vertices.
-pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
+fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
     let recipe = large(growth, attractors)?;
     let vertices = move || -> Option<u32> {
         let mut session = Session::new(recipe.clone()).ok()?;
@@ -48,7 +59,7 @@ pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
 }
 
 /// Writes a file of a finished map. Returns its length in kB.
-pub fn file(form: &str, attractors: &str) -> Option<Repetition> {
+fn file(form: &str, attractors: &str) -> Option<Repetition> {
     let mut session = Session::new(large("colonize", attractors)?).ok()?;
     let map = session.finish().ok()?;
     let form = form.to_owned();
@@ -67,7 +78,7 @@ fn written(map: &Map, form: &str) -> Option<u64> {
 
 /// Writes a picture of a default map as PNG, with our settings or the crate's own balance of time and size. Returns its
 /// length in kB.
-pub fn png(style: &str, is_balanced: bool) -> Option<Repetition> {
+fn png(style: &str, is_balanced: bool) -> Option<Repetition> {
     let recipe = link::read(&format!("style={style}&labels=none")).ok()?;
     let mut session = Session::new(recipe.clone()).ok()?;
     let mut picture = Picture::new(LARGE, LARGE).ok()?;
