@@ -3,6 +3,7 @@
 use glam::Vec2;
 use thiserror::Error;
 
+use crate::base::hash::Fnv1a;
 use crate::export::{ExportError, Json, geojson, json, svg};
 use crate::map::Map;
 use crate::network::Vertex;
@@ -112,21 +113,7 @@ fn hash_rivers(hash: &mut Fnv1a, map: &Map) {
     });
 }
 
-struct Fnv1a(u64);
-
 impl Fnv1a {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn bytes(&mut self, bytes: &[u8]) {
-        self.0 = bytes.iter().fold(self.0, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
-    }
-
-    fn words(&mut self, words: impl IntoIterator<Item = u32>) {
-        words.into_iter().for_each(|word| self.bytes(&word.to_le_bytes()));
-    }
-
     /// Hashes a text with its length, so that two different sequences of texts never hash alike.
     fn text(&mut self, text: &str) {
         self.words([7, text.len() as u32]);

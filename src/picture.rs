@@ -3,6 +3,8 @@
 mod annotator;
 #[doc(hidden)]
 pub mod builder;
+#[doc(hidden)]
+pub mod carried;
 mod composition;
 mod drafts;
 
@@ -12,6 +14,7 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 use self::annotator::Annotator;
+use self::carried::Lettering;
 use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::land::Land;
@@ -93,11 +96,25 @@ impl Picture {
         self
     }
 
-    /// Takes over the places of labels from a picture of another size, which this one replaces.
+    /// Takes letters from elsewhere than from the place that is best for each on this very picture.
+    #[doc(hidden)]
+    pub fn letter(&mut self, lettering: Lettering) {
+        self.annotator.letter(lettering);
+        self.annotation = None;
+        self.painter.reset();
+    }
+
+    /// Returns `true` if a finished session's recipe asks for an annotation that this picture does not have.
+    #[doc(hidden)]
+    pub fn lacks_annotation(&self, session: &Session) -> bool {
+        is_to_be_annotated(session) && !self.has_annotation(AnnotationKey::of(session.map_id(), session.recipe()))
+    }
+
+    /// Takes over the letters, and the places of labels, of a picture of another size, which this one replaces.
     #[doc(hidden)]
     #[must_use]
     pub fn in_place_of(mut self, before: Self) -> Self {
-        self.annotator.take_places(before.annotator);
+        self.annotator.follow(before.annotator);
         self
     }
 
@@ -273,11 +290,18 @@ impl Picture {
         if !self.has_annotation(now) {
             self.annotation = None;
         }
-        if !cfg!(feature = "names") || !is_wanted || self.annotation.is_some() {
+        if !self.annotator.is_able() || !is_wanted || self.annotation.is_some() {
             return false;
         }
         let Some(map) = map() else { return false };
         let view = *self.view();
+        if let Some(letters) = self.annotator.letters(&map, &view) {
+            self.annotation = Some((now, Arc::new(letters)));
+            return true;
+        }
+        if !cfg!(feature = "names") {
+            return false;
+        }
         let annotation = self.annotator.advance(now, &map, &view);
         self.annotation = annotation.map(|annotation| (now, Arc::new(annotation)));
         true

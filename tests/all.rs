@@ -7,6 +7,7 @@ mod common;
 mod architecture;
 mod bends;
 mod brownian;
+mod carried;
 mod cut_out;
 mod digest;
 mod documents;

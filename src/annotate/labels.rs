@@ -27,6 +27,11 @@ pub(crate) const LEAST_EM: f32 = 11.0;
 /// The least share of a map that letters are made for: they have no size in a view of none of it.
 const LEAST_SHOWN: f32 = 1e-4;
 
+/// Returns a picture's pixels to a CSS pixel as letters take them: in quarters, from 0.5 to 4.
+pub(crate) fn quartered(ratio: f32) -> f32 {
+    ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0)
+}
+
 /// Places the labels of a picture that shows a part of the map, given by its north-western and south-eastern corner, with `scale` pixels to
 /// a unit: the greatest rivers first. Returns none if the recipe wants none, or if there is not enough memory.
 pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {

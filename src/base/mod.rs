@@ -2,7 +2,9 @@
 
 pub mod dice;
 pub(crate) mod geometry;
+pub(crate) mod hash;
 pub(crate) mod memory;
+pub(crate) mod numbers;
 pub(crate) mod parallel;
 pub(crate) mod queue;
 pub mod random;

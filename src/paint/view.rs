@@ -156,7 +156,7 @@ impl View {
     }
 
     /// Returns `true` if it shows a chosen part of its domain.
-    pub(super) fn is_framed(&self) -> bool {
+    pub(crate) fn is_framed(&self) -> bool {
         self.framing.is_some()
     }
 
@@ -167,7 +167,7 @@ impl View {
     }
 
     /// The sides of the domain, in units.
-    pub(super) fn domain(&self) -> Vec2 {
+    pub(crate) fn domain(&self) -> Vec2 {
         self.domain
     }
 

@@ -1,6 +1,7 @@
 //! Makes the annotation of a picture part by part, and keeps the places of its labels for other views of the map.
 
 use super::builder::AnnotationBuilder;
+use super::carried::Lettering;
 use super::{AnnotationKey, Picture};
 use crate::annotate::place::{Label, Places};
 use crate::map::Map;
@@ -11,6 +12,8 @@ use crate::paint::{AnnotationMasks, View};
 pub(super) struct Annotator {
     /// Picture pixels per pixel of the unit in which letters are measured.
     ratio: f32,
+    /// Where letters come from.
+    lettering: Lettering,
     /// The next annotation, while it is being made.
     builder: Option<AnnotationBuilder>,
     /// The map and style whose labels have these places, as far as views of it have asked for them.
@@ -21,7 +24,8 @@ pub(super) struct Annotator {
 
 impl Default for Annotator {
     fn default() -> Self {
-        Self { ratio: 1.0, builder: None, places: Default::default(), labels: Vec::new() }
+        let lettering = Lettering::default();
+        Self { ratio: 1.0, lettering, builder: None, places: Default::default(), labels: Vec::new() }
     }
 }
 
@@ -36,8 +40,24 @@ impl Annotator {
         self.builder = None;
     }
 
-    pub fn take_places(&mut self, before: Self) {
-        self.places = before.places;
+    /// Takes over letters and places.
+    pub fn follow(&mut self, before: Self) {
+        (self.lettering, self.places) = (before.lettering, before.places);
+    }
+
+    pub fn letter(&mut self, lettering: Lettering) {
+        self.lettering = lettering;
+        self.begin_anew();
+    }
+
+    /// Returns `true` if this build can place letters, or if they are carried.
+    pub fn is_able(&self) -> bool {
+        cfg!(feature = "names") || self.lettering.are_carried()
+    }
+
+    /// Returns the masks of letters that need not be placed for this very picture.
+    pub fn letters(&self, map: &Map, view: &View) -> Option<AnnotationMasks> {
+        self.lettering.masks(map, view, self.ratio)
     }
 
     /// Does a part of an annotation. Returns it after the last part.

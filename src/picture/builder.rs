@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::annotate::labels::{LEAST_EM, labels_in};
+use crate::annotate::labels::{LEAST_EM, labels_in, quartered};
 use crate::annotate::names::Names;
 use crate::annotate::place::{Label, Places, Scenery, heading};
 use crate::annotate::scenery;
@@ -86,6 +86,5 @@ impl AnnotationBuilder {
 // Once in a module, for all that call it.
 #[inline(never)]
 fn labels_of(places: &mut Places, map: &Map, view: &View, ratio: f32) -> Vec<Label> {
-    let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
-    labels_in(places, map, view.uncovered(), view.scale / ratio)
+    labels_in(places, map, view.uncovered(), view.scale / quartered(ratio))
 }

@@ -44,7 +44,7 @@ pub fn write_for_file(recipe: &Recipe) -> String {
 }
 
 /// Writes the seed, the edition and each parameter that `is_written` selects, given whether it has its default.
-pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
+pub(crate) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());
     for parameter in &TABLE {
         let value = recipe.value(parameter.key);

@@ -9,12 +9,13 @@ use std::fmt;
 use glam::Vec2;
 use thiserror::Error;
 
+use crate::base::numbers::{DIGITS, value_of};
+
 /// The greatest length of an outline's text, in characters.
 pub const LONGEST: usize = 1000;
 
 /// Characters of a point.
 const POINT: usize = 4;
-const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 /// A point of the domain, in 4095ths of its width and height: 0 and 4095 are its borders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,19 +41,14 @@ impl GridPoint {
 
     fn parse(digits: &[u8]) -> Option<Self> {
         let &[a, b, c, d] = digits else { return None };
-        Some(Self { x: value_of(a)? << 6 | value_of(b)?, y: value_of(c)? << 6 | value_of(d)? })
+        let value = |high: u8, low: u8| Some((value_of(high)? << 6 | value_of(low)?) as u16);
+        Some(Self { x: value(a, b)?, y: value(c, d)? })
     }
 
     fn write(self, text: &mut String) {
         let digit = |value: u16| char::from(DIGITS[usize::from(value & 63)]);
         text.extend([self.x >> 6, self.x, self.y >> 6, self.y].map(digit));
     }
-}
-
-/// The value of a digit.
-#[inline(never)] // four copies would weigh a kilobyte
-fn value_of(digit: u8) -> Option<u16> {
-    DIGITS.iter().position(|&d| d == digit).map(|value| value as u16)
 }
 
 /// The kind of a line of an outline.

@@ -8,9 +8,11 @@
 mod fill;
 mod initials;
 mod measure;
+mod subset;
 mod table;
 
 pub use fill::{Fill, pieces_of};
 pub use initials::{capital, capitals, initials, is_letter};
 pub use measure::{Letter, lacking, line_of};
+pub(crate) use subset::write_subset;
 pub use table::{Curve, Face, Glyph, Typeface};

@@ -1,8 +1,7 @@
 //! The tables of type, and their decoding.
 //!
-//! `italic.bin` and `roman.bin` are written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the
-//! eighth bit says that more follow; signed ones are 0, −1, 1, −2 … as 0, 1, 2, 3 …; a list begins with its length. Lengths are 256ths of
-//! the em, y up.
+//! `italic.bin` and `roman.bin` are written by `www/scripts/type.mjs`, in the numbers of `base/numbers.rs`. Lengths are 256ths of the em, y up.
+//! Letters that somebody carries on are a table with nothing but these (`subset.rs`), and may come from anywhere.
 //!
 //! ```text
 //! table:   shapes, letters, rows of kerning
@@ -18,6 +17,7 @@ use std::sync::LazyLock;
 
 use glam::Vec2;
 
+use crate::base::numbers::Reader;
 use crate::base::sort;
 
 static BYTES: [&[u8]; 2] = [include_bytes!("italic.bin"), include_bytes!("roman.bin")];
@@ -34,6 +34,8 @@ pub enum Face {
 
 /// The number of units of the table to the em.
 const EM: f32 = 256.0;
+/// How many curves the letters of a face have at most, all together. A carried table may name a shape a thousand times.
+const MOST_CURVES: usize = 1 << 16;
 
 /// A quadratic curve that goes on from where the one before ended: its control point and its end. A straight piece has its control point in
 /// its middle.
@@ -67,9 +69,16 @@ pub struct Typeface {
 impl Typeface {
     /// Returns the letters of a face.
     pub fn of(face: Face) -> &'static Self {
-        static FACES: [LazyLock<Typeface>; 2] =
-            [LazyLock::new(|| Typeface::read(BYTES[0])), LazyLock::new(|| Typeface::read(BYTES[1]))];
+        static FACES: [LazyLock<Typeface>; 2] = [
+            LazyLock::new(|| Typeface::read(&mut table(Face::Italic))),
+            LazyLock::new(|| Typeface::read(&mut table(Face::Roman))),
+        ];
         &FACES[face as usize]
+    }
+
+    /// Returns both faces.
+    pub(crate) fn all() -> [&'static Self; 2] {
+        [Face::Italic, Face::Roman].map(Self::of)
     }
 
     /// Returns the letter of a code point; `None` if there is none.
@@ -83,17 +92,24 @@ impl Typeface {
         self.kerning.binary_search_by_key(&pair, |(pair, _)| *pair).map_or(0.0, |i| self.kerning[i].1)
     }
 
+    /// Returns all letters, by their codes.
+    pub fn glyphs(&self) -> &[Glyph] {
+        &self.glyphs
+    }
+
+    /// Reads the letters of a table, as many as there are, without what is between them.
+    pub(crate) fn unspaced(bytes: &mut Reader<'_>) -> Self {
+        let Rows { shapes, letters } = Rows::read(bytes);
+        let mut left = MOST_CURVES;
+        let glyphs = letters.iter().map(|letter| letter.glyph(&shapes, &mut left)).collect();
+        Self { glyphs, kerning: Vec::new() }
+    }
+
     /// Reads a table, as far as its bytes go.
-    fn read(bytes: &[u8]) -> Self {
-        let mut bytes = Bytes(bytes.iter());
-        let shapes = bytes.list(Bytes::shape);
-        let mut code = 0;
-        let glyphs = bytes.list(|bytes| {
-            code += bytes.whole();
-            bytes.letter(code, &shapes)
-        });
+    fn read(bytes: &mut Reader<'_>) -> Self {
+        let this = Self::unspaced(bytes);
         let rows = bytes
-            .list(|bytes| (bytes.list(Bytes::whole), bytes.list(|bytes| (bytes.whole(), bytes.signed() as f32 / EM))));
+            .list(|bytes| (bytes.list(Reader::whole), bytes.list(|bytes| (bytes.whole(), bytes.signed() as f32 / EM))));
         let pairs = |(firsts, pairs): &(Vec<u32>, Vec<(u32, f32)>)| -> Vec<([u32; 2], f32)> {
             firsts.iter().flat_map(|&first| pairs.iter().map(move |&(second, by)| ([first, second], by))).collect()
         };
@@ -101,78 +117,91 @@ impl Typeface {
         // Letters have 16 bits at most.
         let order = sort::argsort(kerning.iter().map(|([first, second], _)| (first << 16) | second));
         let kerning = order.into_iter().map(|i| kerning[i]).collect();
-        Self { glyphs, kerning }
+        Self { kerning, ..this }
     }
 }
 
-/// A point of a contour, in units of the table, and whether it lies on the line.
-type Point = (Vec2, bool);
+/// Returns the table of a face.
+pub(super) fn table(face: Face) -> Reader<'static> {
+    Reader::of_bytes(BYTES[face as usize])
+}
 
-/// The bytes of a table that have not been read. Beyond its end everything is 0.
-struct Bytes<'a>(std::slice::Iter<'a, u8>);
+/// A point of a contour, in units of the table, y up, and whether it lies on the line.
+pub(super) type Point = ([i32; 2], bool);
 
-impl Bytes<'_> {
-    fn byte(&mut self) -> u8 {
-        self.0.next().copied().unwrap_or(0)
+/// The shapes and letters of a table as it has them.
+pub(super) struct Rows {
+    /// The contours of each shape.
+    pub shapes: Vec<Vec<Vec<Point>>>,
+    pub letters: Vec<Row>,
+}
+
+/// A letter as a table has it.
+pub(super) struct Row {
+    pub code: u32,
+    pub base: u32,
+    pub advance: u32,
+    /// The numbers of its shapes, and how far each is moved.
+    pub parts: Vec<(usize, [i32; 2])>,
+}
+
+impl Rows {
+    pub fn read(bytes: &mut Reader<'_>) -> Self {
+        let shapes = bytes.list(shape);
+        let mut code = 0u32;
+        let letters = bytes.list(|bytes| {
+            code = code.wrapping_add(bytes.whole());
+            let (base, advance) = (bytes.whole(), bytes.whole());
+            Row { code, base, advance, parts: bytes.list(|bytes| (bytes.whole() as usize, offset(bytes))) }
+        });
+        Self { shapes, letters }
     }
+}
 
-    fn whole(&mut self) -> u32 {
-        let (mut number, mut shift) = (0, 0);
-        loop {
-            let byte = self.byte();
-            number |= u32::from(byte & 127).wrapping_shl(shift);
-            shift += 7;
-            if byte < 128 {
-                return number;
+fn offset(bytes: &mut Reader<'_>) -> [i32; 2] {
+    [bytes.signed(), bytes.signed()]
+}
+
+fn shape(bytes: &mut Reader<'_>) -> Vec<Vec<Point>> {
+    let mut at = [0i32; 2];
+    bytes.list(|bytes| {
+        let count = bytes.whole() as usize;
+        let on_line = bytes.answers(count);
+        let point = |is_on_line: bool| {
+            let by = offset(bytes);
+            at = [at[0].wrapping_add(by[0]), at[1].wrapping_add(by[1])];
+            (at, is_on_line)
+        };
+        on_line.into_iter().map(point).collect()
+    })
+}
+
+impl Row {
+    /// Makes the letter of its shapes, of so many curves at most, less those that it has.
+    fn glyph(&self, shapes: &[Vec<Vec<Point>>], left: &mut usize) -> Glyph {
+        let mut contours = Vec::new();
+        for (shape, by) in &self.parts {
+            for contour in shapes.get(*shape).into_iter().flatten().filter(|contour| !contour.is_empty()) {
+                if contour.len() <= *left {
+                    *left -= contour.len();
+                    contours.push(curves(contour, *by));
+                }
             }
         }
-    }
-
-    fn signed(&mut self) -> i32 {
-        let number = self.whole();
-        (number >> 1) as i32 ^ -((number & 1) as i32)
-    }
-
-    fn list<T>(&mut self, mut item: impl FnMut(&mut Self) -> T) -> Vec<T> {
-        (0..self.whole()).map(|_| item(self)).collect()
-    }
-
-    fn offset(&mut self) -> Vec2 {
-        let (x, y) = (self.signed(), self.signed());
-        Vec2::new(x as f32, -y as f32)
-    }
-
-    fn shape(&mut self) -> Vec<Vec<Point>> {
-        let mut at = Vec2::ZERO;
-        self.list(|bytes| {
-            let count = bytes.whole();
-            let on_line: Vec<u8> = (0..count.div_ceil(8)).map(|_| bytes.byte()).collect();
-            let mut point = |i: u32| {
-                at += bytes.offset();
-                (at, on_line[i as usize / 8] >> (i % 8) & 1 == 1)
-            };
-            (0..count).map(&mut point).collect()
-        })
-    }
-
-    fn letter(&mut self, code: u32, shapes: &[Vec<Vec<Point>>]) -> Glyph {
-        let (base, advance) = (self.whole(), self.whole() as f32 / EM);
-        let parts = self.list(|bytes| (bytes.whole() as usize, bytes.offset()));
-        let of_part = |&(shape, by): &(usize, Vec2)| {
-            let contours = shapes.get(shape).map_or(&[][..], |shape| &shape[..]);
-            contours.iter().map(move |contour| curves(contour, by))
-        };
-        let contours: Vec<_> = parts.iter().flat_map(of_part).collect();
         let points = || contours.iter().flat_map(|(start, curves)| curves.iter().flatten().chain([start]));
         let least = points().copied().reduce(Vec2::min).unwrap_or_default();
         let most = points().copied().reduce(Vec2::max).unwrap_or_default();
-        Glyph { code, base, advance, contours, least, most }
+        Glyph { code: self.code, base: self.base, advance: self.advance as f32 / EM, contours, least, most }
     }
 }
 
 /// Returns the start and the curves of a contour, moved by `by`.
-fn curves(contour: &[Point], by: Vec2) -> (Vec2, Vec<Curve>) {
-    let place = |i: usize| (contour[i % contour.len()].0 + by) / EM;
+fn curves(contour: &[Point], by: [i32; 2]) -> (Vec2, Vec<Curve>) {
+    let place = |i: usize| {
+        let at = contour[i % contour.len()].0;
+        let [x, y] = [at[0].wrapping_add(by[0]), at[1].wrapping_add(by[1])];
+        Vec2::new(x as f32, y.wrapping_neg() as f32) / EM
+    };
     let is_on = |i: usize| contour[i % contour.len()].1;
     let (mut curves, mut from) = (Vec::new(), place(0));
     for i in 1..=contour.len() {
@@ -276,7 +305,7 @@ mod tests {
     fn what_is_cut_off_reads_as_less_and_never_fails() {
         for (bytes, length) in BYTES.into_iter().flat_map(|bytes| (0..bytes.len()).step_by(7).map(move |n| (bytes, n)))
         {
-            let face = Typeface::read(&bytes[..length]);
+            let face = Typeface::read(&mut Reader::of_bytes(&bytes[..length]));
             assert!(face.glyphs.len() < 400);
         }
     }

@@ -71,6 +71,27 @@ struct Setting {
 }
 
 impl Kind {
+    /// All kinds, in their order.
+    pub const ALL: [Self; 17] = [
+        Self::River,
+        Self::Reach,
+        Self::Water,
+        Self::Inlet,
+        Self::Island,
+        Self::Offshore,
+        Self::Cape,
+        Self::Region,
+        Self::Title,
+        Self::Seed,
+        Self::Plate,
+        Self::Margin,
+        Self::Legend,
+        Self::SpotHeight,
+        Self::GridLetter,
+        Self::Grid,
+        Self::Seal,
+    ];
+
     /// Returns the row of a kind in the table of kinds.
     fn setting(self) -> Setting {
         let set = |group, face, tracking, halo, is_afloat| Setting { group, face, tracking, halo, is_afloat };
@@ -138,10 +159,14 @@ impl Kind {
 pub const MIDDLE: f32 = -0.2;
 
 /// A letter in its place.
+pub type Placed = PlacedIn<'static>;
+
+/// A letter in its place, of a typeface that is there for so long.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placed {
+pub struct PlacedIn<'face> {
+    /// What it looks like.
+    pub glyph: &'face Glyph,
     /// Its outline and its advance.
-    pub glyph: &'static Glyph,
     /// The place of its origin, in units.
     pub at: Vec2,
     /// The unit vector along its baseline.
@@ -149,8 +174,11 @@ pub struct Placed {
 }
 
 /// A label in its place.
+pub type Label = LabelIn<'static>;
+
+/// A label in its place, in typefaces that are there for so long.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Label {
+pub struct LabelIn<'face> {
     /// The kind of thing that it names.
     pub kind: Kind,
     /// The number of its river; `None` if it names none.
@@ -160,7 +188,7 @@ pub struct Label {
     /// The length of its em, in units.
     pub em: f32,
     /// Its letters; spaces are left out.
-    pub letters: Vec<Placed>,
+    pub letters: Vec<PlacedIn<'face>>,
     /// Lines that belong to it, in its colour.
     pub strokes: Vec<Stroke>,
     /// Lines under it that rivers are taken away from, all of one width.
@@ -183,20 +211,20 @@ impl Stroke {
     }
 }
 
-impl Label {
+impl<'face> LabelIn<'face> {
     /// Makes a label of letters alone.
-    pub fn new(kind: Kind, river: Option<u32>, text: &str, em: f32, letters: Vec<Placed>) -> Self {
+    pub fn new(kind: Kind, river: Option<u32>, text: &str, em: f32, letters: Vec<PlacedIn<'face>>) -> Self {
         Self { kind, river, text: text.into(), em, letters, strokes: Vec::new(), cleared: Vec::new() }
     }
 }
 
-impl Label {
+impl LabelIn<'_> {
     /// Returns the spaces between its words, each from the middle of one letter to that of the next, in units; none where letters stand so
     /// far apart that what shows between them cannot be taken for a hyphen.
     pub fn spaces(&self) -> impl Iterator<Item = [Vec2; 2]> + '_ {
         /// The least space between words, in ems: more than there is between the letters of a word.
         const LEAST: f32 = 0.28;
-        let space = |pair: &[Placed]| {
+        let space = |pair: &[PlacedIn<'_>]| {
             let end = Vec2::new(pair[0].glyph.advance, MIDDLE);
             [pair[0].place(end, self.em), pair[1].place(Vec2::new(0.0, MIDDLE), self.em)]
         };
@@ -255,7 +283,7 @@ pub struct Box {
     pub down: Vec2,
 }
 
-impl Placed {
+impl PlacedIn<'_> {
     /// Returns the place of a point of the letter, in units.
     #[inline]
     pub fn place(&self, point: Vec2, em: f32) -> Vec2 {
@@ -263,10 +291,6 @@ impl Placed {
     }
 
     /// Places a letter of a level line that begins at a place.
-    pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
-        Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
-    }
-
     /// Returns the box around the letter.
     #[inline]
     pub fn around(&self, em: f32) -> Box {
@@ -274,6 +298,13 @@ impl Placed {
         let half = (most - least) * (0.5 * em);
         let middle = self.place((least + most) * 0.5, em);
         Box { middle, along: self.along * half.x, down: self.along.perp() * half.y }
+    }
+}
+
+impl Placed {
+    /// A letter of a level line that begins at a place.
+    pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
+        Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
     }
 }
 

@@ -7,6 +7,21 @@ use super::input::Input;
 /// The em of the smallest letters of pictures of whole maps, in units, from small pictures to those on which all letters have their usual
 /// sizes. Of a map 1,250 units wide these are some 180, 255, 360, 460, 560, 700, 830, 980 and 1,150 pixels wide.
 const LEAST_EMS: [f32; 10] = [76.0, 54.0, 38.0, 30.0, 24.5, 19.7, 16.5, 14.0, 12.0, 0.0];
+/// The number of steps: the levels of pictures of whole maps.
+pub const STEPS: usize = LEAST_EMS.len();
+
+/// Returns the smallest letters of pictures at a step: a hair smaller than those of its level, so that no rounding takes what has its
+/// place there.
+pub fn least_em_of(step: usize) -> f32 {
+    const HAIR: f32 = 0.999;
+    LEAST_EMS[step].max(SMALLEST) * HAIR
+}
+
+/// Returns the last step at which letters are no smaller than this; `None` if all are.
+pub fn step_for(least_em: f32) -> Option<usize> {
+    (0..STEPS).rev().find(|&step| least_em_of(step) >= least_em)
+}
+
 /// The factors of the sizes of letters in views of parts of a map.
 const SHRINKS: [f32; 7] = [0.72, 0.52, 0.37, 0.27, 0.19, 0.14, 0.1];
 /// The smallest usual letters, in units.

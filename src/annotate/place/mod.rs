@@ -64,7 +64,8 @@ pub use input::{
     LongProfile, Marks, NorthPoint, Plate, Reach, River, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver,
     Stream, Strip, Tributary,
 };
-pub use letters::{Box, Kind, Label, Placed, Stroke};
+pub use letters::{Box, Kind, Label, LabelIn, Placed, PlacedIn, Stroke};
+pub use levels::{STEPS, least_em_of, step_for};
 pub use neat_line::MARGIN as SHEET_MARGIN;
 pub use pen::{Feature, PenStroke, Shape};
 pub use places::{Places, place};

@@ -7,7 +7,7 @@ use super::super::view::View;
 use super::feather::Feather;
 use super::masks::{AnnotationMasks, SparseMask};
 use crate::annotate::glyph::Fill;
-use crate::annotate::place::{Kind, Label, Placed, Stroke};
+use crate::annotate::place::{Kind, LabelIn, PlacedIn, Stroke};
 use crate::base::memory;
 
 /// The radius of the halo around the middle of a space between words, in ems. A river that showed there would look like
@@ -19,7 +19,7 @@ pub(crate) const FULL: f32 = 0.45;
 pub(crate) const FADED: f32 = 2.0;
 
 /// Paints the masks of labels; empty if there are no labels, or not enough memory.
-pub(crate) fn masks(view: &View, labels: &[Label]) -> AnnotationMasks {
+pub(crate) fn masks(view: &View, labels: &[LabelIn<'_>]) -> AnnotationMasks {
     /// One byte for the halo and one for letters.
     const BYTES_A_PIXEL: usize = 2;
     if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
@@ -46,7 +46,7 @@ const HALO_TOLERANCE_PX: f32 = 0.5;
 fn halo<'a>(
     view: &View,
     strokes: impl Iterator<Item = &'a Stroke>,
-    labels: impl Iterator<Item = &'a Label>,
+    labels: impl Iterator<Item = &'a LabelIn<'a>>,
 ) -> SparseMask {
     let mut labels = labels.peekable();
     let mut strokes = strokes.peekable();
@@ -95,7 +95,7 @@ fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a 
 }
 
 /// Paints the mask of letters and of the lines around them. The letters of a seal are cut out.
-fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> SparseMask {
+fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a LabelIn<'a>> + Clone) -> SparseMask {
     if labels.clone().next().is_none() {
         return SparseMask::default();
     }
@@ -131,7 +131,7 @@ fn both(one: u8, other: u8) -> u8 {
 }
 
 /// Returns the pixels of a letter's box with a margin; `None` if it lies outside the picture.
-fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
+fn pixels(label: &LabelIn<'_>, letter: &PlacedIn<'_>, view: &View, margin: f32) -> Option<Rect> {
     let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
     let (least, most) =
         (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
