@@ -1,6 +1,7 @@
 //! Pictures without their ground, and the progress of a picture.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use crate::common::styles;
 use riverseed::domain::Domain;
 use riverseed::paint::{Painted, View};
 use riverseed::{Picture, Recipe, Session};
@@ -34,7 +35,7 @@ fn share(pixels: &[[u8; 4]], is: impl Fn(&[u8; 4]) -> bool) -> f32 {
 
 #[test]
 fn without_its_sea_a_map_has_its_land_as_it_is() {
-    for style in ["atlas", "night", "survey", "parchment", "basins", "past-courses", "ink-wash", "blueprint", "orbit"] {
+    for style in styles(|style| style.has_relief() || style.has_beds()) {
         let [before, after] = both(&finished(&format!("{BARE}&style={style}")));
         let (sea, land) = (share(&after, |pixel| pixel[3] == 0), share(&after, |pixel| pixel[3] == 255));
         assert!(sea > 0.2 && land > 0.2, "{style}: {sea} and {land}");

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 
 use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
-use crate::common::random_link;
 use crate::common::tier::{first, tiers};
+use crate::common::{random_link, styles};
 use geo::{Distance, Euclidean};
 use proptest::prelude::*;
 use riverseed::annotate::place::{
@@ -18,7 +18,7 @@ use riverseed::annotate::{labels, scenery};
 use riverseed::glam::Vec2;
 use riverseed::network::Place;
 use riverseed::recipe::link;
-use riverseed::{Key, Map, Picture, Session};
+use riverseed::{Key, Map, Picture, Session, Style};
 
 /// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {
@@ -168,7 +168,7 @@ proptest! {
     #![proptest_config(first(3, large(500)))]
 
     fn nothing_stands_in_water_on_letters_or_nearer_to_a_bank_than_said(
-        link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(vec!["ink", "basins", "parchment", "ink-wash", "past-courses"]),
+        link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(styles(Style::has_hills)),
     ) {
         let rounds = rounds.to_string();
         let more = [(Key::MeanderRounds, &*rounds), (Key::GreatRivers, "5"), (Key::Style, style), (Key::Labels, "some")];
@@ -309,7 +309,7 @@ fn of(all: &[Standing], feature: Feature) -> Vec<&Standing> {
 
 #[test]
 fn mountains_stand_on_high_ground_alone_and_the_largest_highest() {
-    for style in ["parchment", "ink-wash", "basins"] {
+    for style in styles(|style| style.has_relief() && style.has_hills()) {
         with_heights(&format!("{MAP}&hills=1&style={style}"), |all, _, height| {
             let mountains = of(all, Feature::Mountain);
             assert!(mountains.len() > 30, "{} in {style}", mountains.len());

@@ -18,7 +18,7 @@ use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region, Run, margin_of};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::recipe::choice::Shown;
+use crate::recipe::Shown;
 use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 

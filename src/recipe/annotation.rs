@@ -1,20 +1,21 @@
 //! The annotation that a recipe asks for: labels, a cartouche, woods and hills, as far as its style has them.
 
 use super::Recipe;
-use super::choice::{Cartouche, Labels, Shown, Style};
-use super::key::Key;
-use super::key::NumberKey;
+use super::choice::{Cartouche, Labels};
 use super::names::OwnNames;
+use super::style::{Shown, Style};
+use super::table::{Key, NumberKey};
 
 impl Recipe {
-    /// How wooded the land is, and how thickly hills stand, from 0 to 1: 0 in a style that does not draw them.
+    /// Returns how wooded the land is and how thickly hills stand, from 0 to 1: 0 in a style that does not draw them.
     pub fn scenery(&self) -> [f32; 2] {
         let style: Style = self.get();
         let shown = |key, is_shown: bool| if is_shown { self.number(key) } else { 0.0 };
         [shown(NumberKey::Woods, style.has_woods()), shown(NumberKey::Hills, style.has_hills())]
     }
 
-    /// The exaggeration of heights for light and shadow: less where hills are drawn, which show the relief in their own way.
+    /// Returns the exaggeration of heights for light and shadow: less where hills are drawn, which show the relief in
+    /// their own way.
     pub fn shade(&self) -> f32 {
         const GIVES_WAY: f32 = 0.85;
         let [_, hills] = self.scenery();
@@ -50,7 +51,7 @@ impl Recipe {
         self.get::<Labels>() != Labels::None || self.has_title() || self.has_scenery()
     }
 
-    /// The style, if it decides what the annotation consists of; `None` if that would be the same in any other.
+    /// Returns the style, if it decides what the annotation consists of; `None` if that would be the same in any other.
     pub fn annotating_style(&self) -> Option<Style> {
         let style: Style = self.get();
         // Ranges are named where heights are shown, and a north point stands beside a title.
@@ -59,7 +60,7 @@ impl Recipe {
         (self.has_scenery() || self.has_marks() || is_annotated).then_some(style)
     }
 
-    /// The person's own names.
+    /// Returns the person's own names.
     pub fn own_names(&self) -> OwnNames {
         OwnNames::readable(&Key::Names.parameter().text_of(self.value(Key::Names)))
     }

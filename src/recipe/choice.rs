@@ -1,7 +1,8 @@
 //! The parameters whose values are words. Each is declared once: a type, and the words, labels and help texts of its
 //! values.
 
-use super::key::Key;
+use super::table::Key;
+use super::texts::explained;
 
 /// A value of a parameter that is a choice among words.
 pub trait Choice: Copy + PartialEq + 'static {
@@ -27,13 +28,7 @@ pub struct Word {
     pub help: &'static str,
 }
 
-impl Word {
-    /// Empties label and help text unless the feature `texts` is on.
-    const fn explained(self) -> Self {
-        if cfg!(feature = "texts") { self } else { Self { label: "", help: "", ..self } }
-    }
-}
-
+/// Declares types of choices: for each its parameter, its default, and its values with help text, word and label.
 macro_rules! choices {
     ($(
         $(#[$attribute:meta])*
@@ -50,11 +45,14 @@ macro_rules! choices {
             const KEY: Key = Key::$key;
             const DEFAULT: &'static str = Self::$default.word().name;
             const ALL: &'static [Self] = &[$(Self::$Value),+];
-            const WORDS: &'static [Word] = &[$(Self::$Value.word().explained()),+];
+            const WORDS: &'static [Word] = &[$({
+                let word = Self::$Value.word();
+                Word { name: word.name, label: explained(word.label), help: explained(word.help) }
+            }),+];
         }
 
         impl $Choice {
-            /// Its word, label and help text.
+            /// Returns the word, label and help text of a value.
             pub const fn word(self) -> Word {
                 match self {
                     $(Self::$Value => Word { name: $name, label: $label, help: concat!($($help),+).trim_ascii() },)+
@@ -63,6 +61,8 @@ macro_rules! choices {
         }
     )+};
 }
+
+pub(super) use choices;
 
 choices! {
     /// A shape of land.
@@ -159,70 +159,18 @@ choices! {
         None = "none", "none";
         /// The title with a scale bar, with names or without.
         Plain = "plain", "plain";
-        /// The same in a frame, on a sheet with a neat line.
+        /// The title with a scale bar in a frame, on a sheet with a neat line.
         Framed = "framed", "framed";
         /// A plate of the longest rivers side by side, with the title as its heading.
         Lengths = "lengths", "lengths of rivers";
         /// A plate with the long profile of the greatest river.
         Profile = "profile", "long profile";
     }
-
-    /// A style of painting.
-    Style of Style, Atlas {
-        /// An atlas page: green lowland, brown mountains, soft shade, blue rivers and sea.
-        Atlas = "atlas", "atlas";
-        /// The land by night, rivers shining.
-        Night = "night", "night";
-        /// An engraving on old paper: water lines, mountains in strokes on their dark side.
-        Parchment = "parchment", "parchment";
-        /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
-        Survey = "survey", "survey";
-        /// A painting in ink and water: mountains on their dark side, mist along rivers.
-        InkWash = "ink-wash", "ink wash";
-        /// The land from orbit: forests, rock, snow, shallow water.
-        Orbit = "orbit", "from orbit";
-        /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
-        Basins = "basins", "basins";
-        /// A blueprint: rivers, coasts and contours in white on blue, over a grid.
-        Blueprint = "blueprint", "blueprint";
-        /// Past courses: where great rivers have run in bends before, a band for each time, after Fisk 1944.
-        PastCourses = "past-courses", "past courses";
-        /// Ink on paper, rivers as wide as their discharge asks.
-        Ink = "ink", "ink";
-        /// Light ink on dark paper.
-        Dark = "dark", "dark";
-        /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
-        Skeleton = "skeleton", "skeleton";
-    }
-}
-
-/// Parts of a map that only some styles show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shown {
-    /// How high the land is.
-    Relief,
-    Woods,
-    /// Hills as symbols; most styles have their relief for that.
-    Hills,
-    /// Marks: heights beside summits, and letters along the edge for a grid.
-    SpotHeights,
-    /// A mark: a box with title, scale and counts.
-    Legend,
-    /// A mark: a painter's seal.
-    Seal,
-    /// A north point beside the title's scale bar.
-    NorthArrow,
-    /// A compass rose, and scrolls around a framed title.
-    CompassRose,
-    /// The beds in which great rivers ran before.
-    Beds,
-    /// A margin, with a line at which land that runs off the map ends, in pictures and files of the whole map too.
-    Neatline,
 }
 
 impl LandKind {
-    /// The share of the map that is water unless a recipe asks for another; 0 where the sea is drawn or there is none.
-    /// Much water lets an island have lively coasts and lie free of the frame.
+    /// Returns the share of the map that is water unless a recipe asks for another; 0 where the sea is drawn or there
+    /// is none. Much water lets an island have lively coasts and lie free of the frame.
     pub fn usual_sea(self) -> f32 {
         match self {
             Self::Island => 0.72,
@@ -235,62 +183,11 @@ impl LandKind {
     }
 }
 
-impl Style {
-    /// The row of a style in the table of what styles show.
-    const fn shown(self) -> &'static [Shown] {
-        use Shown::{Beds, CompassRose, Hills, Legend, Neatline, NorthArrow, Relief, Seal, SpotHeights, Woods};
-        match self {
-            Self::Ink => &[Woods, Hills],
-            Self::Skeleton => &[],
-            Self::Atlas => &[Relief, Woods, Neatline],
-            Self::Night => &[Relief, Woods, Neatline],
-            Self::Survey => &[Relief, Woods, SpotHeights, NorthArrow, Neatline],
-            Self::Basins => &[Relief, Woods, Hills, Neatline],
-            Self::Parchment => &[Relief, Woods, Hills, CompassRose, Neatline],
-            Self::PastCourses => &[Woods, Hills, Beds, NorthArrow],
-            Self::InkWash => &[Relief, Woods, Hills, Seal, Neatline],
-            Self::Orbit => &[Relief],
-            Self::Blueprint => &[Relief, Woods, Legend, NorthArrow, Neatline],
-            Self::Dark => &[Woods, Hills],
-        }
-    }
-
-    /// Returns `true` if it shows a part of the map.
-    pub(crate) fn shows(self, part: Shown) -> bool {
-        self.shown().contains(&part)
-    }
-
-    /// Returns `true` if it shows how high the land is.
-    pub fn has_relief(self) -> bool {
-        self.shows(Shown::Relief)
-    }
-
-    /// Returns `true` if woods can be drawn in it.
-    pub fn has_woods(self) -> bool {
-        self.shows(Shown::Woods)
-    }
-
-    /// Returns `true` if hills can be drawn in it.
-    pub fn has_hills(self) -> bool {
-        self.shows(Shown::Hills)
-    }
-
-    /// Returns `true` if it has labels that are no names: spot heights and grid letters, a legend, or a seal.
-    pub fn has_marks(self) -> bool {
-        self.shown().iter().any(|part| matches!(part, Shown::SpotHeights | Shown::Legend | Shown::Seal))
-    }
-
-    /// Returns `true` if it shows the beds in which great rivers ran before.
-    pub fn has_beds(self) -> bool {
-        self.shows(Shown::Beds)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::recipe::table::TABLE;
-    use crate::recipe::{Kind, Recipe, Value, link};
+    use crate::recipe::{Kind, Recipe, Style, Value, link};
 
     /// Checks one choice, and returns the parameter that it belongs to.
     fn check<C: Choice + std::fmt::Debug>() -> Key {

@@ -1,18 +1,18 @@
 //! Characters that are not seen, but change how the text around them is read.
 
-/// Tells whether a character is one of them: control characters, tags, what is no character, and those that separate lines, join or divide
-/// letters or turn the direction of writing.
+/// Returns `true` if nobody sees a character: control characters, tags, what is no character, and those that separate
+/// lines, join or divide letters or turn the direction of writing.
 pub(super) fn is_hidden(c: char) -> bool {
     let is_unseen = matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffd}'..='\u{ffff}' | '\u{e0000}'..='\u{e007f}');
     c.is_control() || is_unseen
 }
 
-/// A text with its hidden characters as `\u{202e}`.
+/// Writes a text with its hidden characters as `\u{202e}`.
 pub fn visible(text: &str) -> String {
     text.chars().map(escaped).collect()
 }
 
-/// A text as a message quotes it: hidden characters as `\u{202e}`, and cut off where it would fill the screen.
+/// Writes a text as a message quotes it: hidden characters as `\u{202e}`, and cut off where it would fill the screen.
 ///
 /// ```
 /// assert_eq!(riverseed::recipe::shown("1.\u{202e}"), r"1.\u{202e}");
@@ -37,7 +37,8 @@ fn escaped(c: char) -> String {
     if is_escaped(c) { c.escape_unicode().to_string() } else { c.into() }
 }
 
-/// The sign that stands for bytes that are no text is hidden in a name, but can be seen.
+/// Returns `true` if messages escape a character. The sign that stands for bytes that are no text is hidden in a name,
+/// but can be seen.
 fn is_escaped(c: char) -> bool {
     is_hidden(c) && c != char::REPLACEMENT_CHARACTER
 }

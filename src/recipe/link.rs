@@ -9,9 +9,9 @@ use std::str::FromStr;
 
 use super::error::RecipeError;
 use super::hidden::{shown, visible};
-use super::key::Key;
 use super::names::OwnNames;
 use super::parameter::{Kind, Parameter};
+use super::table::Key;
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
@@ -237,10 +237,7 @@ mod tests {
         assert_eq!(error("depth=3"), "there is no parameter 'depth'");
         assert_eq!(error("curl=1&curl=1"), "'curl' is given more than once");
         assert_eq!(error("curl=3"), "curl: 3 is not between 0 and 2");
-        assert_eq!(
-            error("style=neon"),
-            "style: 'neon' is not one of atlas, night, parchment, survey, ink-wash, orbit, basins, blueprint, past-courses, ink, dark, skeleton"
-        );
+        assert_eq!(error("scatter=neon"), "scatter: 'neon' is not one of random, grid");
         assert_eq!(error("edition=7"), "edition: 7 is unknown here, this program draws edition 1");
         assert_eq!(error("seed=%FF"), "seed: the text holds a character that cannot be shown");
         assert!(error("preset=best").starts_with("there is no preset 'best': choose from original, "));

@@ -13,29 +13,32 @@ mod hidden;
 mod inactive;
 #[cfg(feature = "json")]
 pub mod json;
-mod key;
 pub mod link;
 mod names;
 mod outline;
 mod parameter;
 pub mod preset;
 pub mod reading;
+mod rows;
+mod style;
 pub mod table;
+mod texts;
 mod value;
 
 pub use choice::{
-    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Style, Word,
+    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Word,
 };
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
-pub use key::{IntegerKey, Key, NumberKey};
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};
+pub(crate) use style::Shown;
+pub use style::Style;
+pub use table::{IntegerKey, Key, NumberKey};
 pub use value::{Decimal, Sides, Value};
 
-use key::COUNT;
-use table::TABLE;
+use table::{COUNT, TABLE};
 
 /// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.
 pub const EDITION: u32 = 1;
@@ -53,12 +56,12 @@ impl Default for Recipe {
 }
 
 impl Recipe {
-    /// The value of a parameter.
+    /// Returns the value of a parameter.
     pub fn value(&self, key: Key) -> &Value {
         &self.values[key as usize]
     }
 
-    /// The seed text.
+    /// Returns the seed text.
     pub fn seed(&self) -> &str {
         match self.value(Key::Seed) {
             Value::Text(text) => text,
@@ -66,7 +69,7 @@ impl Recipe {
         }
     }
 
-    /// A number, in the parameter's unit.
+    /// Returns a number, in the parameter's unit.
     ///
     /// ```
     /// use riverseed::recipe::{NumberKey, link};
@@ -82,7 +85,7 @@ impl Recipe {
         }
     }
 
-    /// A whole number.
+    /// Returns a whole number.
     pub fn integer(&self, key: IntegerKey) -> u32 {
         match &self.values[key as usize] {
             Value::Integer(integer) => *integer,
@@ -90,7 +93,7 @@ impl Recipe {
         }
     }
 
-    /// The value of a parameter that is a choice among words.
+    /// Returns the value of a parameter that is a choice among words.
     ///
     /// ```
     /// use riverseed::recipe::{Style, link};
@@ -102,26 +105,26 @@ impl Recipe {
         C::ALL[self.chosen(C::KEY, C::WORDS)]
     }
 
-    /// The index of a parameter's value in `words`; 0 if it is not in them.
+    /// Returns the index of a parameter's value in `words`; 0 if it is not in them.
     #[inline(never)] // one copy for all choices
     fn chosen(&self, key: Key, words: &[Word]) -> usize {
         let is_chosen = |word: &Word| matches!(self.value(key), Value::Choice(name) if *name == word.name);
         words.iter().position(is_chosen).unwrap_or(0)
     }
 
-    /// The share of the map that is water: the one asked for or, at 0, the one that suits the kind of land. 0 for a drawn
-    /// land and for the whole rectangle, where the recipe does not determine it.
+    /// Returns the share of the map that is water: the one asked for or, at 0, the one that suits the kind of land. 0
+    /// for a drawn land and for the whole rectangle, where the recipe does not determine it.
     pub fn sea(&self) -> f32 {
         let (asked, usual) = (self.number(NumberKey::Sea), self.get::<LandKind>().usual_sea());
         if asked > 0.0 && usual > 0.0 { asked } else { usual }
     }
 
-    /// The sides beyond which the sea lies.
+    /// Returns the sides beyond which the sea lies.
     pub fn sides(&self) -> Sides {
         self.sides_of(Key::Sides)
     }
 
-    /// The directions in which river mouths may lie.
+    /// Returns the directions in which river mouths may lie.
     pub fn shores(&self) -> Sides {
         self.sides_of(Key::Shores)
     }
@@ -133,7 +136,7 @@ impl Recipe {
         }
     }
 
-    /// The drawn land; `None` if nothing is drawn.
+    /// Returns the drawn land; `None` if nothing is drawn.
     pub fn outline(&self) -> Option<&Outline> {
         match self.value(Key::Outline) {
             Value::Outline(outline) if !outline.is_empty() => Some(outline),
@@ -141,14 +144,14 @@ impl Recipe {
         }
     }
 
-    /// The drawn courses of rivers; empty unless the land is drawn.
+    /// Returns the drawn courses of rivers; empty unless the land is drawn.
     pub fn rivers(&self) -> &[Vec<GridPoint>] {
         let outline = self.outline().filter(|_| self.get::<LandKind>() == LandKind::Drawn);
         outline.map_or(&[], Outline::rivers)
     }
 
-    /// The sides of a plain rectangle beyond which the sea lies: the chosen ones or, where rivers are drawn, all,
-    /// because drawn rivers leave the map wherever they begin.
+    /// Returns the sides of a plain rectangle beyond which the sea lies: the chosen ones or, where rivers are drawn,
+    /// all, because drawn rivers leave the map wherever they begin.
     pub fn open_sides(&self) -> Sides {
         if self.rivers().is_empty() { self.sides() } else { Sides::ALL }
     }
@@ -174,7 +177,7 @@ impl Recipe {
         TABLE.iter().all(|Parameter { key, .. }| keys.contains(key) || self.value(*key) == other.value(*key))
     }
 
-    /// The earliest stage that has to run again to get from this recipe to another; `None` if they are equal.
+    /// Returns the earliest stage that has to run again to get from this recipe to another; `None` if they are equal.
     pub fn first_difference(&self, other: &Self) -> Option<Stage> {
         TABLE
             .iter()

@@ -191,12 +191,12 @@ impl OwnNames {
         Self::parse(&entries.join("_"))
     }
 
-    /// The own name of a thing; an empty one removes the generated name.
+    /// Returns the own name of a thing; an empty one removes the generated name.
     pub fn get(&self, mark: Mark) -> Option<&str> {
         self.entries.iter().find(|(named, _)| *named == mark).map(|(_, name)| name.as_str())
     }
 
-    /// The things that have an own name.
+    /// Returns the things that have an own name.
     pub fn marks(&self) -> impl Iterator<Item = Mark> {
         self.entries.iter().map(|(mark, _)| *mark)
     }

@@ -28,13 +28,14 @@ impl GridPoint {
     /// The coordinate of the far border.
     const LAST: u16 = 4095;
 
-    /// The nearest grid point to fractions of the domain's width and height. Points outside are moved to the border.
+    /// Finds the grid point nearest to fractions of the domain's width and height. Points outside are moved to the
+    /// border.
     pub fn nearest(fraction: Vec2) -> Self {
         let snap = |x: f32| (x.clamp(0.0, 1.0) * f32::from(Self::LAST)).round() as u16;
         Self { x: snap(fraction.x), y: snap(fraction.y) }
     }
 
-    /// Fractions of the domain's width and height.
+    /// Returns the point as fractions of the domain's width and height.
     pub fn fraction(self) -> Vec2 {
         Vec2::new(f32::from(self.x), f32::from(self.y)) / f32::from(Self::LAST)
     }
@@ -64,7 +65,7 @@ pub enum LineKind {
 }
 
 impl LineKind {
-    /// The smallest number of points of such a line.
+    /// Returns the smallest number of points that a line of this kind has.
     pub const fn fewest(self) -> usize {
         match self {
             Self::Coast => 3,
@@ -81,7 +82,7 @@ impl LineKind {
         }
     }
 
-    /// The number of characters of a line with this many points.
+    /// Returns the number of characters of a line with this many points.
     pub(crate) const fn length_of(self, points: usize) -> usize {
         self.mark().len() + points * POINT
     }
@@ -214,17 +215,17 @@ impl Outline {
         self.coasts.is_empty() && self.rivers.is_empty()
     }
 
-    /// The closed lines between land and water. Each has three points or more; the last is joined to the first.
+    /// Returns the closed lines between land and water. Each has three points or more; the last is joined to the first.
     pub fn coasts(&self) -> &[Vec<GridPoint>] {
         &self.coasts
     }
 
-    /// The lines that no river crosses. Each has two points or more.
+    /// Returns the lines that no river crosses. Each has two points or more.
     pub fn ridges(&self) -> &[Vec<GridPoint>] {
         &self.ridges
     }
 
-    /// The drawn courses of rivers, each from its mouth. Each has one point or more.
+    /// Returns the drawn courses of rivers, each from its mouth. Each has one point or more.
     pub fn rivers(&self) -> &[Vec<GridPoint>] {
         &self.rivers
     }

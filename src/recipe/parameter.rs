@@ -3,9 +3,9 @@
 use super::choice::Word;
 use super::error::RecipeError;
 use super::hidden::shown;
-use super::key::Key;
 use super::names::OwnNames;
 use super::outline::Outline;
+use super::table::Key;
 use super::value::{Decimal, Sides, Value};
 
 /// A stage that parameters belong to. Stages run in this order.
@@ -29,7 +29,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// The stage's name, lower case.
+    /// Returns the stage's name, lower case.
     pub fn name(self) -> &'static str {
         match self {
             Self::Land => "land",
@@ -114,7 +114,7 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// The default value.
+    /// Returns the default value.
     pub fn default_value(&self) -> Value {
         match self.kind {
             Kind::Text { default, .. } => Value::Text(default.into()),

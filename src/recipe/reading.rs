@@ -2,9 +2,10 @@
 //! within their limits.
 
 use super::Recipe;
-use super::choice::{GrowthMethod, LandKind, Style};
-use super::key::{IntegerKey, Key};
+use super::choice::{GrowthMethod, LandKind};
 use super::link::{self, Notice};
+use super::style::Style;
+use super::table::{IntegerKey, Key};
 use super::value::Value;
 
 /// The place where a link's rivers are shown.
@@ -42,8 +43,8 @@ pub fn read(text: &str, options: ReadOptions) -> Reading {
 }
 
 impl Reading {
-    /// The canonical link to share. It has the style that the link named, even the default one; if none was named, each
-    /// page that shows it uses its own.
+    /// Writes the canonical link to share. It has the style that the link named, even the default one; if none was
+    /// named, each page that shows it uses its own.
     pub fn shared_link(&self) -> String {
         link::write_if(&self.recipe, |parameter, is_default| match parameter.key {
             Key::Style => self.names_style,

@@ -2,799 +2,200 @@
 //!
 //! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
-//!
-//! The file is long because it is one table: split by groups, its rows could not be read in their order.
 
-use super::choice::{
-    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Style,
-};
-use super::key::{COUNT, KINDS, Key, KeyKind};
+use super::EDITION;
+use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter};
 use super::parameter::{Kind, Parameter, Stage};
+use super::rows::parameters;
+use super::style::{self, Style};
+use super::texts::{Written, explained};
 use super::value::{Decimal, Sides};
 
-/// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
-pub static TABLE: [Parameter; COUNT] = {
-    use Stage::{Grow, Land, Name, Paint, Prune, Relief, Shape};
-    const fn number(min: f64, max: f64, step: f64, default: f64) -> Kind {
-        let (min, max) = (Decimal::new(min), Decimal::new(max));
-        Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
+parameters! {
+    "Seed" {
+        /// The word that the rivers grow from: any text.
+        Seed = "seed", "Seed": Land, Text(to 64, default "kauri");
+        /// The set of algorithms that draws the recipe. Once an edition is released, its pictures never change.
+        Edition = "edition", "Edition": Land, Integer(EDITION to EDITION, default EDITION);
     }
-    const fn choice<C: Choice>() -> Kind {
-        Kind::Choice { choices: C::WORDS, default: C::DEFAULT }
+    "Land" {
+        /// Width of the map over its height. The area is always a million square units.
+        Aspect = "aspect", "Aspect": Land, Number(0.25 to 4.0 by 0.01, default 1.6, logarithmic);
+        /// The shape of the land that rivers run through.
+        Land = "land", "Land": Land, Choice(LandKind);
+        /// The coasts, ridges and rivers of a drawn land. Without a coast, the whole rectangle is land.
+        Outline = "outline", "Outline": Land, Outline();
+        /// Share of the map that is water. 0: automatic, as it suits the land (an island 0.72, a coast 0.35). No effect
+        /// if the land is drawn or is the whole rectangle.
+        Sea = "sea", "Sea": Land, Number(0.0 to 0.8 by 0.01, default 0.0);
+        /// How far the sea has risen into valleys that rivers cut before. 0: coasts as they are shaped. High values
+        /// make long inlets, headlands and islets; the share of water stays.
+        Drowning = "drowning", "Drowning": Land, Number(0.0 to 1.0 by 0.02, default 0.24);
+        /// Irregularity of coasts and ridges: 0 for smooth lines, 1 for wild ones.
+        Roughness = "roughness", "Roughness": Land, Number(0.0 to 1.0 by 0.01, default 1.0);
+        /// Number of rivers that reach the sea. A lake has three times as many, and every larger island has at least
+        /// one. 0: automatic (8; with drainage, every outlet).
+        Mouths = "mouths", "River mouths": Grow, Integer(0 to 64, default 0, logarithmic);
+        /// Minimum distance between river mouths along a coast. A large distance means fewer mouths.
+        MouthSpacing = "mouth-spacing", "Distance between mouths": Grow, Number(0.0 to 400.0 by 5.0, default 0.0),
+            in "units";
+        /// Sides of the map where the sea is. Applies to the rectangle, a coast and a valley; the water of other lands
+        /// is fixed.
+        Sides = "sides", "Sea on": Land, Sides(default SOUTH);
+        /// Directions in which river mouths may lie, seen from the middle of the coast.
+        Shores = "shores", "Mouths on": Grow, Sides(default ALL);
     }
-    explained([
-        Parameter {
-            key: Key::Seed,
-            name: "seed",
-            label: "Seed",
-            help: "The word that the rivers grow from: any text.",
-            unit: "",
-            group: "Seed",
-            stage: Land,
-            logarithmic: false,
-            kind: Kind::Text { longest: 64, default: "kauri" },
-        },
-        Parameter {
-            key: Key::Edition,
-            name: "edition",
-            label: "Edition",
-            help: "The set of algorithms that draws the recipe. Once an edition is released, its pictures never change.",
-            unit: "",
-            group: "Seed",
-            stage: Land,
-            logarithmic: false,
-            kind: Kind::Integer { min: super::EDITION, max: super::EDITION, default: super::EDITION },
-        },
-        Parameter {
-            key: Key::Aspect,
-            name: "aspect",
-            label: "Aspect",
-            help: "Width of the map over its height. The area is always a million square units.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: true,
-            kind: number(0.25, 4.0, 0.01, 1.6),
-        },
-        Parameter {
-            key: Key::Land,
-            name: "land",
-            label: "Land",
-            help: "The shape of the land that rivers run through.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: choice::<LandKind>(),
-        },
-        Parameter {
-            key: Key::Outline,
-            name: "outline",
-            label: "Outline",
-            help: "The coasts, ridges and rivers of a drawn land. Without a coast, the whole rectangle is land.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: Kind::Outline,
-        },
-        Parameter {
-            key: Key::Sea,
-            name: "sea",
-            label: "Sea",
-            help: "Share of the map that is water. 0: automatic, as it suits the land (an island 0.72, a coast 0.35). No effect if the land is drawn or is the whole rectangle.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: number(0.0, 0.8, 0.01, 0.0),
-        },
-        Parameter {
-            key: Key::Drowning,
-            name: "drowning",
-            label: "Drowning",
-            help: "How far the sea has risen into valleys that rivers cut before. 0: coasts as they are shaped. High values make long inlets, headlands and islets; the share of water stays.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.02, 0.24),
-        },
-        Parameter {
-            key: Key::Roughness,
-            name: "roughness",
-            label: "Roughness",
-            help: "Irregularity of coasts and ridges: 0 for smooth lines, 1 for wild ones.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 1.0),
-        },
-        Parameter {
-            key: Key::Mouths,
-            name: "mouths",
-            label: "River mouths",
-            help: "Number of rivers that reach the sea. A lake has three times as many, and every larger island has at least one. 0: automatic (8; with drainage, every outlet).",
-            unit: "",
-            group: "Land",
-            stage: Grow,
-            logarithmic: true,
-            kind: Kind::Integer { min: 0, max: 64, default: 0 },
-        },
-        Parameter {
-            key: Key::MouthSpacing,
-            name: "mouth-spacing",
-            label: "Distance between mouths",
-            help: "Minimum distance between river mouths along a coast. A large distance means fewer mouths.",
-            unit: "units",
-            group: "Land",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 400.0, 5.0, 0.0),
-        },
-        Parameter {
-            key: Key::Sides,
-            name: "sides",
-            label: "Sea on",
-            help: "Sides of the map where the sea is. Applies to the rectangle, a coast and a valley; the water of other lands is fixed.",
-            unit: "",
-            group: "Land",
-            stage: Land,
-            logarithmic: false,
-            kind: Kind::Sides { default: Sides::SOUTH },
-        },
-        Parameter {
-            key: Key::Shores,
-            name: "shores",
-            label: "Mouths on",
-            help: "Directions in which river mouths may lie, seen from the middle of the coast.",
-            unit: "",
-            group: "Land",
-            stage: Grow,
-            logarithmic: false,
-            kind: Kind::Sides { default: Sides::ALL },
-        },
-        Parameter {
-            key: Key::Growth,
-            name: "growth",
-            label: "Growth",
-            help: "Growth method: water drains the land, attractors pull rivers (space colonization), or wandering particles form a Brownian tree.",
-            unit: "",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: false,
-            kind: choice::<GrowthMethod>(),
-        },
-        Parameter {
-            key: Key::Sensitivity,
-            name: "sensitivity",
-            label: "Sensitivity",
-            help: "Smallest step of a Brownian tree: about the distance between neighbouring streams.",
-            unit: "units",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: true,
-            kind: Kind::Integer { min: 8, max: 64, default: 16 },
-        },
-        Parameter {
-            key: Key::Attractors,
-            name: "attractors",
-            label: "Attractors",
-            help: "Number of attractors; with drainage, of parcels on land, if the sea is as it suits the land. More make a finer network.",
-            unit: "",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: true,
-            kind: Kind::Integer { min: 100, max: 1_000_000, default: 20_000 },
-        },
-        Parameter {
-            key: Key::Scatter,
-            name: "scatter",
-            label: "Scatter",
-            help: "Placement of attractors: at random, or one in each cell of a grid, which makes an even network.",
-            unit: "",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: false,
-            kind: choice::<Scatter>(),
-        },
-        Parameter {
-            key: Key::Reach,
-            name: "reach",
-            label: "Reach",
-            help: "Distance from which attractors pull. Small: winding rivers. Large: straight ones.",
-            unit: "spacings",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: true,
-            kind: number(2.1, 12.0, 0.05, 2.3),
-        },
-        Parameter {
-            key: Key::Kill,
-            name: "kill",
-            label: "Kill distance",
-            help: "Attractors are removed once a river comes this close. Smaller values make many short streams.",
-            unit: "spacings",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.5, 1.4, 0.05, 1.1),
-        },
-        Parameter {
-            key: Key::Step,
-            name: "step",
-            label: "Step",
-            help: "Length by which a river grows in one tick.",
-            unit: "spacings",
-            group: "Growth",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.2, 1.2, 0.01, 0.38),
-        },
-        Parameter {
-            key: Key::Momentum,
-            name: "momentum",
-            label: "Momentum",
-            help: "Exaggerates each turn by subtracting this share of the previous direction. Rivers zigzag from 0.5 on.",
-            unit: "",
-            group: "Bends",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 0.9, 0.01, 0.0),
-        },
-        Parameter {
-            key: Key::Curl,
-            name: "curl",
-            label: "Curl",
-            help: "Maximum random turn of each step. The side alternates every 'stretch' nodes; with valleys it is random, from place to place.",
-            unit: "radians",
-            group: "Bends",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 2.0, 0.01, 0.7),
-        },
-        Parameter {
-            key: Key::Stretch,
-            name: "stretch",
-            label: "Stretch",
-            help: "Number of nodes for which a river curls to one side before it turns to the other; with valleys, how large the places are that have a side of their own.",
-            unit: "nodes",
-            group: "Bends",
-            stage: Grow,
-            logarithmic: true,
-            kind: Kind::Integer { min: 1, max: 64, default: 8 },
-        },
-        Parameter {
-            key: Key::Valleys,
-            name: "valleys",
-            label: "Valleys",
-            help: "Influence of deep valleys on where water goes: 0 for calm, map-like networks, 1 for wild ones. At 0, space colonization is as in the paper.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.2),
-        },
-        Parameter {
-            key: Key::ValleySpacing,
-            name: "valley-spacing",
-            label: "Distance between valleys",
-            help: "Approximate distance between large valleys.",
-            unit: "spacings",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: true,
-            kind: number(4.0, 60.0, 0.5, 32.0),
-        },
-        Parameter {
-            key: Key::Concavity,
-            name: "concavity",
-            label: "Concavity",
-            help: "Rate at which rivers flatten downstream. The flatter large rivers are, the more water they draw.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.2, 0.8, 0.01, 0.5),
-        },
-        Parameter {
-            key: Key::Captures,
-            name: "captures",
-            label: "Rounds of capture",
-            help: "Number of rounds in which streams capture one another before they settle.",
-            unit: "rounds",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 24, default: 5 },
-        },
-        Parameter {
-            key: Key::Hardness,
-            name: "hardness",
-            label: "Hardness",
-            help: "Contrast between hard and soft ground. Rivers avoid hard ground.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 1.5, 0.01, 0.4),
-        },
-        Parameter {
-            key: Key::HardnessScale,
-            name: "hardness-scale",
-            label: "Size of hard ground",
-            help: "Approximate distance between areas of hard ground.",
-            unit: "spacings",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: true,
-            kind: number(8.0, 60.0, 0.5, 36.0),
-        },
-        Parameter {
-            key: Key::Bending,
-            name: "bending",
-            label: "Bending",
-            help: "Distance by which the country is bent, and rivers with it.",
-            unit: "spacings",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 4.0, 0.05, 2.2),
-        },
-        Parameter {
-            key: Key::BendingVariation,
-            name: "bending-variation",
-            label: "Uneven bending",
-            help: "Variation of the bending from place to place: 0 for the same everywhere, higher for straight reaches beside wild bends.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 2.0, 0.05, 1.0),
-        },
-        Parameter {
-            key: Key::Pattern,
-            name: "pattern",
-            label: "Pattern",
-            help: "Pattern of drainage: the lie of beds, joints and slopes that rivers follow.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: choice::<Pattern>(),
-        },
-        Parameter {
-            key: Key::Strike,
-            name: "strike",
-            label: "Strike",
-            help: "Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: automatic (from the seed).",
-            unit: "degrees",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 180, default: 0 },
-        },
-        Parameter {
-            key: Key::CenterX,
-            name: "center-x",
-            label: "Centre, from the west",
-            help: "Place of the high or low ground that rivers run from, around or to, as a share of the map's width. 0: automatic (from the seed).",
-            unit: "%",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 100, default: 0 },
-        },
-        Parameter {
-            key: Key::CenterY,
-            name: "center-y",
-            label: "Centre, from the north",
-            help: "Place of the high or low ground that rivers run from, around or to, as a share of the map's height. 0: automatic (from the seed).",
-            unit: "%",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 100, default: 0 },
-        },
-        Parameter {
-            key: Key::Fall,
-            name: "fall",
-            label: "Fall",
-            help: "Pull of the land's general slope, most of it toward the sea. High values draw rivers side by side and narrow the angles at which they join.",
-            unit: "",
-            group: "Drainage",
-            stage: Grow,
-            logarithmic: false,
-            kind: number(0.0, 2.0, 0.05, 0.35),
-        },
-        Parameter {
-            key: Key::ChannelArea,
-            name: "channel-area",
-            label: "Channel area",
-            help: "Number of parcels that must drain before a river begins. Smaller areas make a denser network.",
-            unit: "parcels",
-            group: "Drainage",
-            stage: Prune,
-            logarithmic: true,
-            kind: Kind::Integer { min: 1, max: 60, default: 3 },
-        },
-        Parameter {
-            key: Key::HeadVariation,
-            name: "head-variation",
-            label: "Uneven channel heads",
-            help: "Variation of the channel area from place to place: dense streams here, few there.",
-            unit: "",
-            group: "Drainage",
-            stage: Prune,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.05, 0.5),
-        },
-        Parameter {
-            key: Key::Trim,
-            name: "trim",
-            label: "Trim",
-            help: "Side branches shorter than this are removed. The longest branch of every fork stays.",
-            unit: "units",
-            group: "Finish",
-            stage: Prune,
-            logarithmic: false,
-            kind: number(0.0, 400.0, 1.0, 18.0),
-        },
-        Parameter {
-            key: Key::TrimVariation,
-            name: "trim-variation",
-            label: "Uneven trim",
-            help: "Variation of the length below which side branches are removed, from branch to branch.",
-            unit: "",
-            group: "Finish",
-            stage: Prune,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.05, 0.3),
-        },
-        Parameter {
-            key: Key::TributarySpacing,
-            name: "tributary-spacing",
-            label: "Distance between tributaries",
-            help: "Tributaries that join closer to a greater one are removed, and those that run close beside another river. 0: none.",
-            unit: "spacings",
-            group: "Finish",
-            stage: Prune,
-            logarithmic: false,
-            kind: number(0.0, 6.0, 0.1, 1.6),
-        },
-        Parameter {
-            key: Key::Courses,
-            name: "courses",
-            label: "Courses",
-            help: "The lines that rivers follow: smooth, or the tree's own steps with every sharp turn.",
-            unit: "",
-            group: "Rivers",
-            stage: Shape,
-            logarithmic: false,
-            kind: choice::<CourseShape>(),
-        },
-        Parameter {
-            key: Key::Simplify,
-            name: "simplify",
-            label: "Simplify",
-            help: "Share of each course's points to remove, the least important first. Confluences stay.",
-            unit: "%",
-            group: "Rivers",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 95.0, 1.0, 35.0),
-        },
-        Parameter {
-            key: Key::Width,
-            name: "width",
-            label: "Width",
-            help: "Width of a river that would drain the whole map. Other widths follow the square root of discharge.",
-            unit: "units",
-            group: "Rivers",
-            stage: Shape,
-            logarithmic: true,
-            kind: number(1.0, 40.0, 0.5, 16.0),
-        },
-        Parameter {
-            key: Key::BankVariation,
-            name: "bank-variation",
-            label: "Uneven banks",
-            help: "Variation of the width along a river, as a share of the width. The two banks vary independently.",
-            unit: "",
-            group: "Rivers",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 0.5, 0.01, 0.15),
-        },
-        Parameter {
-            key: Key::Meander,
-            name: "meander",
-            label: "Meanders",
-            help: "Model of meandering: each bend moves by its own curvature, by the curvature upstream as well, or not at all.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: choice::<MeanderModel>(),
-        },
-        Parameter {
-            key: Key::MeanderRounds,
-            name: "meander-rounds",
-            label: "Meander time",
-            help: "Duration of meandering. Bends grow, necks are cut off, and oxbow lakes stay behind.",
-            unit: "rounds",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 400, default: 18 },
-        },
-        Parameter {
-            key: Key::MeanderStrength,
-            name: "meander-strength",
-            label: "Strength",
-            help: "Distance that bends move in each round.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.6),
-        },
-        Parameter {
-            key: Key::MeanderMix,
-            name: "meander-mix",
-            label: "Outward or downstream",
-            help: "Direction in which bends move: 1 is outward only, 0 is downstream only.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.6),
-        },
-        Parameter {
-            key: Key::MeanderElsewhere,
-            name: "meander-elsewhere",
-            label: "Meandering of other rivers",
-            help: "Amount of meandering of all other rivers, which varies from place to place.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.3),
-        },
-        Parameter {
-            key: Key::GreatRivers,
-            name: "great-rivers",
-            label: "Great rivers",
-            help: "Number of rivers that meander fully where they are flat.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 16, default: 3 },
-        },
-        Parameter {
-            key: Key::FlatShare,
-            name: "flat-share",
-            label: "Flat share",
-            help: "Share of all river length that counts as flat, the flattest first. The great rivers meander fully there.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.2),
-        },
-        Parameter {
-            key: Key::Neck,
-            name: "neck",
-            label: "Neck",
-            help: "Distance between the two limbs of a loop at which the river cuts through.",
-            unit: "widths",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(1.0, 4.0, 0.1, 1.5),
-        },
-        Parameter {
-            key: Key::Oxbows,
-            name: "oxbows",
-            label: "Oxbow lakes",
-            help: "How long oxbow lakes last: 0 leaves none, 1 all that are cut off. Rivers that come back take them.",
-            unit: "",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.5),
-        },
-        Parameter {
-            key: Key::Clearance,
-            name: "clearance",
-            label: "Clearance",
-            help: "Distance that the banks of two rivers keep from each other. Bends that come closer stop moving.",
-            unit: "spacings",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.15),
-        },
-        Parameter {
-            key: Key::Taper,
-            name: "taper",
-            label: "Taper",
-            help: "Distance from sources, mouths and confluences over which meandering sets in.",
-            unit: "widths",
-            group: "Meanders",
-            stage: Shape,
-            logarithmic: false,
-            kind: number(1.0, 20.0, 0.5, 6.0),
-        },
-        Parameter {
-            key: Key::Mountains,
-            name: "mountains",
-            label: "Mountains",
-            help: "Steepness of the land far from the sea. Rivers stay where they are.",
-            unit: "",
-            group: "Relief",
-            stage: Relief,
-            logarithmic: false,
-            kind: number(0.2, 4.0, 0.1, 2.0),
-        },
-        Parameter {
-            key: Key::Plains,
-            name: "plains",
-            label: "Plains",
-            help: "Distance from the coast over which slopes steepen: plains by the sea, mountains behind.",
-            unit: "units",
-            group: "Relief",
-            stage: Relief,
-            logarithmic: false,
-            kind: number(0.0, 400.0, 5.0, 100.0),
-        },
-        Parameter {
-            key: Key::Rills,
-            name: "rills",
-            label: "Rills",
-            help: "How deeply brooks too small to draw carve the hillsides into spurs and valleys.",
-            unit: "",
-            group: "Relief",
-            stage: Relief,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.05, 0.6),
-        },
-        Parameter {
-            key: Key::Shade,
-            name: "shade",
-            label: "Shade",
-            help: "Exaggeration of slopes in shading.",
-            unit: "",
-            group: "Relief",
-            stage: Paint,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.05, 0.45),
-        },
-        Parameter {
-            key: Key::Style,
-            name: "style",
-            label: "Style",
-            help: "Style of the picture. All but ink, skeleton, past-courses and dark show relief, once the rivers are finished.",
-            unit: "",
-            group: "Finish",
-            stage: Paint,
-            logarithmic: false,
-            kind: choice::<Style>(),
-        },
-        Parameter {
-            key: Key::Labels,
-            name: "labels",
-            label: "Labels",
-            help: "Share of the land that names may cover, the greatest rivers first. Labels include spot heights and a grid in survey, a legend in blueprint and a seal in ink wash.",
-            unit: "",
-            group: "Names",
-            stage: Name,
-            logarithmic: false,
-            kind: choice::<Labels>(),
-        },
-        Parameter {
-            key: Key::LabelSize,
-            name: "label-size",
-            label: "Size of letters",
-            help: "Scale of label text. Larger text leaves room for fewer labels.",
-            unit: "",
-            group: "Names",
-            stage: Name,
-            logarithmic: true,
-            kind: number(0.5, 2.0, 0.05, 1.0),
-        },
-        Parameter {
-            key: Key::Language,
-            name: "language",
-            label: "Language",
-            help: "The made-up language of names. 0 is the seed's own; any other number is the same language for all seeds.",
-            unit: "",
-            group: "Names",
-            stage: Name,
-            logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 999, default: 0 },
-        },
-        Parameter {
-            key: Key::Names,
-            name: "names",
-            label: "Own names",
-            help: "Your own names for up to 40 things, such as 12.Silver Water_t.Home.",
-            unit: "",
-            group: "Names",
-            stage: Name,
-            logarithmic: false,
-            kind: Kind::Text { longest: 1200, default: "" },
-        },
-        Parameter {
-            key: Key::Cartouche,
-            name: "cartouche",
-            label: "Cartouche",
-            help: "The map's title and a scale, in a frame, or over a plate: the lengths of the longest rivers, or the profile of the greatest.",
-            unit: "",
-            group: "Names",
-            stage: Name,
-            logarithmic: false,
-            kind: choice::<Cartouche>(),
-        },
-        Parameter {
-            key: Key::Woods,
-            name: "woods",
-            label: "Woods",
-            help: "Share of the land that is wooded. Marshes and rows of trees lie along great rivers. Trees keep clear of rivers and names.",
-            unit: "",
-            group: "Scenery",
-            stage: Name,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.0),
-        },
-        Parameter {
-            key: Key::Hills,
-            name: "hills",
-            label: "Hills",
-            help: "Density of hills on divides and, in styles with relief, of mountains on high land. Shown in the styles ink, dark, past-courses, parchment, ink-wash and basins.",
-            unit: "",
-            group: "Scenery",
-            stage: Name,
-            logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.0),
-        },
-    ])
-};
-
-/// Compiles only if each row stands at the place of its key and has that key's kind.
-const _: () = {
-    let mut row = 0;
-    while row < COUNT {
-        assert!(TABLE[row].key as usize == row, "a row of the table is not at the place of its key");
-        let is_of_its_kind = match TABLE[row].kind {
-            Kind::Text { .. } => matches!(KINDS[row], KeyKind::Text),
-            Kind::Integer { .. } => matches!(KINDS[row], KeyKind::Integer),
-            Kind::Number { .. } => matches!(KINDS[row], KeyKind::Number),
-            Kind::Choice { .. } => matches!(KINDS[row], KeyKind::Choice),
-            Kind::Sides { .. } => matches!(KINDS[row], KeyKind::Sides),
-            Kind::Outline => matches!(KINDS[row], KeyKind::Outline),
-        };
-        assert!(is_of_its_kind, "a key is of another kind than its row of the table");
-        row += 1;
+    "Growth" {
+        /// Growth method: water drains the land, attractors pull rivers (space colonization), or wandering particles
+        /// form a Brownian tree.
+        Growth = "growth", "Growth": Grow, Choice(GrowthMethod);
+        /// Smallest step of a Brownian tree: about the distance between neighbouring streams.
+        Sensitivity = "sensitivity", "Sensitivity": Grow, Integer(8 to 64, default 16, logarithmic), in "units";
+        /// Number of attractors; with drainage, of parcels on land, if the sea is as it suits the land. More make a
+        /// finer network.
+        Attractors = "attractors", "Attractors": Grow, Integer(100 to 1_000_000, default 20_000, logarithmic);
+        /// Placement of attractors: at random, or one in each cell of a grid, which makes an even network.
+        Scatter = "scatter", "Scatter": Grow, Choice(Scatter);
+        /// Distance from which attractors pull. Small: winding rivers. Large: straight ones.
+        Reach = "reach", "Reach": Grow, Number(2.1 to 12.0 by 0.05, default 2.3, logarithmic), in "spacings";
+        /// Attractors are removed once a river comes this close. Smaller values make many short streams.
+        Kill = "kill", "Kill distance": Grow, Number(0.5 to 1.4 by 0.05, default 1.1), in "spacings";
+        /// Length by which a river grows in one tick.
+        Step = "step", "Step": Grow, Number(0.2 to 1.2 by 0.01, default 0.38), in "spacings";
     }
-};
-
-/// The rows, without the words that only a page of controls shows where there is none.
-const fn explained(mut rows: [Parameter; COUNT]) -> [Parameter; COUNT] {
-    let mut row = 0;
-    while row < COUNT {
-        if !cfg!(feature = "texts") {
-            (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
-        }
-        row += 1;
+    "Bends" {
+        /// Exaggerates each turn by subtracting this share of the previous direction. Rivers zigzag from 0.5 on.
+        Momentum = "momentum", "Momentum": Grow, Number(0.0 to 0.9 by 0.01, default 0.0);
+        /// Maximum random turn of each step. The side alternates every 'stretch' nodes; with valleys it is random, from
+        /// place to place.
+        Curl = "curl", "Curl": Grow, Number(0.0 to 2.0 by 0.01, default 0.7), in "radians";
+        /// Number of nodes for which a river curls to one side before it turns to the other; with valleys, how large
+        /// the places are that have a side of their own.
+        Stretch = "stretch", "Stretch": Grow, Integer(1 to 64, default 8, logarithmic), in "nodes";
     }
-    rows
+    "Drainage" {
+        /// Influence of deep valleys on where water goes: 0 for calm, map-like networks, 1 for wild ones. At 0, space
+        /// colonization is as in the paper.
+        Valleys = "valleys", "Valleys": Grow, Number(0.0 to 1.0 by 0.01, default 0.2);
+        /// Approximate distance between large valleys.
+        ValleySpacing = "valley-spacing", "Distance between valleys": Grow, Number(4.0 to 60.0 by 0.5, default 32.0, logarithmic),
+            in "spacings";
+        /// Rate at which rivers flatten downstream. The flatter large rivers are, the more water they draw.
+        Concavity = "concavity", "Concavity": Grow, Number(0.2 to 0.8 by 0.01, default 0.5);
+        /// Number of rounds in which streams capture one another before they settle.
+        Captures = "captures", "Rounds of capture": Grow, Integer(0 to 24, default 5), in "rounds";
+        /// Contrast between hard and soft ground. Rivers avoid hard ground.
+        Hardness = "hardness", "Hardness": Grow, Number(0.0 to 1.5 by 0.01, default 0.4);
+        /// Approximate distance between areas of hard ground.
+        HardnessScale = "hardness-scale", "Size of hard ground": Grow, Number(8.0 to 60.0 by 0.5, default 36.0, logarithmic),
+            in "spacings";
+        /// Distance by which the country is bent, and rivers with it.
+        Bending = "bending", "Bending": Grow, Number(0.0 to 4.0 by 0.05, default 2.2), in "spacings";
+        /// Variation of the bending from place to place: 0 for the same everywhere, higher for straight reaches beside
+        /// wild bends.
+        BendingVariation = "bending-variation", "Uneven bending": Grow, Number(0.0 to 2.0 by 0.05, default 1.0);
+        /// Pattern of drainage: the lie of beds, joints and slopes that rivers follow.
+        Pattern = "pattern", "Pattern": Grow, Choice(Pattern);
+        /// Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: automatic
+        /// (from the seed).
+        Strike = "strike", "Strike": Grow, Integer(0 to 180, default 0), in "degrees";
+        /// Place of the high or low ground that rivers run from, around or to, as a share of the map's width. 0:
+        /// automatic (from the seed).
+        CenterX = "center-x", "Centre, from the west": Grow, Integer(0 to 100, default 0), in "%";
+        /// Place of the high or low ground that rivers run from, around or to, as a share of the map's height. 0:
+        /// automatic (from the seed).
+        CenterY = "center-y", "Centre, from the north": Grow, Integer(0 to 100, default 0), in "%";
+        /// Pull of the land's general slope, most of it toward the sea. High values draw rivers side by side and narrow
+        /// the angles at which they join.
+        Fall = "fall", "Fall": Grow, Number(0.0 to 2.0 by 0.05, default 0.35);
+        /// Number of parcels that must drain before a river begins. Smaller areas make a denser network.
+        ChannelArea = "channel-area", "Channel area": Prune, Integer(1 to 60, default 3, logarithmic), in "parcels";
+        /// Variation of the channel area from place to place: dense streams here, few there.
+        HeadVariation = "head-variation", "Uneven channel heads": Prune, Number(0.0 to 1.0 by 0.05, default 0.5);
+    }
+    "Finish" {
+        /// Side branches shorter than this are removed. The longest branch of every fork stays.
+        Trim = "trim", "Trim": Prune, Number(0.0 to 400.0 by 1.0, default 18.0), in "units";
+        /// Variation of the length below which side branches are removed, from branch to branch.
+        TrimVariation = "trim-variation", "Uneven trim": Prune, Number(0.0 to 1.0 by 0.05, default 0.3);
+        /// Tributaries that join closer to a greater one are removed, and those that run close beside another river. 0:
+        /// none.
+        TributarySpacing = "tributary-spacing", "Distance between tributaries": Prune,
+            Number(0.0 to 6.0 by 0.1, default 1.6), in "spacings";
+    }
+    "Rivers" {
+        /// The lines that rivers follow: smooth, or the tree's own steps with every sharp turn.
+        Courses = "courses", "Courses": Shape, Choice(CourseShape);
+        /// Share of each course's points to remove, the least important first. Confluences stay.
+        Simplify = "simplify", "Simplify": Shape, Number(0.0 to 95.0 by 1.0, default 35.0), in "%";
+        /// Width of a river that would drain the whole map. Other widths follow the square root of discharge.
+        Width = "width", "Width": Shape, Number(1.0 to 40.0 by 0.5, default 16.0, logarithmic), in "units";
+        /// Variation of the width along a river, as a share of the width. The two banks vary independently.
+        BankVariation = "bank-variation", "Uneven banks": Shape, Number(0.0 to 0.5 by 0.01, default 0.15);
+    }
+    "Meanders" {
+        /// Model of meandering: each bend moves by its own curvature, by the curvature upstream as well, or not at all.
+        Meander = "meander", "Meanders": Shape, Choice(MeanderModel);
+        /// Duration of meandering. Bends grow, necks are cut off, and oxbow lakes stay behind.
+        MeanderRounds = "meander-rounds", "Meander time": Shape, Integer(0 to 400, default 18), in "rounds";
+        /// Distance that bends move in each round.
+        MeanderStrength = "meander-strength", "Strength": Shape, Number(0.0 to 1.0 by 0.01, default 0.6);
+        /// Direction in which bends move: 1 is outward only, 0 is downstream only.
+        MeanderMix = "meander-mix", "Outward or downstream": Shape, Number(0.0 to 1.0 by 0.01, default 0.6);
+        /// Amount of meandering of all other rivers, which varies from place to place.
+        MeanderElsewhere = "meander-elsewhere", "Meandering of other rivers":
+            Shape, Number(0.0 to 1.0 by 0.01, default 0.3);
+        /// Number of rivers that meander fully where they are flat.
+        GreatRivers = "great-rivers", "Great rivers": Shape, Integer(0 to 16, default 3);
+        /// Share of all river length that counts as flat, the flattest first. The great rivers meander fully there.
+        FlatShare = "flat-share", "Flat share": Shape, Number(0.0 to 1.0 by 0.01, default 0.2);
+        /// Distance between the two limbs of a loop at which the river cuts through.
+        Neck = "neck", "Neck": Shape, Number(1.0 to 4.0 by 0.1, default 1.5), in "widths";
+        /// How long oxbow lakes last: 0 leaves none, 1 all that are cut off. Rivers that come back take them.
+        Oxbows = "oxbows", "Oxbow lakes": Shape, Number(0.0 to 1.0 by 0.01, default 0.5);
+        /// Distance that the banks of two rivers keep from each other. Bends that come closer stop moving.
+        Clearance = "clearance", "Clearance": Shape, Number(0.0 to 1.0 by 0.01, default 0.15), in "spacings";
+        /// Distance from sources, mouths and confluences over which meandering sets in.
+        Taper = "taper", "Taper": Shape, Number(1.0 to 20.0 by 0.5, default 6.0), in "widths";
+    }
+    "Relief" {
+        /// Steepness of the land far from the sea. Rivers stay where they are.
+        Mountains = "mountains", "Mountains": Relief, Number(0.2 to 4.0 by 0.1, default 2.0);
+        /// Distance from the coast over which slopes steepen: plains by the sea, mountains behind.
+        Plains = "plains", "Plains": Relief, Number(0.0 to 400.0 by 5.0, default 100.0), in "units";
+        /// How deeply brooks too small to draw carve the hillsides into spurs and valleys.
+        Rills = "rills", "Rills": Relief, Number(0.0 to 1.0 by 0.05, default 0.6);
+        /// Exaggeration of slopes in shading.
+        Shade = "shade", "Shade": Paint, Number(0.0 to 1.0 by 0.05, default 0.45);
+    }
+    "Finish" {
+        /// Style of the picture.
+        Style = "style", "Style": Paint, Choice(Style), with style::RELIEF;
+    }
+    "Names" {
+        /// Share of the land that names may cover, the greatest rivers first.
+        Labels = "labels", "Labels": Name, Choice(Labels), with style::MARKS;
+        /// Scale of label text. Larger text leaves room for fewer labels.
+        LabelSize = "label-size", "Size of letters": Name, Number(0.5 to 2.0 by 0.05, default 1.0, logarithmic);
+        /// The made-up language of names. 0 is the seed's own; any other number is the same language for all seeds.
+        Language = "language", "Language": Name, Integer(0 to 999, default 0);
+        /// Your own names for up to 40 things, such as 12.Silver Water_t.Home.
+        Names = "names", "Own names": Name, Text(to 1200, default "");
+        /// The map's title and a scale, in a frame, or over a plate: the lengths of the longest rivers, or the profile
+        /// of the greatest.
+        Cartouche = "cartouche", "Cartouche": Name, Choice(Cartouche);
+    }
+    "Scenery" {
+        /// Share of the land that is wooded. Marshes and rows of trees lie along great rivers. Trees keep clear of
+        /// rivers and names.
+        Woods = "woods", "Woods": Name, Number(0.0 to 1.0 by 0.01, default 0.0);
+        /// Density of hills on divides and, in styles with relief, of mountains on high land.
+        Hills = "hills", "Hills": Name, Number(0.0 to 1.0 by 0.01, default 0.0), with style::HILLS;
+    }
 }
 
 impl Key {
-    /// The row of this key.
+    /// Returns the row of this key.
     pub fn parameter(self) -> &'static Parameter {
         &TABLE[self as usize]
     }

@@ -34,7 +34,7 @@ impl Decimal {
     /// The largest number; larger ones are read as this one. All ranges lie far below it.
     const HUGE: i64 = 1_000_000_000_000_000;
 
-    /// The nearest decimal to a number, for constants.
+    /// Rounds a number to the nearest decimal, for constants.
     pub const fn new(number: f64) -> Self {
         Self { ten_thousandths: (number * Self::ONE as f64 + 0.5) as i64 }
     }
@@ -124,7 +124,7 @@ impl Sides {
         Self::INITIALS.find(initial).is_some_and(|i| self.0 & 1 << i != 0)
     }
 
-    /// All fifteen sets.
+    /// Lists all fifteen sets of sides.
     pub fn all() -> impl Iterator<Item = Self> {
         (1..16).map(Self)
     }

@@ -28,6 +28,11 @@ pub fn finished(link: &str, over: &str) -> Session {
     session
 }
 
+/// Returns the words of all styles of a kind.
+pub fn styles(is_one: impl Fn(Style) -> bool) -> Vec<&'static str> {
+    Style::ALL.iter().filter(|&&style| is_one(style)).map(|style| style.word().name).collect()
+}
+
 /// Outlines of random lines, most of which cross themselves and each other; some are empty or have only rivers.
 pub fn random_outline() -> impl Strategy<Value = String> {
     let lines =

@@ -59,7 +59,7 @@ pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
 mod tests {
     use super::*;
     use crate::recipe::Choice;
-    use crate::recipe::choice::Shown;
+    use crate::recipe::Shown;
 
     #[test]
     fn styles_show_what_they_have_colours_for_and_no_more() {
