@@ -29,7 +29,7 @@ impl GroundWithBeds {
     /// more to lay. Between two calls, only rounds of meandering may have changed the rivers.
     pub fn advance(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) -> bool {
         let Some(mask) = Coverage::new(view.width, view.height) else { return false };
-        let mut drawing = Drawing { view, courses: rivers.courses, mask, ground };
+        let mut drawing = Drawing { view, courses: rivers.settings.courses, mask, ground };
         if self.settled.is_empty() {
             self.settled = ground.to_vec();
         }
@@ -61,20 +61,20 @@ impl Beds {
     /// The width of the line around a flood plain, in units.
     pub const BLUFF: f32 = 0.7;
 
-    /// Half the width of a bed at a place of its river, including a line beside it, in units. Beside a brook the line
-    /// is thinner.
+    /// Returns half the width of a bed at a place of its river, including a line beside it, in units. Beside a brook
+    /// the line is thinner.
     pub fn half(place: &Place, line: f32) -> f32 {
         const WIDE: f32 = 5.0;
         place.half + line * (place.half / WIDE).min(1.0)
     }
 
-    /// The colour of a band.
+    /// Returns the colour of a band.
     pub fn colour(&self, band: usize) -> Colour {
         self.colours[band % self.colours.len()]
     }
 }
 
-/// The rivers that stand out: the great ones or, if none meanders, those of the highest order.
+/// Returns the rivers that stand out: the great ones or, if none meanders, those of the highest order.
 pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<PastCourse> {
     let is_great = is_great(network, past);
     let great = (0..).zip(&network.rivers).filter(|(id, river)| is_great(*id, river.order));
@@ -106,8 +106,8 @@ impl Drawing<'_> {
         self.draw(round.beds(), 0.0, look.colour(band), 1.0, pixels);
     }
 
-    /// The strength of lines beside beds. In a small picture they would lie side by side and hide the bands, so they are
-    /// fainter.
+    /// Returns the strength of lines beside beds. In a small picture they would lie side by side and hide the bands, so
+    /// they are fainter.
     fn crisp(&self) -> f32 {
         (1.4 * Beds::LINE * self.view.scale).min(1.0)
     }

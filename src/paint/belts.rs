@@ -85,7 +85,7 @@ impl Axis {
         (even.len() > 3).then_some(Self(even))
     }
 
-    /// The place so many steps along, and the way across.
+    /// Returns the place so many steps along the axis, and the way across.
     fn at(&self, steps: f32) -> (Place, Vec2) {
         let last = self.0.len() - 1;
         let i = (steps.max(0.0) as usize).min(last - 1);
@@ -94,7 +94,7 @@ impl Axis {
         (between(self.0[i], self.0[i + 1], share), across(i).lerp(across(i + 1), share))
     }
 
-    /// The plain: the axis as wide as loops reach, from a point at its head.
+    /// Returns the plain: the axis as wide as loops reach, from a point at its head.
     fn plain(&self) -> Vec<Place> {
         const HEAD: f32 = 0.125;
         let place = |(i, place): (usize, &Place)| {
@@ -104,7 +104,7 @@ impl Axis {
         self.0.iter().enumerate().map(place).collect()
     }
 
-    /// A scar: loops to both sides in turn, grown to a share. `chance` gives each loop its random numbers.
+    /// Makes a scar: loops to both sides in turn, grown to a share. `chance` gives each loop its random numbers.
     fn scar(&self, chance: &dyn Fn(u32, u32) -> f32, grown: f32, belt: u32) -> Vec<Place> {
         /// Points of a loop, its length in widths of the river, and its direction where it begins, in radians.
         const POINTS: u8 = 6;
@@ -138,8 +138,8 @@ impl Axis {
     }
 }
 
-/// The points of a loop that begins and ends on its axis, as shares of the way along: along and off it. Its direction
-/// turns from an angle to the opposite one as a cosine does.
+/// Returns the points of a loop that begins and ends on its axis, as shares of the way along: along and off it. Its
+/// direction turns from an angle to the opposite one as a cosine does.
 fn arc(angle: f32, points: u8) -> Vec<[f32; 2]> {
     let mut at = Vec2::ZERO;
     let mut line = vec![at];
@@ -165,7 +165,7 @@ mod tests {
 
     const HALF: f32 = 2.0;
 
-    /// The belts of a river 600 units long, meandering or not.
+    /// Makes the belts of a river 600 units long, meandering or not.
     fn belts(meanders: bool) -> Belts {
         let river = River { start: 0, end: 0, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 7 };
         let network = Network { rivers: vec![river], ..Network::default() };

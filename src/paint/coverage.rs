@@ -22,8 +22,8 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// The pixels of a picture between two corners; `None` if there are none. The first corner has the lower
-    /// coordinates.
+    /// Returns the rectangle of the pixels between two corners of a picture; `None` if there are none. The first corner
+    /// has the lower coordinates.
     pub(super) fn between([least, most]: [Vec2; 2], width: u32, height: u32) -> Option<Self> {
         // A conversion turns negative numbers into 0.
         let clamp = |x: f32, end: u32| (x as u32).min(end);
@@ -36,7 +36,7 @@ impl Rect {
         (rect.left < rect.right && rect.top < rect.bottom).then_some(rect)
     }
 
-    /// The smallest rectangle around two.
+    /// Returns the smallest rectangle around two.
     pub fn union(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -76,7 +76,7 @@ impl Coverage {
         Some(Self { mask, touched: Touched { columns, tiles }, strength: 1.0 })
     }
 
-    /// The mask.
+    /// Returns the mask.
     pub fn mask(&self) -> &Mask {
         &self.mask
     }
@@ -144,7 +144,7 @@ impl Coverage {
         self.touched.tiles.fill(true);
     }
 
-    /// The rectangle of the whole mask.
+    /// Returns the rectangle of the whole mask.
     pub fn bounds(&self) -> Rect {
         Rect { left: 0, top: 0, right: self.mask.width(), bottom: self.mask.height() }
     }
@@ -222,12 +222,12 @@ impl Iterator for Covered<'_> {
 
 const HALF: f32 = 0.5;
 
-/// The distance from its middle line at which a stroke of a radius ends.
+/// Returns the distance from its middle line at which a stroke of a radius ends.
 fn rim(radius: f32) -> f32 {
     larger(radius, HALF) + HALF
 }
 
-/// The greater of two numbers. `f32::max` also handles NaN and compiles to several jumps in wasm.
+/// Returns the greater of two numbers. `f32::max` also handles NaN and compiles to several jumps in wasm.
 fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
@@ -288,8 +288,8 @@ impl Stroke {
         }
     }
 
-    /// For four pixels at (dx, dy) from `a`, the position of the nearest point on the middle line, from 0 at `a` to 1
-    /// at `b`, and the squared distance to it.
+    /// Returns for four pixels at (dx, dy) from `a` the position of the nearest point on the middle line, from 0 at `a`
+    /// to 1 at `b`, and the squared distance to it.
     #[inline]
     fn nearest(&self, dx: f32x4, dy: f32x4) -> (f32x4, f32x4) {
         let t = (dx * self.along_x + dy * self.along_y) * self.per_squared_length;
@@ -298,7 +298,7 @@ impl Stroke {
         (t, off_x * off_x + off_y * off_y)
     }
 
-    /// The coverage in 255ths.
+    /// Computes the coverage of four pixels in 255ths.
     #[inline]
     fn coverage(&self, t: f32x4, distance: f32x4) -> f32x4 {
         // Two products instead of a + (b − a)·t, so that the result cannot fall when a radius grows.

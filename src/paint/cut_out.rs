@@ -67,7 +67,8 @@ fn opaque_part([red, green, blue, _]: [u8; 4]) -> Colour {
     [red, green, blue]
 }
 
-/// The coverage of a pixel by ink, in 255ths: the position of its colour between that of the paper and that of the ink.
+/// Returns the coverage of a pixel by ink, in 255ths: the position of its colour between that of the paper and that of
+/// the ink.
 fn covered(pixel: Colour, paper: Colour, ink: Colour) -> u8 {
     let (mut way, mut whole) = (0.0, 0.0);
     for i in 0..3 {

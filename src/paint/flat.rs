@@ -42,12 +42,12 @@ impl FlatGround {
         Self { style, is_even, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
-    /// The pixels; `None` if everything is plain land.
+    /// Returns the pixels; `None` if everything is plain land.
     pub fn pixels(&self) -> Option<&[[u8; 4]]> {
         self.pixels.as_deref()
     }
 
-    /// The end of a land that runs off the map, if it is seen.
+    /// Returns the end of a land that runs off the map, if it is seen.
     pub fn neatline(&self) -> Option<Neatline> {
         self.neatline
     }
@@ -86,7 +86,7 @@ impl FlatGround {
     }
 }
 
-/// The colour of plain land.
+/// Returns the colour of plain land.
 pub(super) fn plain(palette: &Palette) -> [u8; 4] {
     let [r, g, b] = palette.plain;
     [r, g, b, 255]

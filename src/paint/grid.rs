@@ -20,7 +20,7 @@ pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     lay_mask(mask.mask().data(), grid.colour, &|_| grid.strength, pixels);
 }
 
-/// The lines of a grid between the two corners of a frame, in units.
+/// Returns the lines of a grid between the two corners of a frame, in units.
 pub(crate) fn lines(grid: &Grid, [first, last]: [Vec2; 2]) -> Vec<[Vec2; 2]> {
     let mut lines = Vec::new();
     for axis in [Vec2::X, Vec2::Y] {

@@ -13,8 +13,8 @@ use crate::land::{Across, CoastDetail, Land, Parabola, REACH, SmoothedDistance};
 pub(crate) const RING_WIDTH: f32 = 1.1;
 pub(crate) const COAST_WIDTH: f32 = 1.8;
 
-/// The share of these widths that lines have with so many pixels to a unit: in print they would be as thick as a marker pen's, so they
-/// grow with the root of the size.
+/// Returns the share of their full width that lines have with so many pixels to a unit: in print they would be as thick as
+/// a marker pen's, so they grow with the root of the size.
 pub(super) fn thinned(scale: f32) -> f32 {
     /// A picture of some 2,000 pixels.
     const FULL: f32 = 1.65;
@@ -33,19 +33,20 @@ pub(super) struct ShownCoast<'a> {
 /// 0 at sea over this value to 255 on land.
 const ON_COAST: u8 = 127;
 
-/// The share of land in a pixel of a ground, given its fourth channel, in 255ths. The line of the coast is land.
+/// Returns the share of land in a pixel of a ground, given its fourth channel, in 255ths. The line of the coast is
+/// land.
 #[inline]
 pub(super) fn land_share(ashore: u8) -> u8 {
     ashore.min(ON_COAST) * 2 + ashore.min(1)
 }
 
-/// The visibility of rivers in a pixel of a ground, given its fourth channel, in 255ths.
+/// Returns the visibility of rivers in a pixel of a ground, given its fourth channel, in 255ths.
 #[inline]
 pub(super) fn river_share(ashore: u8) -> u8 {
     ashore.saturating_sub(ON_COAST).saturating_mul(2)
 }
 
-/// The fourth channel after something has covered a part of the pixel that hides rivers, in 255ths.
+/// Returns the fourth channel after something has covered a part of the pixel that hides rivers, in 255ths.
 pub(super) fn without_rivers(ashore: u8, covered: u8) -> u8 {
     ashore - (u32::from(ashore.saturating_sub(ON_COAST)) * u32::from(covered) / 255) as u8
 }
@@ -121,7 +122,7 @@ struct Stretch {
     first: f32,
 }
 
-/// The stretches that make up a row.
+/// Returns the stretches that make up a row.
 fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
     let (width, mut start) = (view.width as usize, 0);
     let mut stretches = Vec::new();
@@ -196,7 +197,7 @@ impl Shades {
         }
     }
 
-    /// The spans of all rows nearest to one row of corners.
+    /// Returns the spans of all rows nearest to one row of corners.
     fn spans(&self, stretches: &[Stretch], shown: ShownCoast<'_>, row: usize) -> Vec<Span> {
         let mut spans = Vec::new();
         for stretch in stretches {
@@ -212,7 +213,7 @@ impl Shades {
         spans
     }
 
-    /// The area between two heights, on a coast with or without detail.
+    /// Returns the area between two heights, on a coast with or without detail.
     fn holds(&self, least: f32, most: f32, has_detail: bool) -> Holds {
         if has_detail && least < REACH && most > -REACH {
             return Holds::Detail;
@@ -269,15 +270,15 @@ impl Shades {
         }));
     }
 
-    /// The height of a line, coast or ring, close to a range of heights.
+    /// Returns the height of a line, coast or ring, close to a range of heights.
     fn line_near(&self, least: f32, most: f32) -> Option<f32> {
         let rings = self.rings.iter().map(|ring| -ring.0);
         std::iter::once(0.0).chain(rings).find(|line| least - self.margin < *line && *line < most + self.margin)
     }
 
-    /// The distance from a line, given the difference in height. The two differ where the surface is flatter than a
-    /// distance field should be, as between two coasts; lines would be too wide there. (`clamp` could panic, and would
-    /// bring the code that prints floats into the page.)
+    /// Returns the distance from a line, given the difference in height. The two differ where the surface is flatter
+    /// than a distance field should be, as between two coasts; lines would be too wide there. (`clamp` could panic, and
+    /// would bring the code that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
         (higher * self.spacing / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
@@ -288,7 +289,7 @@ impl Shades {
         self.colours[index.min(self.colours.len() - 1)]
     }
 
-    /// The colour of all heights between two, if they have the same.
+    /// Returns the colour of all heights between two, if they have one.
     fn even(&self, least: f32, most: f32) -> Option<[u8; 4]> {
         if least >= self.end {
             return self.colours.last().copied();
@@ -303,7 +304,7 @@ const TINTED: f32 = 150.0;
 /// mountains.
 const TINTED_METRES: f32 = 560.0;
 
-/// The colour at a distance from the coast, in units and positive on land, and the fourth channel there.
+/// Returns the colour at a distance from the coast, in units and positive on land, and the fourth channel there.
 fn shore(scale: f32, (palette, tints): (&Palette, Option<&Tints>), distance: f32) -> [u8; 4] {
     let [coast_width, ring_width] = [COAST_WIDTH, RING_WIDTH].map(|width| width * thinned(scale));
     let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
@@ -322,18 +323,18 @@ fn shore(scale: f32, (palette, tints): (&Palette, Option<&Tints>), distance: f32
     [r, g, b, (inside(distance + coast_width * 0.5) * coast + seen * rest + 0.5) as u8]
 }
 
-/// The share of the farther colour, given the share of the way over which it sets in. It ends without an edge.
+/// Returns the share of the farther colour, given the share of the way over which it sets in. It ends without an edge.
 fn faded(way: f32) -> f32 {
     let rest = 1.0 - way.min(1.0);
     1.0 - rest * rest
 }
 
-/// The share of the way at which the farther colour has this share: the inverse of `faded`.
+/// Returns the share of the way at which the farther colour has this share: the inverse of `faded`.
 pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()
 }
 
-/// The coverage of a pixel by a line, given its distance from the line and the line's width in units.
+/// Returns the coverage of a pixel by a line, given its distance from the line and the line's width in units.
 fn line(scale: f32, distance: f32, width: f32) -> f32 {
     let half_width_px = width * scale * 0.5 + 0.25;
     (half_width_px + 0.5 - distance.abs() * scale).clamp(0.0, 1.0) * (half_width_px * 2.0).min(1.0)

@@ -8,7 +8,7 @@ use super::flat::FlatGround;
 use super::ground::ShownCoast;
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
-use super::rivers::{Exaggerated, Rivers};
+use super::rivers::Rivers;
 use super::styles::palette;
 use super::view::View;
 use crate::land::{CoastDetail, Land, SmoothedDistance};
@@ -39,8 +39,8 @@ impl GroundCache {
     /// their ingredients; and where the detail of a coast is free to move.
     pub const BYTES: usize = 10_000_000;
 
-    /// The pixels, and the number of the river colour in each, which is empty if rivers have only one colour. `None`
-    /// for plain land.
+    /// Returns the pixels, and the number of the river colour in each, which is empty if rivers have only one colour.
+    /// `None` for plain land.
     pub fn pixels(&self, style: Style) -> Option<(&[[u8; 4]], &[u8])> {
         if let Some(raised) = &self.raised {
             let has_numbers = palette(style).relief.is_some_and(|look| look.basins.is_some());
@@ -51,17 +51,17 @@ impl GroundCache {
         beds.or_else(|| self.flat.as_ref()?.pixels()).map(|pixels| (pixels, &[][..]))
     }
 
-    /// The distances from the coast; `None` if there is no sea.
+    /// Returns the distances from the coast; `None` if there is no sea.
     pub fn shown(&self) -> Option<&SmoothedDistance> {
         self.shown.as_ref()
     }
 
-    /// The ground without relief, whose fourth channel says what is land; `None` if everything is plain land.
+    /// Returns the ground without relief, whose fourth channel says what is land; `None` if everything is plain land.
     pub fn flat_pixels(&self) -> Option<&[[u8; 4]]> {
         self.flat.as_ref()?.pixels()
     }
 
-    /// The painted share, from 0 to 1, for a style with or without relief.
+    /// Returns the painted share, from 0 to 1, for a style with or without relief.
     pub fn progress(&self, view: &View, has_relief: bool) -> f32 {
         let share = |painted: usize| painted as f32 / view.pixels() as f32;
         let flat = self.flat.as_ref().map_or(0.0, |flat| flat.pixels().map_or(1.0, |pixels| share(pixels.len())));
@@ -78,11 +78,11 @@ impl GroundCache {
         self.raised.is_some()
     }
 
-    /// Returns `true` if it shows this relief, or for `None`, if it shows none.
-    pub fn shows(&self, relief: Option<Exaggerated<'_>>) -> bool {
-        match (&self.raised, relief) {
+    /// Returns `true` if it completely shows the relief of these rivers, or none if they have none.
+    pub fn shows(&self, rivers: &Rivers<'_>) -> bool {
+        match (&self.raised, rivers.relief) {
             (None, None) => true,
-            (Some(raised), Some(relief)) => raised.shows(relief),
+            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.settings.light),
             (None, Some(_)) | (Some(_), None) => false,
         }
     }
@@ -115,7 +115,7 @@ impl GroundCache {
     /// Makes a part of the ground, if any is missing. Returns `true` if there is more.
     pub fn advance(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         self.detail_coast(view, rivers);
-        self.advance_flat(view, rivers.land, (rivers.style, rivers.relief.is_some()))
+        self.advance_flat(view, rivers.land, (rivers.settings.style, rivers.relief.is_some()))
             || self.advance_relief(view, rivers)
             || self.advance_beds(view, rivers)
     }
@@ -127,12 +127,13 @@ impl GroundCache {
         }
         let line = |river| rivers.network.middle(river).iter().map(|place| (place.at, place.half)).collect();
         let lines = rivers.network.rivers.iter().map(line);
-        let coast = rivers.land.zip(rivers.coast);
-        let detail = coast.and_then(|(land, coast)| CoastDetail::of(land, view.domain(), coast, view.scale, lines));
+        let land = rivers.land.filter(|_| rivers.finished);
+        let detail =
+            land.and_then(|land| CoastDetail::of(land, view.domain(), rivers.settings.coast, view.scale, lines));
         if detail.is_some() {
             (self.flat, self.shares, self.raised) = (None, None, None);
         }
-        self.detail = rivers.coast.map(|_| detail);
+        self.detail = rivers.finished.then_some(detail);
     }
 
     /// Drops the detail of the coast, and what is painted with it.
@@ -163,7 +164,7 @@ impl GroundCache {
 
     /// Paints the relief, with casings along the rivers, or removes it.
     fn advance_relief(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
-        let (Some(relief), Some(look)) = (rivers.relief, palette(rivers.style).relief) else {
+        let (Some(relief), Some(look)) = (rivers.relief, palette(rivers.settings.style).relief) else {
             self.raised = None;
             return false;
         };
@@ -172,12 +173,13 @@ impl GroundCache {
         if shares.advance(view, shown) {
             return true;
         }
-        self.prepared.take_if(|prepared| !prepared.is_of(relief.0));
-        let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief.0));
-        if prepared.prepare(look, relief.1, rivers.network, view) {
+        let light = rivers.settings.light;
+        self.prepared.take_if(|prepared| !prepared.is_of(relief));
+        let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief));
+        if prepared.prepare(look, light, rivers.network, view) {
             return true;
         }
-        self.raised.take_if(|raised| !raised.is_of(relief));
+        self.raised.take_if(|raised| !raised.is_of(relief, light));
         let Some(raised) = &mut self.raised else {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();
@@ -188,12 +190,12 @@ impl GroundCache {
     /// Lays great rivers and their former beds over flat ground, if the style has any.
     fn advance_beds(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         let flat = self.flat.as_ref().and_then(FlatGround::pixels);
-        let Some((look, flat)) = palette(rivers.style).beds.zip(flat) else { return false };
+        let Some((look, flat)) = palette(rivers.settings.style).beds.zip(flat) else { return false };
         self.beds.get_or_insert_default().advance(look, view, rivers, flat)
     }
 }
 
-/// The coast as it is shown; `None` if there is no sea.
+/// Returns the coast as it is shown; `None` if there is no sea.
 fn shown_coast<'a>(
     smooth: &'a Option<SmoothedDistance>,
     detail: &'a Option<Option<CoastDetail>>,

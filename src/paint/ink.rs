@@ -60,7 +60,7 @@ fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[
     }
 }
 
-/// A river of some coverage over a ground, as far as it shows there.
+/// Returns a river of some coverage over a ground, as far as it shows there.
 #[inline]
 fn river_over(ground: [u8; 4], river: Colour, coverage: u8) -> [u8; 4] {
     let [red, green, blue, ashore] = ground;

@@ -27,30 +27,29 @@ mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
+mod settings;
 mod skeleton;
 mod strokes;
 mod styles;
 mod view;
 
-#[doc(hidden)]
 pub use annotation::masks::{AnnotationMasks, SparseMask};
-#[doc(hidden)]
-pub use coverage::Coverage;
 pub use coverage::Rect;
 pub use painter::Painted;
-#[doc(hidden)]
-pub use painter::{Painter, Progress};
-#[doc(hidden)]
-pub use rivers::Rivers;
-#[doc(hidden)]
-pub use strokes::{Pen, Widths};
-#[doc(hidden)]
 pub use styles::atlas;
 pub use view::{Framing, LONGEST_SIDE, PaintError, View};
+#[doc(hidden)] // Benchmarks draw with these alone.
+pub use {
+    coverage::Coverage,
+    strokes::{Pen, Widths},
+};
 
 pub(crate) use annotation::letters;
 pub(crate) use annotation::scenery::SceneryPainter;
+pub(crate) use painter::{Painter, Progress};
 pub(crate) use palette::Lines;
+pub(crate) use rivers::Rivers;
+pub(crate) use settings::PaintSettings;
 pub(crate) use styles::palette as palette_of;
 pub(crate) use styles::{LabelLook, label_look};
 pub(crate) use styles::{SceneryLook, scenery_look};

@@ -30,7 +30,7 @@ pub(crate) struct Tongue {
     half: f32,
     /// Half the width of the line of the coast, in units.
     half_coast: f32,
-    /// How far it reaches inland from the point of the coast, and how far beyond it, in units.
+    /// The distance to which a tongue reaches inland from the point of the coast, and beyond it, in units.
     pub reach: f32,
     beyond: f32,
     /// `true` if its river gives way to letters.
@@ -38,12 +38,12 @@ pub(crate) struct Tongue {
 }
 
 impl Tongue {
-    /// The point of the coast in it.
+    /// Returns the point of the coast in the tongue.
     pub fn at(&self) -> Vec2 {
         self.line.last().map_or(Vec2::ZERO, |place| place.at)
     }
 
-    /// The share of the sea at a distance from the point of the coast, in reaches.
+    /// Returns the share of the sea at a distance from the point of the coast, in reaches.
     pub fn share(away: f32) -> f32 {
         /// Up to here it is all sea.
         const WHOLE: f32 = 0.25;
@@ -51,13 +51,14 @@ impl Tongue {
         left * left * (3.0 - 2.0 * left)
     }
 
-    /// How far the line of the coast bends into a bank at a place in it, from 0 in its middle to 1 at the sea, in units.
+    /// Returns how far the line of the coast bends into a bank at a place in it, from 0 in its middle to 1 at the sea,
+    /// in units.
     fn aside(&self, across: f32) -> f32 {
         let (radius, way) = (self.half.min(self.half_coast), across.clamp(0.0, 1.0));
         radius * (1.0 - (1.0 - way * way).sqrt())
     }
 
-    /// Its line to the end, with its whole width.
+    /// Returns the line of the tongue to its end, with its whole width.
     pub fn whole_line(&self) -> Vec<Place> {
         const STEPS: u8 = 4;
         let edge = self.along * self.half_coast;
@@ -67,7 +68,7 @@ impl Tongue {
         self.line.iter().copied().chain(opened).chain([end]).collect()
     }
 
-    /// Its line to the end, with the width that it has between the banks.
+    /// Returns the line of the tongue to its end, with the width that it has between the banks.
     fn even_line(&self) -> Vec<Place> {
         let end = Place { at: self.at() + self.along * self.beyond, half: self.half };
         self.line.iter().copied().chain([end]).collect()
@@ -90,7 +91,7 @@ pub(crate) struct Drawn<'a> {
 }
 
 impl Drawn<'_> {
-    /// The tongues in all mouths at a coast.
+    /// Finds the tongues in all mouths at a coast.
     pub fn tongues(&self, network: &Network, shown: &SmoothedDistance) -> Vec<Tongue> {
         if self.palette.lines == Lines::Skeleton {
             return Vec::new();
@@ -105,11 +106,11 @@ impl Drawn<'_> {
         network.mouths().into_iter().filter_map(tongue).collect()
     }
 
-    /// The tongue in the mouth of a river; `None` if that is a brook, or ends elsewhere than at a coast.
+    /// Finds the tongue in the mouth of a river; `None` if that is a brook, or ends elsewhere than at a coast.
     fn tongue(&self, middle: &[Place], is_great: bool, shown: &SmoothedDistance) -> Option<Tongue> {
         /// The farthest of a mouth from the coast that is shown, in units.
         const NEAR: f32 = 2.0;
-        /// How far a tongue reaches beyond the line at least, in units. What lies beyond it is not drawn.
+        /// The least distance to which a tongue reaches beyond the line, in units. What lies beyond it is not drawn.
         const BEYOND: f32 = 0.6;
         /// The reach inland, in units and in widths.
         const REACH: f32 = 1.5;
@@ -142,7 +143,7 @@ impl Drawn<'_> {
         Some(Tongue { line, along, half, half_coast, reach, beyond, gives_way: !is_great })
     }
 
-    /// Half the width of the sea between the banks at a place of a river.
+    /// Returns half the width of the sea between the banks at a place of a river.
     fn half(&self, place: &Place, is_great: bool) -> f32 {
         if is_great {
             return Beds::half(place, 0.0) + self.margin;
@@ -186,7 +187,7 @@ impl TonguePainter<'_> {
         }
     }
 
-    /// The share of the sea in a pixel, given how much of it lies between the banks.
+    /// Returns the share of the sea in a pixel, given how much of it lies between the banks.
     fn share(&self, tongue: &Tongue, i: usize, pixel: Vec2, between: u8) -> u8 {
         let (at, scale) = (self.view.point(pixel), self.view.scale);
         let ashore = off_coast(self.shown, at);
@@ -207,13 +208,13 @@ impl TonguePainter<'_> {
     }
 }
 
-/// The distance of a point from the coast as its line is drawn, in units; negative at sea.
+/// Returns the distance of a point from the coast as its line is drawn, in units; negative at sea.
 fn off_coast(shown: &SmoothedDistance, at: Vec2) -> f32 {
     let (height, rise) = shown.at(at);
     height / rise.length().max(0.01)
 }
 
-/// The pixels around a line, with a margin.
+/// Returns the pixels around a line, with a margin.
 fn around(line: &[Vertex], margin: f32, view: &View) -> Option<Rect> {
     let (mut least, mut most) = (Vec2::splat(f32::MAX), Vec2::splat(f32::MIN));
     for (at, radius) in line {
@@ -244,7 +245,7 @@ mod tests {
     use crate::paint::styles::palette;
     use crate::recipe::Style;
 
-    /// The tongue of a river that runs east through a coast at x = 500.
+    /// Makes the tongue of a river that runs east through a coast at x = 500.
     fn tongue_of(width: f32, end: f32, style: Style) -> Option<Tongue> {
         let domain = Domain::with_aspect(1.0);
         let coast = CoastDistance::of_strait(&domain, Vec2::new(700.0, -50.0), Vec2::new(700.0, 1050.0), 400.0);

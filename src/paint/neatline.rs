@@ -78,12 +78,12 @@ impl Neatline {
     }
 }
 
-/// The pixels of a map that lies in a picture.
+/// Returns the pixels of a map that lies in a picture.
 fn around(view: &View) -> [[i32; 2]; 2] {
     [Vec2::ZERO, view.domain()].map(|corner| view.pixel(corner).round().to_array().map(|at| at as i32))
 }
 
-/// The pixels of a picture within its margin.
+/// Returns the pixels of a picture within its margin.
 fn within(view: &View) -> [[i32; 2]; 2] {
     /// The least margin, in pixels, and the most, as a share of the shorter side.
     const LEAST: f32 = 3.0;
@@ -94,7 +94,8 @@ fn within(view: &View) -> [[i32; 2]; 2] {
     [[margin; 2], [width - margin, height - margin]]
 }
 
-/// The first and the last pixel of each line. Where there is no room between them for paper, there is only the inner.
+/// Returns the first and the last pixel of each line. Where there is no room between them for paper, there is only the
+/// inner.
 fn lines(scale: f32) -> [[i32; 2]; 2] {
     let [inner, outer] = LINES.map(|(at, width)| {
         let first = (at * scale).round() as i32 + 1;
@@ -116,7 +117,7 @@ mod tests {
         (recipe, land)
     }
 
-    /// The rows of a picture that is all grey but for its neatline.
+    /// Returns the rows of a picture that is all grey but for its neatline.
     fn framed(text: &str, style: Style, width: u32, height: u32) -> Option<Vec<Vec<[u8; 4]>>> {
         let (recipe, land) = recipe_and_land(text);
         let domain = Domain::of(&recipe);

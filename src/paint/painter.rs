@@ -18,6 +18,7 @@ use super::ground_cache::GroundCache;
 use super::mouths::{self, Drawn, SeaShares, TonguePainter};
 use super::palette::Lines;
 use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network};
+use super::settings::PaintSettings;
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{Framing, PaintError, View};
@@ -27,7 +28,7 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::network::{Network, PastCourses};
 use crate::prune::{self, Trim};
-use crate::recipe::{CourseShape, Style};
+use crate::recipe::Style;
 use crate::relief::Relief;
 use crate::tree::Tree;
 
@@ -42,14 +43,10 @@ pub struct Progress<'a> {
     pub trim: Trim,
     /// The discharge of a river that would drain the whole map.
     pub total_discharge: u32,
-    /// The width of a river that drains the whole map, in domain units.
-    pub max_width: f32,
-    /// The lines that rivers follow.
-    pub courses: CourseShape,
     /// The land; `None` if the whole domain is land.
     pub land: Option<&'a Land>,
-    /// The style.
-    pub style: Style,
+    /// The settings.
+    pub settings: PaintSettings,
 }
 
 /// The result of a part of painting.
@@ -63,7 +60,7 @@ pub enum Painted {
 }
 
 impl Painted {
-    /// The rectangle that changed; `None` if nothing did.
+    /// Returns the rectangle that changed; `None` if nothing did.
     pub fn changed(self) -> Option<Rect> {
         match self {
             Self::Part => None,
@@ -134,7 +131,7 @@ impl Painter {
         })
     }
 
-    /// The pixels: RGBA, opaque.
+    /// Returns the pixels: RGBA, opaque.
     pub fn pixmap(&self) -> &Pixmap {
         &self.pixmap
     }
@@ -173,12 +170,12 @@ impl Painter {
         self.drawn_rivers = None;
     }
 
-    /// The map from the domain to the pixels.
+    /// Returns the map from the domain to the pixels.
     pub fn view(&self) -> &View {
         &self.view
     }
 
-    /// The painted share of the ground for a style, from 0 to 1.
+    /// Returns the painted share of the ground for a style, from 0 to 1.
     pub fn progress(&self, style: Style) -> f32 {
         self.ground.progress(&self.view, palette(style).relief.is_some())
     }
@@ -211,11 +208,14 @@ impl Painter {
             self.draw_tree(progress);
         }
         self.is_finished = progress.finished;
-        if is_blank || is_on_new_ground || (progress.finished && palette(progress.style).lines == Lines::Skeleton) {
+        if is_blank
+            || is_on_new_ground
+            || (progress.finished && palette(progress.settings.style).lines == Lines::Skeleton)
+        {
             self.coverage.touch_all();
         }
-        while self.lay_ground(progress.land, progress.style) {}
-        self.compose(progress.style)
+        while self.lay_ground(progress.land, progress.settings.style) {}
+        self.compose(progress.settings.style)
     }
 
     /// Lays a part of the ground of a tree, which `paint` would lay at once. Returns `true` if there is more.
@@ -227,7 +227,7 @@ impl Painter {
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         let has_annotation = masks::is_same(self.annotation.as_ref(), rivers.annotation);
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_annotation {
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers) && has_annotation {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -242,10 +242,11 @@ impl Painter {
             self.drawn_rivers = None;
         }
         self.coverage.touch_all();
-        let changed = self.compose(rivers.style);
-        self.open_mouths(rivers.network, Some(rivers.past), rivers.courses, rivers.style, 1.0);
+        let PaintSettings { style, .. } = rivers.settings;
+        let changed = self.compose(style);
+        self.open_mouths(rivers.network, Some(rivers.past), &rivers.settings, 1.0);
         if let Some(annotation) = rivers.annotation {
-            masks::lay(&mut self.pixmap, annotation, rivers.style);
+            masks::lay(&mut self.pixmap, annotation, style);
         }
         Painted::Whole(changed)
     }
@@ -253,7 +254,8 @@ impl Painter {
     /// Paints rivers at once as a preview: `times` as wide as they are, without an annotation, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
-    pub fn paint_draft(&mut self, network: &Network, courses: CourseShape, style: Style, times: f32) -> Option<Rect> {
+    pub fn paint_draft(&mut self, network: &Network, settings: &PaintSettings, times: f32) -> Option<Rect> {
+        let PaintSettings { style, courses, .. } = *settings;
         if !self.ground.is_ready_for_draft(&self.view, style) {
             return None;
         }
@@ -264,24 +266,17 @@ impl Painter {
         draw_network(&mut self.coverage, &self.view, network, courses, palette(style).lines, widening);
         self.coverage.touch_all();
         let changed = self.compose(style);
-        self.open_mouths(network, None, courses, style, times);
+        self.open_mouths(network, None, settings, times);
         changed
     }
 
     /// Lays the sea into the mouths of rivers.
-    fn open_mouths(
-        &mut self,
-        network: &Network,
-        past: Option<&PastCourses>,
-        courses: CourseShape,
-        style: Style,
-        times: f32,
-    ) {
+    fn open_mouths(&mut self, network: &Network, past: Option<&PastCourses>, settings: &PaintSettings, times: f32) {
         /// The width of a line that can be seen.
         const HAIRLINE_PX: f32 = 0.8;
         self.tongues.clear();
         let Some(shown) = self.ground.shown() else { return };
-        let palette = palette(style);
+        let palette = palette(settings.style);
         let drawn = Drawn {
             palette,
             past,
@@ -291,27 +286,28 @@ impl Painter {
             coast_width: COAST_WIDTH * thinned(self.view.scale),
         };
         let tongues = drawn.tongues(network, shown);
-        let painter = TonguePainter { view: &self.view, courses, shown, rivers: &self.coverage };
+        let painter = TonguePainter { view: &self.view, courses: settings.courses, shown, rivers: &self.coverage };
         tongues.iter().for_each(|tongue| painter.draw(tongue, &mut self.tongues));
         mouths::lay(&mut self.pixmap, &self.tongues, &self.view, palette);
     }
 
     /// Draws rivers, unless the mask already holds them because only the style has changed.
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
-        let (lines, relief) = (palette(rivers.style).lines, rivers.relief.map(|(relief, _)| relief));
+        let (lines, relief) = (palette(rivers.settings.style).lines, rivers.relief);
         let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
             relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && *as_lines == lines
         };
         if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
             self.coverage.clear();
-            draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, Widening::NONE);
+            let courses = rivers.settings.courses;
+            draw_network(&mut self.coverage, &self.view, rivers.network, courses, lines, Widening::NONE);
             self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
         }
     }
 
     /// Draws what is new of a tree.
     fn draw_tree(&mut self, progress: &Progress<'_>) {
-        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
+        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.settings.courses));
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen, progress.trim);
             self.draw_changes(progress, &pen);
@@ -373,10 +369,11 @@ impl Painter {
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {
-    let lines = palette(progress.style).lines;
+    let lines = palette(progress.settings.style).lines;
     match lines {
         Lines::Wide | Lines::Thin => {
-            Widths::ByDischarge { full: progress.max_width * lines.share(), total_discharge: progress.total_discharge }
+            let full = progress.settings.max_width * lines.share();
+            Widths::ByDischarge { full, total_discharge: progress.total_discharge }
         }
         Lines::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }

@@ -113,7 +113,7 @@ pub(crate) struct ReliefLook {
     pub casing: Casing,
 }
 
-/// A relief of tints and light alone. Tints are those at heights in metres.
+/// Makes the look of a relief of tints and light alone. Tints are those at heights in metres.
 pub(super) const fn tinted(
     stops: &'static [(f32, Colour)],
     shadow: (Colour, f32),
@@ -174,7 +174,7 @@ pub(crate) struct BasinColours {
 }
 
 impl BasinColours {
-    /// The colour of land in a basin with a numbered colour.
+    /// Returns the colour of land in a basin with a numbered colour.
     pub fn tint(&self, number: usize) -> Colour {
         match number.checked_sub(1).and_then(|i| self.colours.get(i)) {
             Some(&colour) => mix(self.paper, colour, self.strength),
@@ -182,7 +182,7 @@ impl BasinColours {
         }
     }
 
-    /// The colour of rivers in such a basin.
+    /// Returns the colour of rivers in a basin with a numbered colour.
     pub fn river(&self, number: usize) -> Colour {
         mix([0; 3], self.colours[number.max(1) - 1], self.rivers)
     }
@@ -204,18 +204,18 @@ impl Tints {
     /// The height above which colours do not change any more, in metres.
     const HIGHEST: f32 = 3200.0;
 
-    /// The place of a height on a scale from 0 at the sea to 1 at [`Tints::HIGHEST`] metres and above, which is the finer the lower it
-    /// is: lowland has more tints.
+    /// Returns the place of a height on a scale from 0 at the sea to 1 at [`Tints::HIGHEST`] metres and above, which is
+    /// the finer the lower it is: lowland has more tints.
     pub fn place_of(metres: f32) -> f32 {
         (metres / Self::HIGHEST).clamp(0.0, 1.0).sqrt()
     }
 
-    /// The height at such a place, in metres.
+    /// Returns the height at a place on the scale of tints, in metres.
     pub fn metres_at(place: f32) -> f32 {
         place * place * Self::HIGHEST
     }
 
-    /// The colour of flat land at a height in metres.
+    /// Returns the colour of flat land at a height in metres.
     pub fn at(&self, metres: f32) -> Colour {
         let above = self.stops.iter().position(|stop| stop.0 >= metres).unwrap_or(self.stops.len() - 1);
         let ((from, low), (to, high)) = (self.stops[above.saturating_sub(1)], self.stops[above]);
@@ -223,7 +223,7 @@ impl Tints {
         mix(low, high, share)
     }
 
-    /// A tint in a light from -1, the darkest, over 0, that on flat land, to 1.
+    /// Returns a tint in a light from -1, the darkest, over 0, that on flat land, to 1.
     pub fn lit(&self, tint: Colour, light: f32) -> Colour {
         if light < 0.0 {
             mix(tint, self.shadow, -light * self.dark)
@@ -248,21 +248,21 @@ pub(crate) enum Lines {
 pub(crate) static LAND_ONLY: Palette = even([0xff; 3], [0; 3], [0; 3], [0xff; 3], [0; 3]);
 
 impl Lines {
-    /// The share of their width at which rivers are drawn.
+    /// Returns the share of their width at which rivers are drawn.
     pub fn share(self) -> f32 {
         if self == Self::Thin { 0.5 } else { 1.0 }
     }
 }
 
 impl Palette {
-    /// The colour for each coverage, from bare plain land to river. Computed for each picture: a table for each style
-    /// would add a kilobyte to every download.
+    /// Returns the colour for each coverage, from bare plain land to river. It is computed for each picture: a table
+    /// for each style would add a kilobyte to every download.
     pub fn ramp(&self) -> [[u8; 4]; 256] {
         std::array::from_fn(|coverage| over(self.plain, self.river, coverage as u32))
     }
 }
 
-/// A palette with one colour for land and one for water, without rings.
+/// Makes a palette with one colour for land and one for water, without rings.
 pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: Colour) -> Palette {
     Palette {
         lowland: land,

@@ -25,14 +25,14 @@ impl<'a> Ageing<'a> {
         Self { view, paper, noise }
     }
 
-    /// The strength of the blotch at a place of the picture.
+    /// Returns the strength of the blotch at a place of the picture.
     #[inline(never)]
     fn blotch(&self, pixel: Vec2) -> f32 {
         let at = self.view.point(pixel);
         (self.noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0)
     }
 
-    /// A colour in a pixel, stained and as dark as the paper there.
+    /// Ages a colour in a pixel: stains it, and makes it as dark as the paper there.
     fn aged(&self, colour: Colour, stained: f32, x: u32, y: u32) -> Colour {
         let size = Vec2::new(self.view.width as f32, self.view.height as f32);
         let edged = edge((Vec2::new(x as f32, y as f32) + 0.5) / size) * self.paper.edged;
@@ -40,7 +40,7 @@ impl<'a> Ageing<'a> {
         aged.map(|part| (f32::from(part) * grain(x, y)).min(255.0) as u8)
     }
 
-    /// A colour of the sea in a pixel.
+    /// Ages a colour of the sea in a pixel.
     pub fn at_sea(&self, colour: Colour, x: u32, y: u32) -> Colour {
         let blotch = self.blotch(Vec2::new(x as f32, y as f32) + 0.5);
         self.aged(colour, blotch * self.paper.at_sea, x, y)
@@ -69,14 +69,14 @@ pub(super) fn lay(view: &View, paper: &Paper, rows: Rows, pixels: &mut [[u8; 4]]
     }
 }
 
-/// The closeness of a place to the edges, from 0 to 1. Places are shares of the picture's sides.
+/// Returns the closeness of a place to the edges, from 0 to 1. Places are shares of the picture's sides.
 fn edge(place: Vec2) -> f32 {
     let off = (place * 2.0 - 1.0).length_squared() - 0.55;
     let way = (off / 1.45).clamp(0.0, 1.0);
     way * way * (3.0 - 2.0 * way)
 }
 
-/// The grain of paper: each pixel is a little lighter or darker.
+/// Returns the grain of the paper in a pixel, which makes it a little lighter or darker.
 fn grain(x: u32, y: u32) -> f32 {
     const STRENGTH: f32 = 0.018;
     let mut bits = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);

@@ -7,8 +7,8 @@ use super::coverage::Coverage;
 use super::flat::{FlatGround, plain};
 use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
-use super::relief::{Inks, Prepared, Sheet};
-use super::rivers::{Exaggerated, Rivers, Widening, draw_network};
+use super::relief::{Inks, Light, Prepared, Sheet};
+use super::rivers::{Rivers, Widening, draw_network};
 use super::styles::palette;
 use super::view::{Rows, View};
 use crate::land::Land;
@@ -60,7 +60,7 @@ fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
 #[derive(Clone, Debug)]
 pub(super) struct RaisedGround {
     relief: Arc<Relief>,
-    exaggeration: f32,
+    light: Light,
     palette: &'static Palette,
     /// The means of painting it; `None` once everything is painted.
     making: Option<Making>,
@@ -77,30 +77,21 @@ struct Making {
 
 impl RaisedGround {
     /// Begins the ground. `None` if it would have no pixels.
-    pub fn new(
-        look: &'static ReliefLook,
-        (relief, exaggeration): Exaggerated<'_>,
-        view: &View,
-        rivers: &Rivers<'_>,
-    ) -> Option<Self> {
-        let palette = palette(rivers.style);
+    pub fn new(look: &'static ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
+        let palette = palette(rivers.settings.style);
         let mut mask = Coverage::new(view.width, view.height)?;
         if look.minds_rivers() {
             let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
-            draw_network(&mut mask, view, rivers.network, rivers.courses, palette.lines, cased);
+            draw_network(&mut mask, view, rivers.network, rivers.settings.courses, palette.lines, cased);
         }
         let making = Some(Making { look, rivers: mask, inks: None });
-        Some(Self { relief: relief.clone(), exaggeration, palette, making, pixels: Vec::with_capacity(view.pixels()) })
+        let (relief, light, pixels) = (relief.clone(), rivers.settings.light, Vec::with_capacity(view.pixels()));
+        Some(Self { relief, light, palette, making, pixels })
     }
 
-    /// Returns `true` if it is made from this relief.
-    pub fn is_of(&self, (relief, exaggeration): Exaggerated<'_>) -> bool {
-        Arc::ptr_eq(&self.relief, relief) && self.exaggeration == exaggeration
-    }
-
-    /// Returns `true` if it completely shows this relief.
-    pub fn shows(&self, relief: Exaggerated<'_>) -> bool {
-        self.making.is_none() && self.is_of(relief)
+    /// Returns `true` if it is made from this relief in this light.
+    pub fn is_of(&self, relief: &Arc<Relief>, light: Light) -> bool {
+        Arc::ptr_eq(&self.relief, relief) && self.light == light
     }
 
     pub fn pixels(&self) -> &[[u8; 4]] {

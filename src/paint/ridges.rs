@@ -16,7 +16,7 @@ const STROKE: f32 = 0.6;
 /// The distance from its ends and from the coast at which a ridge reaches its full height, in units.
 const RISE: f32 = 40.0;
 
-/// The strokes of all ridges of a land.
+/// Draws the strokes of all ridges of a land.
 pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     let mut strokes = Vec::new();
     for ridge in land.ridges().iter().filter(|ridge| ridge.len() > 1) {
@@ -32,7 +32,7 @@ pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     strokes
 }
 
-/// The line of a ridge, evenly divided and smoothed.
+/// Returns the line of a ridge, evenly divided and smoothed.
 fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
     const ROUNDS: u32 = 5;
     let (mut crest, mut ahead) = (Vec::new(), 0.0);
@@ -54,7 +54,7 @@ fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
     crest
 }
 
-/// The height of a ridge at each point of its crest, from 0 to 1. It rises and falls from peak to peak.
+/// Returns the height of a ridge at each point of its crest, from 0 to 1. It rises and falls from peak to peak.
 fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
     /// The number of peaks per point, and the height between peaks.
     const PEAKS: f32 = 0.05;
@@ -73,7 +73,7 @@ fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
     crest.iter().enumerate().map(height).collect()
 }
 
-/// The two strokes down from a point of a crest that runs in the direction `along`.
+/// Draws the two strokes down from a point of a crest that runs in the direction `along`.
 fn down_both_sides(i: usize, at: Vec2, along: Vec2, height: f32) -> [[End; 2]; 2] {
     /// Multiples of the golden ratio lie evenly and without order on a circle: as good as random numbers, and never
     /// repeated.
@@ -94,7 +94,7 @@ mod tests {
         Land::of(&link::read(link).unwrap()).unwrap()
     }
 
-    /// The distance of a point from a line.
+    /// Returns the distance of a point from a line.
     fn off(line: &[Vec2], at: Vec2) -> f32 {
         let from_piece = |pair: &[Vec2]| {
             let along = pair[1] - pair[0];

@@ -8,17 +8,14 @@ use std::sync::Arc;
 use super::annotation::masks::AnnotationMasks;
 use super::coverage::Coverage;
 use super::palette::Lines;
+use super::settings::PaintSettings;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
-use crate::base::random::Seed;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
-use crate::recipe::{CourseShape, Style};
+use crate::recipe::CourseShape;
 use crate::relief::Relief;
-
-/// A relief, and the exaggeration of its slopes.
-pub(super) type Exaggerated<'a> = (&'a Arc<Relief>, f32);
 
 /// Rivers to paint.
 #[derive(Clone, Copy, Debug)]
@@ -29,19 +26,16 @@ pub struct Rivers<'a> {
     pub past: &'a PastCourses,
     /// The number of rounds of meandering so far.
     pub rounds: u32,
-    /// The lines that rivers follow.
-    pub courses: CourseShape,
+    /// `true` once they do not change any more.
+    pub finished: bool,
     /// The land; `None` if the whole domain is land.
     pub land: Option<&'a Land>,
-    /// The relief and the exaggeration of its slopes; `None` while there is none.
-    pub relief: Option<Exaggerated<'a>>,
-    /// The seed and the roughness of the coast, which in large pictures has more detail beside finished rivers; `None` while they are
-    /// not finished.
-    pub coast: Option<(Seed, f32)>,
+    /// The relief; `None` while there is none.
+    pub relief: Option<&'a Arc<Relief>>,
     /// The annotation to lay over them.
     pub annotation: Option<&'a Arc<AnnotationMasks>>,
-    /// The style.
-    pub style: Style,
+    /// The settings.
+    pub settings: PaintSettings,
 }
 
 /// The margin added to each bank, in pixels, so that brooks can be seen.

@@ -18,7 +18,7 @@ pub enum Widths {
         /// tree.
         total_discharge: u32,
     },
-    /// The same width everywhere.
+    /// One width everywhere.
     Even {
         /// The width in pixels.
         width_px: f32,
@@ -49,7 +49,7 @@ impl Pen {
         Self { view, widths, courses }
     }
 
-    /// The radius of a node in sixteenths of a pixel, 1 or more.
+    /// Returns the radius of a node in sixteenths of a pixel, 1 or more.
     ///
     /// Width is proportional to the square root of discharge, so squared widths add up where rivers join, except for
     /// the thinnest, which have the width of a hairline. It never falls while a tree grows, because depth and discharge

@@ -52,16 +52,16 @@ impl Framing {
     /// The smallest and the greatest width of a picture, in widths of the map.
     pub const ACROSS: RangeInclusive<f32> = 0.05..=20.0;
 
-    /// A frame from the distances of the picture's western and northern edges from those of the map, to the east and to
-    /// the south, and the picture's width. `None` if it is too large or too small, or if no map can be in it.
+    /// Makes a frame from the distances of the picture's western and northern edges from those of the map, to the east
+    /// and to the south, and the picture's width. `None` if it is too large or too small, or if no map can be in it.
     pub fn new(left: f32, top: f32, across: f32) -> Option<Self> {
         const FARTHEST: f32 = 40.0;
         let is_near = left.abs() <= FARTHEST && top.abs() <= FARTHEST;
         (is_near && Self::ACROSS.contains(&across)).then_some(Self { left, top, across, covered: [0.0; 4] })
     }
 
-    /// A frame from three numbers, in the order of `new`, or from seven: the others are the depths that other things
-    /// cover along its western, northern, eastern and southern edges. `None` for any other count.
+    /// Makes a frame from three numbers, in the order of `new`, or from seven: the others are the depths that other
+    /// things cover along its western, northern, eastern and southern edges. `None` for any other count.
     pub fn of(numbers: &[f32]) -> Option<Self> {
         match *numbers {
             [left, top, across] => Self::new(left, top, across),
@@ -106,7 +106,7 @@ impl View {
         Ok(Self { width, height, scale: 1.0, offset: Vec2::ZERO, framing: None, domain: domain.size }.of(domain))
     }
 
-    /// The view of another domain in the same picture.
+    /// Returns the view of another domain in the same picture.
     pub fn of(self, domain: &Domain) -> Self {
         let size = Vec2::new(self.width as f32, self.height as f32);
         match self.framing {
@@ -121,34 +121,35 @@ impl View {
         }
     }
 
-    /// The view of a part of a domain in the same picture; for `None`, the domain covers it.
+    /// Returns the view of a part of a domain in the same picture; for `None`, the domain covers it.
     #[must_use]
     pub fn framed(self, domain: &Domain, framing: Option<Framing>) -> Self {
         Self { framing, ..self }.of(domain)
     }
 
-    /// The height of a picture of this width that shows the whole domain.
+    /// Returns the height of a picture of this width that shows the whole domain.
     pub fn height_for(domain: &Domain, width: u32) -> u32 {
         ((width as f32 * domain.size.y / domain.size.x).round() as u32).max(1)
     }
 
-    /// The width of a picture of this height that shows the whole domain.
+    /// Returns the width of a picture of this height that shows the whole domain.
     pub fn width_for(domain: &Domain, height: u32) -> u32 {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
-    /// The width and height of a picture that shows the whole domain, given the longer of the two.
+    /// Returns the width and height of a picture that shows the whole domain, given the longer of the two.
     pub fn sides_for(domain: &Domain, longer: u32) -> (u32, u32) {
         let height = Self::height_for(domain, longer);
         if height <= longer { (longer, height) } else { (Self::width_for(domain, longer), longer) }
     }
 
-    /// The north-western and the south-eastern corner of the visible part, in units. They may lie beyond the domain.
+    /// Returns the north-western and the south-eastern corner of the visible part, in units. They may lie beyond the
+    /// domain.
     pub fn frame(&self) -> [Vec2; 2] {
         [Vec2::ZERO, Vec2::new(self.width as f32, self.height as f32)].map(|corner| self.point(corner))
     }
 
-    /// The two corners of the part that is visible and not covered, where letters may be placed.
+    /// Returns the two corners of the part that is visible and not covered, where letters may be placed.
     pub fn uncovered(&self) -> [Vec2; 2] {
         let [least, most] = self.frame();
         let [west, north, east, south] = self.framing.map_or([0.0; 4], |framing| framing.covered);
@@ -166,29 +167,30 @@ impl View {
         self.is_framed() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
     }
 
-    /// The sides of the domain, in units.
+    /// Returns the sides of the domain, in units.
     pub(crate) fn domain(&self) -> Vec2 {
         self.domain
     }
 
-    /// The point of the domain nearest to a point beyond it; `None` for a point within.
+    /// Returns the point of the domain nearest to a point beyond it; `None` for a point within.
     pub(super) fn border_near(&self, point: Vec2) -> Option<Vec2> {
         let nearest = point.max(Vec2::ZERO).min(self.domain);
         (nearest != point).then_some(nearest)
     }
 
-    /// The number of pixels.
+    /// Counts the pixels of the picture.
     pub(super) fn pixels(&self) -> usize {
         self.width as usize * self.height as usize
     }
 
-    /// The pixels of some rows.
+    /// Returns the range of the pixels of some rows.
     pub(super) fn range(&self, rows: Rows) -> Range<usize> {
         let width = self.width as usize;
         rows.start as usize * width..rows.end as usize * width
     }
 
-    /// The rows to paint next, after a number of pixels: as many as fit into a few milliseconds, but always one.
+    /// Returns the rows to paint next, after a number of pixels: as many as fit into a few milliseconds, but always
+    /// one.
     #[inline(never)]
     pub(super) fn next_rows(&self, painted: usize) -> Rows {
         const PIXELS: u32 = 1 << 16;
@@ -196,13 +198,13 @@ impl View {
         first..(first + (PIXELS / self.width).max(1)).min(self.height)
     }
 
-    /// The position of a pixel in the domain.
+    /// Returns the position of a pixel in the domain.
     #[inline]
     pub fn point(&self, pixel: Vec2) -> Vec2 {
         (pixel - self.offset) / self.scale
     }
 
-    /// The position of a point of the domain, in pixels.
+    /// Returns the position of a point of the domain, in pixels.
     #[inline]
     pub fn pixel(&self, point: Vec2) -> Vec2 {
         point * self.scale + self.offset

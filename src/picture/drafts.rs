@@ -1,9 +1,7 @@
 //! Drafts: previews that a picture shows while a slider moves. `paint` removes all traces of them.
 
-use std::sync::Arc;
-
-use super::{Picture, Source, is_same};
-use crate::paint::{Painted, Rivers};
+use super::{Picture, Source, is_same, rivers_of};
+use crate::paint::{PaintSettings, Painted, Rivers};
 use crate::recipe::{Key, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
 
@@ -53,11 +51,11 @@ impl Picture {
     /// multiplied by `times`. They are painted on the ground in the picture, even if its relief belongs to other
     /// rivers. `None`, and nothing changes, if there are no rivers, or if the ground belongs to another land.
     fn paint_width_draft(&mut self, session: &Session, times: f32) -> Option<Painted> {
-        let (network, recipe) = (session.network()?, session.recipe());
+        let network = session.network()?;
         if !self.is_on_land_of(session) {
             return None;
         }
-        let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
+        let changed = self.painter.paint_draft(network, &PaintSettings::of(session.recipe()), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(Painted::Whole(Some(changed)))
     }
@@ -65,7 +63,7 @@ impl Picture {
     /// Paints a part of the finished rivers with a preview of the relief under another recipe; under the session's own,
     /// with the exact relief. `None` if no relief of these rivers has been solved.
     fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
-        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
+        let rivers = rivers_of(session)?;
         if !self.is_on_land_of(session) {
             return None;
         }
@@ -73,19 +71,15 @@ impl Picture {
             return Some(Painted::Part);
         }
         let relief = self.drafts.relief(session, wanted)?;
-        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
-        let relief = Some((&relief, recipe.shade()));
-        let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
-        let rivers = Rivers { network, past, rounds, courses, land, relief, coast: None, annotation: None, style };
-        Some(self.painter.paint_rivers(&rivers))
+        Some(self.painter.paint_rivers(&Rivers { relief: Some(&relief), ..rivers }))
     }
 
     /// Paints a part of the finished rivers, without a relief, on a preview of another recipe's coasts, or on the
     /// session's own. The rivers stay as they are, and end at the new coast or short of it. `None` if there are no
     /// finished rivers.
     fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
-        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
+        let rivers = rivers_of(session)?;
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
             return None;
         }
@@ -97,13 +91,8 @@ impl Picture {
             // A generation of no session, so that the next `paint` starts anew.
             self.shown = Some((Source::Session(Generation::next()), session.domain(), Some(land.clone())));
         }
-        let recipe = session.recipe();
-        let (courses, style) = (recipe.get(), recipe.get());
         self.rivers_of = Some(session.tree_generation());
-        let land = Some(&*land);
-        let rivers =
-            Rivers { network, past, rounds, courses, land, relief: None, coast: None, annotation: None, style };
-        Some(self.painter.paint_rivers(&rivers))
+        Some(self.painter.paint_rivers(&Rivers { land: Some(&land), ..rivers }))
     }
 }
 

@@ -9,15 +9,14 @@ use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
-use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strength, strokes};
+use crate::paint::relief::{Basins, INDEX, Light, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::{METRES, Relief};
 
 /// A relief with its display options.
 pub(super) struct Raised<'a> {
     pub relief: &'a Relief,
-    /// Exaggeration of slopes for the light.
-    pub exaggeration: f32,
+    pub light: Light,
     /// The basins in it, if they have colours.
     pub basins: Option<&'a Basins>,
 }
@@ -90,7 +89,7 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     /// The number of steps up to the height above which tints do not change.
     const STEPS: u32 = 20;
-    let Some((Raised { relief, exaggeration, basins }, look)) = relief.zip(palette.relief) else { return };
+    let Some((Raised { relief, light: of, basins }, look)) = relief.zip(palette.relief) else { return };
     let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * METRES;
     let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
     let metres = |step: f32| Tints::metres_at(step / STEPS as f32);
@@ -102,13 +101,13 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
         basin_shapes(out, basins, look);
     }
-    light(out, relief, exaggeration, look);
+    light(out, relief, of, look);
     let highest = highest(relief);
     if let Some(lines) = &look.contours {
         contours(out, relief, interval(highest), lines);
     }
     if let Some(look) = &look.hachures {
-        hachures(out, &strokes(relief, highest), look, strength(exaggeration));
+        hachures(out, &strokes(relief, highest), look, of.strength_of_hachures());
     }
 }
 

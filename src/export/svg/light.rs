@@ -5,12 +5,12 @@ use glam::Vec2;
 use super::path::Path;
 use super::text::Text;
 use crate::paint::palette::{Colour, ReliefLook};
-use crate::paint::relief::light_of;
+use crate::paint::relief::{Light, light_of};
 use crate::relief::Relief;
 
 /// Writes all shadows and lights of a style.
-pub(super) fn light(out: &mut Text, relief: &Relief, exaggeration: f32, look: &ReliefLook) {
-    let (tints, light) = (&look.tints, light_of(relief, exaggeration));
+pub(super) fn light(out: &mut Text, relief: &Relief, of: Light, look: &ReliefLook) {
+    let (tints, light) = (&look.tints, light_of(relief, of));
     out.text("<g id=\"shade\">\n");
     steps(out, relief, light.iter().map(|light| -light), tints.shadow, tints.dark);
     steps(out, relief, light.iter().copied(), tints.highlight, tints.bright);

@@ -33,7 +33,7 @@ use crate::paint::ground::COAST_WIDTH;
 use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
-use crate::paint::{Lines, palette_of};
+use crate::paint::{Lines, PaintSettings, palette_of};
 use crate::recipe::{CourseShape, link};
 
 /// Draws a map and returns the text of an SVG file.
@@ -66,8 +66,8 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let (recipe, land) = (map.recipe(), map.land());
-    let (size, courses) = (map.domain().size, recipe.get());
-    let palette = palette_of(recipe.get());
+    let (size, settings) = (map.domain().size, PaintSettings::of(recipe));
+    let (courses, palette) = (settings.courses, palette_of(settings.style));
     let past = palette.beds.map(|look| (map.past(), look));
     let mut out = Text::default();
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
@@ -79,7 +79,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let basins = basins(map, network, palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
-        exaggeration: recipe.shade(),
+        light: settings.light,
         basins: basins.as_ref().map(|(basins, _)| basins),
     });
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);

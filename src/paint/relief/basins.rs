@@ -32,7 +32,7 @@ const ALIKE: i32 = 10_000;
 const UNKNOWN: u32 = u32::MAX;
 
 impl Basins {
-    /// The basins of a relief and of the network that belongs to it.
+    /// Finds the basins of a relief and of the network that belongs to it.
     pub fn new(relief: &Relief, network: &Network, colours: &[Colour]) -> Self {
         let of_rivers = network.basins();
         let mut basins = vec![UNKNOWN; relief.heights().len()];
@@ -50,7 +50,7 @@ impl Basins {
         Self { grid, is_mixed: (0..cells.len()).map(is_mixed).collect(), cells, rivers: colours(&of_rivers) }
     }
 
-    /// The rings around everything with a numbered colour, in units. They continue at sea.
+    /// Traces the rings around everything with a numbered colour, in units. They continue at sea.
     pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
         let values = self.cells.iter().map(|&cell| f32::from(u8::from(cell == number))).collect();
         let field = Field { grid: self.grid, values }.smoothed(1);
@@ -60,8 +60,8 @@ impl Basins {
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 
-    /// The colour with the greatest share at a place near a cell, and its share. Each colour is treated as a surface of
-    /// parabolas, which makes borders smooth.
+    /// Returns the colour with the greatest share at a place near a cell, and its share. Each colour is treated as a
+    /// surface of parabolas, which makes borders smooth.
     fn greatest(&self, [row, column]: [usize; 2], [down, along]: [f32; 2]) -> (u8, f32) {
         let weights = |t: f32| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
         let (across, along) = (weights(down), weights(along));
@@ -135,7 +135,7 @@ impl BasinPixels {
     }
 }
 
-/// The share of a colour at which the gap along its border ends.
+/// Returns the share of a colour at which the gap along its border ends.
 fn full_share(scale: f32, cell_size: f32) -> f32 {
     /// Half the width of the gap in units, and its minimum in pixels.
     const HALF: f32 = 1.0;
@@ -175,7 +175,8 @@ fn follow_the_water(relief: &Relief, is_land: bool, basins: &mut [u32]) {
     }
 }
 
-/// The next cell; `None` if the coast or the border is reached, or so deep at sea that no land is near.
+/// Finds the cell to which water goes on; `None` if the coast or the border is reached, or so deep at sea that no land
+/// is near.
 fn next(relief: &Relief, cell: usize) -> Option<usize> {
     const DEEP: f32 = -1.0;
     let (heights, here) = (relief.heights(), relief.heights()[cell]);
@@ -210,7 +211,7 @@ fn fill_strips(relief: &Relief, basins: &mut [u32]) {
     }
 }
 
-/// The cells around one and the cell itself, in the middle. At the border some cells occur twice.
+/// Returns the cells around one and the cell itself, in the middle. At the border some cells occur twice.
 fn around(columns: usize, rows: usize, cell: usize) -> [usize; 9] {
     let (down, across) = (beside(cell / columns, rows), beside(cell % columns, columns));
     std::array::from_fn(|i| down[i / 3] * columns + across[i % 3])
@@ -236,7 +237,7 @@ fn neighbours(relief: &Relief, basins: &[u32]) -> Vec<Neighbours> {
     found
 }
 
-/// The squared distance of two numbered colours. The colour of land without a basin counts as far from all.
+/// Returns the squared distance of two numbered colours. The colour of land without a basin counts as far from all.
 fn apart(colours: &[Colour], one: u8, other: u8) -> i32 {
     let parts = |number: u8| number.checked_sub(1).map(|i| colours[usize::from(i)]);
     let squared = |(a, b): (Colour, Colour)| a.iter().zip(b).map(|(&a, b)| (i32::from(a) - i32::from(b)).pow(2)).sum();
@@ -322,7 +323,7 @@ mod tests {
     }
 
     impl Basins {
-        /// The colour of a basin, as its cells have it.
+        /// Returns the colour of a basin, as its cells have it.
         fn rivers_colour(&self, of_rivers: &[u32], basin: u32) -> u8 {
             self.rivers[of_rivers.iter().position(|&other| other == basin).unwrap()]
         }

@@ -26,14 +26,14 @@ pub(super) fn blurred(mut values: Vec<f32>, columns: usize, radius: usize) -> Ve
     values
 }
 
-/// The radius of boxes whose blur has nearly this standard deviation, both in cells.
+/// Returns the radius of boxes whose blur has nearly this standard deviation, both in cells.
 pub(super) fn radius_of(deviation: f32) -> usize {
     // The root of the deviation above, rounded.
     (deviation * deviation + 0.25).sqrt() as usize
 }
 
-/// The place of a cell of a line that goes on beyond both ends: the cell whose value counts, and the end at which it is mirrored if
-/// the place lies beyond that.
+/// Returns the place of a cell of a line that goes on beyond both ends: the cell whose value counts, and the end at
+/// which it is mirrored if the place lies beyond that.
 fn place(at: isize, length: usize) -> (usize, Option<usize>) {
     let last = length as isize - 1;
     let inside = |at: isize| at.clamp(0, last) as usize;

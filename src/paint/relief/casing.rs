@@ -62,13 +62,13 @@ fn lay_mask(casing: &Casing, gain: f32, mask: &[u8], pixels: &mut [[u8; 4]]) {
     }
 }
 
-/// The pixels of a rectangle that lie in a row.
+/// Returns the pixels of a rectangle that lie in a row.
 fn in_row(rect: Rect, row: u32, view: &View) -> Range<usize> {
     let first = view.range(row..row + 1).start;
     first + rect.left as usize..first + rect.right as usize
 }
 
-/// The pixels that the blur of a rectangle reaches.
+/// Returns the pixels that the blur of a rectangle reaches.
 fn grown(rect: Rect, reach: u32, bounds: Rect) -> Rect {
     Rect {
         left: rect.left.saturating_sub(reach),
@@ -118,8 +118,8 @@ mod tests {
     use crate::paint::view::View;
     use glam::Vec2;
 
-    /// The look of a white glow on black around two strokes, one at the edge, and their mask. Blurs the whole picture,
-    /// or only the part that rivers touch.
+    /// Returns the look of a white glow on black around two strokes, one at the edge, and their mask. Blurs the whole
+    /// picture, or only the part that rivers touch.
     fn glow(side: u32, blurs_all: bool) -> (Vec<u8>, Vec<u8>) {
         let view = View::new(&Domain::with_aspect(1.0), side, side).unwrap();
         let mut mask = Coverage::new(side, side).unwrap();

@@ -18,8 +18,8 @@ const TIMES: u32 = 4;
 /// The number of contours from one index line to the next.
 pub(crate) const INDEX: u32 = 5;
 
-/// The difference in height between contours, in units of height: a round number of metres. `highest` is the height
-/// of the highest land.
+/// Returns the difference in height between contours, in units of height: a round number of metres. `highest` is the
+/// height of the highest land.
 pub(crate) fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
@@ -27,7 +27,7 @@ pub(crate) fn interval(highest: f32) -> f32 {
     METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
 }
 
-/// The heights of a relief, in numbers of contours.
+/// Makes a field of the heights of a relief, in numbers of contours.
 fn levels(relief: &Relief, highest: f32) -> Field {
     let interval = interval(highest);
     Field::of(relief, |height| height / interval).smoothed(TIMES)
@@ -131,8 +131,8 @@ impl Line {
         Self { half: width * 0.5, strength: strength * width.min(1.0), apart }
     }
 
-    /// The coverage of a pixel, given its distance from the line and the spacing of levels, both in pixels. Lines of
-    /// one kind are left out where they would run together.
+    /// Returns the coverage of a pixel, given its distance from the line and the spacing of levels, both in pixels.
+    /// Lines of one kind are left out where they would run together.
     #[inline]
     fn coverage(&self, distance: f32, spacing: f32) -> f32 {
         let room = (spacing * self.apart * 0.5 - self.half * 2.0).clamp(0.0, 1.0);

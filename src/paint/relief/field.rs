@@ -14,13 +14,13 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// The heights of a relief, each converted by `value`.
+    /// Makes a field of the heights of a relief, each converted by `value`.
     pub fn of(relief: &Relief, value: impl Fn(f32) -> f32) -> Self {
         let values = relief.heights().iter().map(|&height| value(height)).collect();
         Self { grid: relief.grid(), values }
     }
 
-    /// The cell of a point; `None` beyond the map.
+    /// Finds the cell of a point; `None` beyond the map.
     pub fn cell(&self, at: Vec2) -> Option<usize> {
         let Grid { cell_size, columns, rows } = self.grid;
         let (x, y) = ((at.x / cell_size).floor(), (at.y / cell_size).floor());
@@ -28,13 +28,13 @@ impl Field {
         is_inside.then(|| y as usize * columns + x as usize)
     }
 
-    /// The middle of a cell, in units.
+    /// Returns the middle of a cell, in units.
     pub fn middle(&self, cell: usize) -> Vec2 {
         let Grid { cell_size, columns, .. } = self.grid;
         (Vec2::new((cell % columns) as f32, (cell / columns) as f32) + 0.5) * cell_size
     }
 
-    /// The value at a point, and its gradient per unit.
+    /// Returns the value at a point, and its gradient per unit.
     pub fn at(&self, at: Vec2) -> (f32, Vec2) {
         let Grid { cell_size, columns: length, rows } = self.grid;
         let place = at / cell_size - 0.5;
@@ -80,8 +80,8 @@ impl Field {
         self
     }
 
-    /// The surface along one y of a map, in units, with a piece for each column of cells; with `rises`, its rise over a
-    /// cell to the south.
+    /// Returns the surface along one y of a map, in units, with a piece for each column of cells; with `rises`, its
+    /// rise over a cell to the south.
     #[inline(never)]
     pub fn line(&self, y: f32, rises: bool) -> Vec<Parabola> {
         let Grid { cell_size, columns, rows } = self.grid;
@@ -110,7 +110,7 @@ pub(super) struct Place {
     pub along: f32,
 }
 
-/// The positions of the pixels of a row.
+/// Returns the positions of the pixels of a row.
 #[inline(never)]
 pub(super) fn places(view: &View, Grid { cell_size, columns, .. }: Grid) -> Vec<Place> {
     let x = |pixel: u32| view.point(Vec2::splat(pixel as f32 + 0.5)).x;
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn finer_cells_are_smoothed_over_the_same_distance() {
-        /// The standard deviation of a spike after smoothing, in units.
+        /// Returns the standard deviation of a spike after smoothing, in units.
         fn deviation(cell_size: f32) -> f32 {
             let side = (80.0 / cell_size) as usize;
             let grid = Grid { cell_size, columns: side, rows: side };

@@ -23,7 +23,7 @@ const TIMES: u32 = 5;
 /// The distance between strokes of a row, in units.
 const APART: u32 = 3;
 
-/// The strokes of a relief. `highest` is the height of the highest land, in units.
+/// Finds the strokes of a relief. `highest` is the height of the highest land, in units.
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     let mut strokes = Strokes::new(relief, highest);
     while strokes.advance() {}
@@ -86,13 +86,6 @@ impl StrokeMask {
         some.map(pen).for_each(|[from, middle, to]| draw(&mut self.mask, view, &[[from, middle], [middle, to]]));
         self.drawn < strokes.drawn.len()
     }
-}
-
-/// The share of their full strength that hachures have where slopes are exaggerated by this factor: all from the usual one on.
-pub(crate) fn strength(exaggeration: f32) -> f32 {
-    const USUAL: f32 = 0.45;
-    const LEAST: f32 = 0.25;
-    LEAST + (1.0 - LEAST) * (exaggeration / USUAL).clamp(0.0, 1.0)
 }
 
 /// Lays strokes over the land of some rows of a ground, broken where rivers run.
@@ -162,8 +155,8 @@ impl HachureRows {
     }
 }
 
-/// The stroke that begins at a place; `rise` is the number of rows per unit there. `None` where the land is gentle or
-/// lit.
+/// Finds the stroke that begins at a place; `rise` is the number of rows per unit there. `None` where the land is
+/// gentle or lit.
 fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
     /// The lengths of strokes, in units, and the distance between rows beyond which land is too gentle for strokes.
     const SHORTEST: f32 = 4.0;

@@ -36,8 +36,24 @@ const STANDING_HEIGHT: f32 = 2.5;
 const DARKER: f32 = 3.4;
 const LIGHTER: f32 = 4.2;
 
-/// The light on each cell, from -1 in the deepest shadow over 0 on flat land to 1. `exaggeration` is that of slopes.
-pub(crate) fn light_of(relief: &Relief, exaggeration: f32) -> Vec<f32> {
+/// A light on a relief.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Light {
+    /// The factor by which slopes are steeper for this light.
+    pub exaggeration: f32,
+}
+
+impl Light {
+    /// Returns the share of their full strength that hachures have: all where slopes are exaggerated as usual, or more.
+    pub fn strength_of_hachures(self) -> f32 {
+        const USUAL: f32 = 0.45;
+        const LEAST: f32 = 0.25;
+        LEAST + (1.0 - LEAST) * (self.exaggeration / USUAL).clamp(0.0, 1.0)
+    }
+}
+
+/// Computes the light on each cell, from -1 in the deepest shadow over 0 on flat land to 1.
+pub(crate) fn light_of(relief: &Relief, Light { exaggeration }: Light) -> Vec<f32> {
     let (columns, cell_size) = (relief.columns(), relief.cell_size());
     let heights: Vec<f32> = relief.heights().iter().map(|height| height.max(0.0)).collect();
     let radius = radius_of(GENERALISED / cell_size);
@@ -74,7 +90,7 @@ fn for_each_rise(fields: [&[f32]; 2], columns: usize, mut visit: impl FnMut(usiz
     }
 }
 
-/// The light on a slope, beyond that on flat land, as a share of that.
+/// Computes the light on a slope beyond that on flat land, as a share of the latter.
 fn lit(rise: Vec2) -> f32 {
     let normal = (-rise).extend(1.0);
     let length = (rise.length_squared() + 1.0).sqrt();
@@ -82,8 +98,8 @@ fn lit(rise: Vec2) -> f32 {
     light / (length * ON_FLAT) - 1.0
 }
 
-/// The contrast at a height, in metres: high land stands closer to the eye, and haze lies over the lowland (aerial perspective, Imhof
-/// 1965).
+/// Returns the contrast at a height, in metres: high land stands closer to the eye, and haze lies over the lowland
+/// (aerial perspective, Imhof 1965).
 fn contrast(metres: f32) -> f32 {
     const LOW: f32 = 0.8;
     const HIGH: f32 = 1.3;
@@ -91,7 +107,7 @@ fn contrast(metres: f32) -> f32 {
     LOW + (HIGH - LOW) * (metres / ABOVE).min(1.0)
 }
 
-/// Light between -1 and 1, however great.
+/// Tones light down to between -1 and 1, however great it is.
 fn toned(light: f32) -> f32 {
     let light = light * if light < 0.0 { DARKER } else { LIGHTER };
     light / (1.0 + light * light).sqrt()
@@ -103,14 +119,14 @@ mod tests {
     use crate::domain::Domain;
     use crate::relief::CELL_SIZE;
 
-    /// The light on a square map with these heights, in units, and the number of its columns.
+    /// Computes the light on a square map with these heights, in units, and the number of its columns.
     fn light(exaggeration: f32, height: impl Fn(Vec2) -> f32) -> (Vec<f32>, usize) {
         let domain = Domain::with_aspect(1.0);
         let columns = (domain.size.x / CELL_SIZE).ceil() as usize;
         let at = |cell: usize| Vec2::new((cell % columns) as f32, (cell / columns) as f32) * CELL_SIZE;
         let heights = (0..columns * columns).map(|cell| height(at(cell))).collect();
         let relief = Relief::of_heights(&domain, heights).unwrap();
-        (light_of(&relief, exaggeration), columns)
+        (light_of(&relief, Light { exaggeration }), columns)
     }
 
     #[test]

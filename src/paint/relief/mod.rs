@@ -24,8 +24,8 @@ use crate::network::Network;
 use crate::relief::Relief;
 pub(crate) use basins::Basins;
 pub(crate) use contours::{INDEX, interval};
-pub(crate) use hachures::{Stroke, strength, strokes};
-pub(crate) use light::light_of;
+pub(crate) use hachures::{Stroke, strokes};
+pub(crate) use light::{Light, light_of};
 
 /// The ground that relief is laid on.
 pub(super) struct Sheet<'a> {
@@ -81,10 +81,10 @@ impl Prepared {
 
     /// Makes one of the parts that a look needs and that are missing, or some of it. Returns `true` if anything was
     /// missing.
-    pub fn prepare(&mut self, look: &'static ReliefLook, exaggeration: f32, network: &Network, view: &View) -> bool {
+    pub fn prepare(&mut self, look: &'static ReliefLook, light: Light, network: &Network, view: &View) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
-        if !self.shading.as_ref().is_some_and(|shading| shading.is_lit_with(exaggeration)) {
-            self.shading = Some(Shading::new(relief, exaggeration, view));
+        if !self.shading.as_ref().is_some_and(|shading| shading.light == light) {
+            self.shading = Some(Shading::new(relief, light, view));
         } else if let Some(look) = &look.contours
             && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
         {
@@ -111,7 +111,7 @@ impl Prepared {
             lines.lay(sheet, rows.clone(), pixels);
         }
         if let (Some(look), Some(mask)) = (&look.hachures, &inks.hachures) {
-            let strength = self.shading.as_ref().map_or(1.0, Shading::strength_of_hachures);
+            let strength = self.shading.as_ref().map_or(1.0, |shading| shading.light.strength_of_hachures());
             hachures::lay(look, strength, mask, sheet, rows.clone(), pixels);
         }
         if let (Some(look), Some(basins)) = (&look.basins, &mut self.basins) {
@@ -122,7 +122,7 @@ impl Prepared {
         }
     }
 
-    /// The number of the river colour in each pixel; empty before basins have been laid.
+    /// Returns the number of the river colour in each pixel; empty before basins have been laid.
     pub fn numbers(&self) -> &[u8] {
         self.basins.as_ref().map_or(&[], |basins| &basins.numbers)
     }
@@ -155,7 +155,8 @@ impl Inks {
     }
 }
 
-/// The height of the highest land, in units of height, but for a hundredth of the land or less, which lies above it.
+/// Returns the height of the highest land, in units of height, but for a hundredth of the land or less, which lies
+/// above it.
 pub(crate) fn highest(relief: &Relief) -> f32 {
     const SHARE: f32 = 0.99;
     relief.quantile(SHARE).max(f32::MIN_POSITIVE)

@@ -4,8 +4,7 @@ use glam::Vec2;
 
 use super::Sheet;
 use super::field::{Field, Place, places};
-use super::hachures::strength;
-use super::light::light_of;
+use super::light::{Light, light_of};
 use crate::paint::palette::{Colour, Tints};
 use crate::paint::view::{Rows, View};
 use crate::relief::{METRES, Relief};
@@ -13,8 +12,7 @@ use crate::relief::{METRES, Relief};
 /// The height and the light of land in each pixel of a picture, from north to south as far as they have been looked up.
 #[derive(Clone, Debug)]
 pub(super) struct Shading {
-    /// The exaggeration of slopes for this light.
-    lit_with: f32,
+    pub light: Light,
     /// The surface; `None` once all pixels have been looked up.
     surface: Option<Surface>,
     places: Vec<Place>,
@@ -31,25 +29,15 @@ struct Surface {
 
 impl Shading {
     /// Computes the light on a relief.
-    pub fn new(relief: &Relief, exaggeration: f32, view: &View) -> Self {
-        let light = Field { grid: relief.grid(), values: light_of(relief, exaggeration) };
+    pub fn new(relief: &Relief, light: Light, view: &View) -> Self {
+        let lit = Field { grid: relief.grid(), values: light_of(relief, light) };
         let height = Field::of(relief, |height| Tints::place_of(height * METRES));
         Self {
-            lit_with: exaggeration,
-            surface: Some(Surface { height, light }),
+            light,
+            surface: Some(Surface { height, light: lit }),
             places: places(view, relief.grid()),
             numbers: Vec::with_capacity(view.pixels()),
         }
-    }
-
-    /// The share of their full strength that hachures have in this light.
-    pub fn strength_of_hachures(&self) -> f32 {
-        strength(self.lit_with)
-    }
-
-    /// Returns `true` if slopes are exaggerated by this factor.
-    pub fn is_lit_with(&self, exaggeration: f32) -> bool {
-        self.lit_with == exaggeration
     }
 
     /// Lays colours over the land of some rows of a ground.
@@ -98,7 +86,7 @@ impl Colours {
     }
 }
 
-/// The number of the colour at the place of a height (`Tints::place_of`), in a light from -1 to 1.
+/// Returns the number of the colour at the place of a height (`Tints::place_of`), in a light from -1 to 1.
 #[inline]
 fn number(place: f32, light: f32) -> u16 {
     const MOST_HEIGHT: i32 = HEIGHTS as i32 - 1;
@@ -119,7 +107,7 @@ mod tests {
         Style::ALL.iter().filter_map(|&style| Some((style, &palette(style).relief?.tints)))
     }
 
-    /// The colour in the table of a height in metres and a light.
+    /// Returns the colour in the table of a height in metres and a light.
     fn colour(colours: &Colours, metres: f32, light: f32) -> Colour {
         colours.0[usize::from(number(Tints::place_of(metres), light))]
     }

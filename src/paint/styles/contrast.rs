@@ -4,7 +4,7 @@ use super::{label_look, palette, scenery_look};
 use crate::paint::palette::{Colour, Palette, mix};
 use crate::recipe::{Choice, Style};
 
-/// The contrast of two colours by WCAG 2, from 1 to 21.
+/// Computes the contrast of two colours by WCAG 2, from 1 to 21.
 fn contrast(a: Colour, b: Colour) -> f64 {
     let luminance = |colour: Colour| {
         let linear = |channel: u8| {
@@ -18,7 +18,7 @@ fn contrast(a: Colour, b: Colour) -> f64 {
     a.max(b) / a.min(b)
 }
 
-/// All colours of a style's land, apart from light and shade.
+/// Lists all colours of a style's land, apart from light and shade.
 fn grounds(palette: &Palette) -> Vec<Colour> {
     let relief = palette.relief.iter().flat_map(|relief| {
         let basins = relief.basins.iter().flat_map(|look| (0..=look.colours.len()).map(|number| look.tint(number)));
@@ -27,7 +27,7 @@ fn grounds(palette: &Palette) -> Vec<Colour> {
     [palette.lowland, palette.inland, palette.plain].into_iter().chain(relief).collect()
 }
 
-/// Figures on land, and letters in the margin.
+/// Checks figures on land and letters in the margin.
 #[test]
 fn heights_stand_out_from_the_land_and_from_the_margin() {
     let look = label_look(Style::Survey);
@@ -57,7 +57,7 @@ fn letters_stand_out_from_land_and_sea_of_their_style() {
     }
 }
 
-/// What is no text asks for 3 : 1 (WCAG 2, 1.4.11).
+/// Asks for 3 : 1, as for everything that is no text (WCAG 2, 1.4.11).
 #[test]
 fn trees_and_hills_stand_out_from_the_land_of_their_style() {
     for (style, look) in Style::ALL.iter().filter_map(|&style| Some((style, scenery_look(style)?))) {

@@ -11,20 +11,22 @@ pub(crate) struct Look {
     pub scenery: Option<SceneryLook>,
 }
 
-/// How letters are drawn.
+/// The look of letters.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LabelLook {
     pub ink: Colour,
-    /// What lies around letters on land, and how much it covers, where the ground is too uneven for letters of one colour.
+    /// The colour around letters on land, and the share that it covers, where the ground is too uneven for letters of
+    /// one colour.
     pub halo: Option<(Colour, f32)>,
-    /// What lies under type in a frame on land.
+    /// The colour under type in a frame on land.
     pub panel: Colour,
     /// The colour of marks: of what there is besides names.
     pub mark: Colour,
 }
 
 impl LabelLook {
-    /// How much of the halo letters need on a ground, from 0 to 1: none where they stand out by far, all where they hardly do.
+    /// Returns how much of the halo letters need on a ground, from 0 to 1: none where they stand out by far, all where
+    /// they hardly do.
     pub fn need_of_halo(self, ground: Colour) -> f32 {
         /// The contrasts from which on none is needed, and all (WCAG 2 asks for 4.5).
         const NONE: f32 = 8.0;
@@ -37,7 +39,7 @@ impl LabelLook {
         ((NONE - contrast(self.ink).min(contrast(self.mark))) / (NONE - ALL)).clamp(0.0, 1.0)
     }
 
-    /// What lies under type on land, and how much it covers; in a frame nearly all.
+    /// Returns the colour under type on land, and the share that it covers; in a frame nearly all.
     pub fn under(self, is_panel: bool) -> Option<(Colour, f32)> {
         const PANEL: f32 = 0.88;
         if is_panel { Some((self.panel, PANEL)) } else { self.halo }
@@ -47,38 +49,40 @@ impl LabelLook {
 /// The light reflected by a screen, which adds to luminances from 0 to 1 (WCAG 2).
 const FLARE: f32 = 0.05;
 
-/// The luminance of a colour, from 0 to 1, with squares in place of the powers of sRGB: near enough to choose by.
+/// Returns the luminance of a colour, from 0 to 1, with squares in place of the powers of sRGB: near enough to choose
+/// by.
 fn luminance(colour: Colour) -> f32 {
     let [red, green, blue] = colour.map(|channel| f32::from(channel) * f32::from(channel) / (255.0 * 255.0));
     0.2126 * red + 0.7152 * green + 0.0722 * blue
 }
 
-/// Letters straight on the ground; in a frame, on paper.
+/// Makes the look of letters straight on the ground; in a frame, on paper.
 pub(super) const fn bare(ink: Colour, paper: Colour) -> LabelLook {
     LabelLook { ink, halo: None, panel: paper, mark: ink }
 }
 
-/// Letters with a halo, which covers so much of the ground.
+/// Makes the look of letters with a halo, which covers so much of the ground.
 pub(super) const fn haloed(ink: Colour, halo: Colour, covers: f32) -> LabelLook {
     LabelLook { halo: Some((halo, covers)), ..bare(ink, halo) }
 }
 
-/// How trees and hills are drawn.
+/// The look of trees and hills.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SceneryLook {
     pub ink: Colour,
-    /// How much fainter strokes cover, those on the dark side.
+    /// The share that strokes on the dark side cover.
     pub shade: f32,
-    /// What covers the ground behind them, and how much, where that is too uneven for strokes alone.
+    /// The colour of the ground behind trees and hills, and the share that it covers, where that is too uneven for
+    /// strokes alone.
     pub body: Option<(Colour, f32)>,
 }
 
-/// Trees and hills straight on the ground.
+/// Makes the look of trees and hills straight on the ground.
 pub(super) const fn strokes(ink: Colour) -> SceneryLook {
     SceneryLook { ink, shade: 0.7, body: None }
 }
 
-/// Trees and hills on a body, which covers so much of the ground.
+/// Makes the look of trees and hills on a body, which covers so much of the ground.
 pub(super) const fn bodied(ink: Colour, body: Colour, covers: f32) -> SceneryLook {
     SceneryLook { body: Some((body, covers)), ..strokes(ink) }
 }

@@ -22,7 +22,7 @@ use super::palette::Palette;
 use crate::recipe::Style;
 use look::Look;
 
-/// All that a style paints with.
+/// Returns all that a style paints with.
 fn look(style: Style) -> &'static Look {
     match style {
         Style::Ink => &ink::STYLE,
@@ -40,17 +40,17 @@ fn look(style: Style) -> &'static Look {
     }
 }
 
-/// The colours and forms of a style.
+/// Returns the colours and forms of a style.
 pub(crate) fn palette(style: Style) -> &'static Palette {
     &look(style).palette
 }
 
-/// How a style draws letters.
+/// Returns the look of a style's letters.
 pub(crate) fn label_look(style: Style) -> LabelLook {
     look(style).labels
 }
 
-/// How a style draws trees and hills; `None` if it has none.
+/// Returns the look of a style's trees and hills; `None` if it has none.
 pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
     look(style).scenery
 }
