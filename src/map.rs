@@ -191,7 +191,7 @@ impl Map {
     /// Returns the settings by which the rivers were made from the tree.
     pub fn network_settings(&self) -> NetworkSettings {
         let Grown { stream_spacing, total_discharge, .. } = self.grown;
-        NetworkSettings::new(&self.recipe, self.land.clone(), stream_spacing, total_discharge)
+        NetworkSettings::new(&self.recipe, stream_spacing, total_discharge)
     }
 
     /// Returns the settings by which the relief is made from the rivers.

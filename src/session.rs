@@ -354,7 +354,7 @@ impl Session {
         const BYTES_A_NODE: usize = 64;
         ask_for_memory(self.tree().len(), BYTES_A_NODE, 0)?;
         let Pruned { tree, .. } = self.pruned();
-        Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
+        Shaping::new(&tree, self.growth.may_cross(), self.land().cloned(), self.network_settings())
     }
 
     /// Returns `true` if the style shows a relief that has not been made yet.
@@ -448,7 +448,7 @@ impl Session {
     /// Returns the settings by which rivers are made from the tree of this recipe.
     pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
-        NetworkSettings::new(&self.recipe, self.land().cloned(), growth.stream_spacing(), growth.total_discharge())
+        NetworkSettings::new(&self.recipe, growth.stream_spacing(), growth.total_discharge())
     }
 
     /// Returns the untrimmed tree, as far as it has grown; after the sea has risen, what is left of it.

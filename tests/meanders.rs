@@ -37,11 +37,11 @@ fn young(recipe: &str) -> Meander {
     let growth = session.growth();
     let settings = NetworkSettings::new(
         &link::read(&format!("{recipe}&meander-rounds=400")).unwrap(),
-        session.land().cloned(),
         growth.stream_spacing(),
         growth.total_discharge(),
     );
-    let mut shaping = Shaping::new(&session.pruned().tree, session.growth().may_cross(), settings).unwrap();
+    let mut shaping =
+        Shaping::new(&session.pruned().tree, growth.may_cross(), session.land().cloned(), settings).unwrap();
     while shaping.meander().is_none() {
         shaping.step();
     }

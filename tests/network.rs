@@ -23,8 +23,8 @@ fn shaped(recipe: &Recipe) -> Meander {
         &Hydrology::of(growth.tree()),
         prune::Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen()),
     );
-    let settings = network::NetworkSettings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
-    let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), settings).unwrap();
+    let settings = network::NetworkSettings::new(recipe, growth.stream_spacing(), growth.total_discharge());
+    let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), land, settings).unwrap();
     while shaping.meander().is_none() {
         shaping.step();
     }

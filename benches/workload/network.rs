@@ -30,8 +30,8 @@ fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
         &Hydrology::of(growth.tree()),
         Trim::new(recipe.number(NumberKey::Trim), growth.node_length(), !growth.mouths_are_chosen()),
     );
-    let settings = network::NetworkSettings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
-    Shaping::new(&pruned.tree, growth.may_cross(), settings).ok()
+    let settings = network::NetworkSettings::new(recipe, growth.stream_spacing(), growth.total_discharge());
+    Shaping::new(&pruned.tree, growth.may_cross(), None, settings).ok()
 }
 
 /// About 10,000 vertices of rivers halfway through their rounds, on each of several maps side by side.
@@ -45,7 +45,8 @@ fn half_meandered(maps: u32) -> Option<Meander> {
         shaping.step();
     }
     let meander = shaping.meander()?;
-    Some(Meander::of(side_by_side(meander.network(), maps, meander.settings().domain.size), wide(meander, maps)))
+    let network = side_by_side(meander.network(), maps, meander.settings().domain.size);
+    Some(Meander::of(network, None, wide(meander, maps)))
 }
 
 /// The settings for several maps from west to east.

@@ -32,19 +32,19 @@ mod smooth;
 mod uncross;
 mod width;
 
-#[doc(hidden)]
-pub use crate::base::geometry::{gap, meet};
 pub use banks::{Banks, Place};
-#[doc(hidden)]
-pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
-#[doc(hidden)]
-pub use curvature::curvature;
 pub use meander::Reach;
 pub use meander::{Meander, PastCourse, PastCourses, PastRound};
 pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
+#[doc(hidden)] // Tests and benchmarks measure with these.
+pub use {
+    crate::base::geometry::{gap, meet},
+    clearance::{ClearanceGrid, NearbyPair},
+    curvature::curvature,
+};
 
 use std::ops::Range;
 

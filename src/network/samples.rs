@@ -10,12 +10,7 @@ pub(super) fn settings() -> NetworkSettings {
     let recipe =
         link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&courses=smooth&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
             .unwrap();
-    NetworkSettings {
-        spacing: 1.0,
-        hairline: 0.1,
-        min_clearance: 0.5,
-        ..NetworkSettings::new(&recipe, None, 100.0, 100)
-    }
+    NetworkSettings { spacing: 1.0, hairline: 0.1, min_clearance: 0.5, ..NetworkSettings::new(&recipe, 100.0, 100) }
 }
 
 /// Makes a river through some points, of the same width everywhere, that moves freely.

@@ -1,13 +1,10 @@
 //! The settings of the network stage, in domain units.
 
-use std::sync::Arc;
-
 use fastnoise_lite::FastNoiseLite;
 
 use crate::base::geometry::{fast_max, fast_min};
 use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
-use crate::land::Land;
 use crate::recipe::{CourseShape, IntegerKey, MeanderModel, NumberKey, Recipe};
 
 /// The settings of the network stage, resolved.
@@ -18,8 +15,6 @@ pub struct NetworkSettings {
     pub seed: Seed,
     /// The rectangle of the map.
     pub domain: Domain,
-    /// The land; `None` if all of the domain is land.
-    pub(super) land: Option<Arc<Land>>,
     /// The approximate distance between the vertices of a course, in units.
     pub spacing: f32,
     /// The discharge of a river that would drain the whole map.
@@ -59,13 +54,12 @@ pub struct NetworkSettings {
 }
 
 impl NetworkSettings {
-    /// Resolves the settings of a recipe for a tree on some land: `stream_spacing` is the distance between its streams,
+    /// Resolves the settings of a recipe for a tree: `stream_spacing` is the distance between its streams,
     /// in units, and `total_discharge` the discharge of a river that would drain the whole map.
-    pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {
+    pub fn new(recipe: &Recipe, stream_spacing: f32, total_discharge: u32) -> Self {
         Self {
             seed: Seed::from_text(recipe.seed()),
             domain: Domain::of(recipe),
-            land,
             spacing: (stream_spacing * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
             total_discharge: total_discharge.max(1),
             hairline: fast_min(HAIRLINE, stream_spacing * HAIRLINE_SHARE),

@@ -2,12 +2,15 @@
 //! steps, then widths and rounds of meandering. No step keeps a page waiting for long. Courses as grown keep all their vertices, the
 //! nodes of the tree, where they are: only widths are made.
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
 use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
 use super::{Network, NetworkSettings, PastCourses};
 use crate::base::memory;
+use crate::land::Land;
 use crate::recipe::CourseShape;
 use crate::tree::Tree;
 
@@ -29,6 +32,8 @@ pub enum ShapeError {
 #[derive(Clone, Debug)]
 pub struct Shaping {
     settings: NetworkSettings,
+    /// The land; `None` if all of the domain is.
+    land: Option<Arc<Land>>,
     /// The number of nodes in the tree.
     nodes: u32,
     state: State,
@@ -51,36 +56,42 @@ const THINNINGS: u32 = 4;
 
 impl Shaping {
     /// Finds the courses of rivers in a tree, which may have been trimmed, and may come from anywhere. `may_cross` says
-    /// whether its steps may cross each other.
+    /// whether its steps may cross each other; `land` is `None` if all of the domain is.
     ///
     /// # Errors
     /// If there is not enough memory for its rivers.
-    pub fn new(tree: &Tree, may_cross: bool, settings: NetworkSettings) -> Result<Self, ShapeError> {
+    pub fn new(
+        tree: &Tree,
+        may_cross: bool,
+        land: Option<Arc<Land>>,
+        settings: NetworkSettings,
+    ) -> Result<Self, ShapeError> {
         /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 bytes a node at most.
         const BYTES_A_NODE: usize = 256;
         ask_for_memory(tree.len(), BYTES_A_NODE, PastCourses::BYTES)?;
         let state = State::Courses(Courses::unranked(tree, may_cross));
-        Ok(Self { settings, nodes: tree.len() as u32, state })
+        Ok(Self { settings, land, nodes: tree.len() as u32, state })
     }
 
     /// Does a step of the work. Returns `true` if there is more to do.
     pub fn step(&mut self) -> bool {
         self.state = match std::mem::take(&mut self.state) {
             State::Between => State::Between,
-            State::Courses(network) => State::Ranked(Courses::ranked(network, self.settings.land.as_deref())),
+            State::Courses(network) => State::Ranked(Courses::ranked(network, self.land.as_deref())),
             State::Ranked(courses) if self.settings.courses == CourseShape::Grown => {
                 let network = courses.network.clone();
                 State::Smooth(courses, network, 0)
             }
             State::Ranked(courses) => {
-                let network = smooth_courses(&courses, &self.settings);
+                let network = smooth_courses(&courses, self.land.as_deref(), &self.settings);
                 State::Smooth(courses, network, THINNINGS)
             }
             State::Smooth(courses, mut network, times) => {
                 if times > 0 && thin_out(&mut network, &self.settings) {
                     State::Smooth(courses, network, times - 1)
                 } else {
-                    State::Rivers(courses, Box::new(Meander::along(network, self.settings.clone())))
+                    let meander = Meander::along(network, self.land.clone(), self.settings.clone());
+                    State::Rivers(courses, Box::new(meander))
                 }
             }
             State::Rivers(courses, mut meander) => {

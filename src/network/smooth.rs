@@ -20,8 +20,14 @@ const ROUNDS: u32 = 6;
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.3;
 
 /// Smooths a network that [`super::evenly::divide`] has made from a coarser one.
-pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], settings: &NetworkSettings) {
-    let (land, spacing) = (settings.land.as_deref(), settings.spacing);
+pub(super) fn smooth(
+    network: &mut Network,
+    coarse: &Network,
+    origin: &[(u32, f32)],
+    land: Option<&Land>,
+    settings: &NetworkSettings,
+) {
+    let spacing = settings.spacing;
     let mut targets = targets(coarse, origin);
     let downstream = network.downstream();
     let mut guard = ClearanceGrid::new(&settings.domain, spacing);
@@ -122,7 +128,7 @@ mod tests {
     fn smoothed(coarse: &Network) -> Vec<Vec2> {
         let settings = settings();
         let (mut network, origin) = divide(coarse, &settings);
-        smooth(&mut network, coarse, &origin, &settings);
+        smooth(&mut network, coarse, &origin, None, &settings);
         places(&network)
     }
 

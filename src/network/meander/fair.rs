@@ -15,6 +15,7 @@ use super::super::{NONE, Network, River, Vertex};
 use super::{CAP, Survey, keeps_off_frame, river_of};
 use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
 use crate::base::work;
+use crate::land::Land;
 
 /// The least radius of a wide river's bends, in widths: that of the circle through points a width apart.
 const LEAST_RADIUS: f32 = 1.5;
@@ -37,6 +38,7 @@ pub(super) struct Fairing<'a> {
     network: &'a mut Network,
     /// The grid of the survey.
     guard: &'a ClearanceGrid,
+    land: Option<&'a Land>,
     settings: &'a NetworkSettings,
     /// The survey, which is kept up to date.
     survey: &'a mut Survey,
@@ -51,13 +53,14 @@ impl<'a> Fairing<'a> {
     pub fn new(
         network: &'a mut Network,
         guard: &'a ClearanceGrid,
+        land: Option<&'a Land>,
         settings: &'a NetworkSettings,
         survey: &'a mut Survey,
     ) -> Self {
         let places = network.vertices.iter().map(|vertex| vertex.at).collect();
         let widest = network.vertices.iter().map(Vertex::width).fold(0.0, fast_max);
         let drift = survey.drift;
-        Self { network, guard, settings, survey, places, drift, widest }
+        Self { network, guard, land, settings, survey, places, drift, widest }
     }
 
     /// Eases bends in at most `passes` passes, fewer if they take long.
@@ -141,8 +144,8 @@ impl<'a> Fairing<'a> {
         let ends = [(i - 1, i - 1), (i, self.survey.downstream[i as usize])];
         let mut moved = Moved { i, to, arms: &arms, gaps: Vec::with_capacity(32) };
         let are_free = ends.into_iter().chain(arms.iter().map(|arm| (arm.last, arm.first))).all(|(segment, end)| {
-            let is_on_land = |land: &crate::land::Land| land.allows(self.network.vertices[end as usize].at, to);
-            self.settings.land.as_deref().is_none_or(is_on_land) && self.is_free(&mut moved, segment, end, plan)
+            let is_on_land = |land: &Land| land.allows(self.network.vertices[end as usize].at, to);
+            self.land.is_none_or(is_on_land) && self.is_free(&mut moved, segment, end, plan)
         });
         if !are_free {
             return false;
@@ -350,7 +353,7 @@ mod tests {
         let reach = vec![WIDTH; downstream.len()];
         let clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
         let mut survey = Survey { downstream, step_scale: Vec::new(), clearance, drift: 0.0 };
-        Fairing::new(&mut network, &guard, &settings, &mut survey).ease(passes);
+        Fairing::new(&mut network, &guard, None, &settings, &mut survey).ease(passes);
         network
     }
 

@@ -30,6 +30,7 @@ use super::width::widen;
 use super::{NONE, Network, River, Vertex};
 use crate::base::geometry::{fast_max, fast_min, length};
 use crate::domain::Domain;
+use crate::land::Land;
 use crate::recipe::{CourseShape, MeanderModel};
 
 pub use mobility::Reach;
@@ -54,6 +55,8 @@ const OFF_FRAME: f32 = 8.0;
 #[derive(Clone, Debug)]
 pub struct Meander {
     settings: NetworkSettings,
+    /// The land; `None` if all of the domain is.
+    land: Option<Arc<Land>>,
     network: Arc<Network>,
     /// The network as it is drawn; empty until it is asked for.
     drawn: OnceLock<Arc<Network>>,
@@ -82,18 +85,19 @@ struct Survey {
 
 impl Meander {
     /// Begins with courses that are smooth and thinned out: sets their widths and mobility, and makes no round yet.
-    pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
+    pub(super) fn along(mut network: Network, land: Option<Arc<Land>>, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
         let great = mobility::assign(&mut network, &settings);
         let reaches = mobility::reaches(&network, &great, &settings);
-        Self { past: PastCourses::of(great).into(), reaches: reaches.into(), ..Self::of(network, settings) }
+        Self { past: PastCourses::of(great).into(), reaches: reaches.into(), ..Self::of(network, land, settings) }
     }
 
     /// Begins with any network that has its widths and mobility already. None of its rivers counts as great.
-    pub fn of(network: Network, settings: NetworkSettings) -> Self {
+    pub fn of(network: Network, land: Option<Arc<Land>>, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         Self {
             settings,
+            land,
             network: network.into(),
             drawn: OnceLock::new(),
             guard,
@@ -323,7 +327,7 @@ impl Meander {
     /// Returns `true` if a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
     fn is_on_land(&self, cut: &cutoff::Cut) -> bool {
         let [above, below] = [cut.above, cut.below].map(|i| self.network.vertices[i as usize].at);
-        self.settings.land.as_ref().is_none_or(|land| land.allows(above, below))
+        self.land.as_ref().is_none_or(|land| land.allows(above, below))
     }
 
     /// Stops vertices that have come too near another river, or so near their own that the neck should have been cut.
@@ -373,7 +377,7 @@ impl Meander {
         let is_end = self.round <= ROUNDS_A_SURVEY || self.round == self.settings.rounds;
         let network = Arc::make_mut(&mut self.network);
         let passes = if is_end { MOST_PASSES } else { PASSES };
-        fair::Fairing::new(network, &self.guard, &self.settings, survey).ease(passes);
+        fair::Fairing::new(network, &self.guard, self.land.as_deref(), &self.settings, survey).ease(passes);
     }
 
     /// Moves bends. Returns the distance that each vertex has moved, in units.
@@ -383,7 +387,7 @@ impl Meander {
             _ => bend::moves(&self.network, &survey.step_scale, &self.settings),
         };
         let mut moved = limits(&survey.clearance, &survey.downstream);
-        let NetworkSettings { domain, land, .. } = &self.settings;
+        let (domain, land) = (&self.settings.domain, self.land.as_deref());
         for ((vertex, way), moved) in Arc::make_mut(&mut self.network).vertices.iter_mut().zip(moves).zip(&mut moved) {
             let limit = std::mem::take(moved);
             if way == Vec2::ZERO {
@@ -396,7 +400,7 @@ impl Meander {
             if !keeps_off_frame(domain, vertex, to) {
                 vertex.mobility = 0.0;
                 self.has_stopped = true;
-            } else if has_room(land.as_deref(), vertex.at, 2.0 * step) {
+            } else if has_room(land, vertex.at, 2.0 * step) {
                 *moved = fast_min(far, limit);
                 vertex.at = to;
             } else {
@@ -420,10 +424,10 @@ impl Survey {
 }
 
 /// Simplifies and smooths courses; they have no widths yet.
-pub(super) fn smooth_courses(courses: &Courses, settings: &NetworkSettings) -> Network {
+pub(super) fn smooth_courses(courses: &Courses, land: Option<&Land>, settings: &NetworkSettings) -> Network {
     let coarse = simplified(&courses.network, &courses.ranking, settings.simplify);
     let (mut network, origin) = divide(&coarse, settings);
-    smooth(&mut network, &coarse, &origin, settings);
+    smooth(&mut network, &coarse, &origin, land, settings);
     network
 }
 
@@ -473,6 +477,7 @@ mod tests {
         let line = sine_generated(0.3, 44.0, 8, 44);
         let mut meander = Meander::of(
             river(&line, 4.0),
+            None,
             NetworkSettings { model, rounds, strength: 0.6, neck: 4.0, oxbow_life: f32::INFINITY, ..settings() },
         );
         while meander.round() {}
@@ -502,7 +507,7 @@ mod tests {
         // Another river runs right beside the bends.
         let beside = straight((60.0, 394.0), (330.0, 394.0), 270);
         let network = river(&sine_generated(0.3, 44.0, 8, 44), 4.0).with_arm(&beside, 340, 20);
-        let mut meander = Meander::of(network, NetworkSettings { rounds: 60, strength: 1.0, ..settings() });
+        let mut meander = Meander::of(network, None, NetworkSettings { rounds: 60, strength: 1.0, ..settings() });
         while meander.round() {}
         let network = meander.network();
         let [main, other] = [0, 1].map(|river| &network.vertices[network.rivers[river].vertex_range()]);
@@ -523,7 +528,7 @@ mod tests {
             let mobility = if gentle(number) { 0.3 } else { 1.0 };
             network.vertices[river.vertex_range()].iter_mut().for_each(|vertex| vertex.mobility = mobility);
         }
-        let mut meander = Meander::of(network, settings());
+        let mut meander = Meander::of(network, None, settings());
         let mut moves = Vec::new();
         for round in 0..3 {
             meander.round = round * ROUNDS_A_SURVEY;
