@@ -3,8 +3,8 @@
 use glam::Vec2;
 
 use super::Land;
-use crate::recipe::Style;
 use crate::recipe::Shown;
+use crate::recipe::Style;
 
 /// The width of the margin of a picture, from its edges to the map, in units.
 pub(crate) const MARGIN: f32 = 9.0;

@@ -10,8 +10,8 @@ use super::palette::{Colour, NeatlineLook};
 use super::styles::palette;
 use super::view::{Rows, View};
 use crate::land::{Land, MARGIN, runs_off};
-use crate::recipe::Style;
 use crate::recipe::Shown;
+use crate::recipe::Style;
 
 /// The lines in the margin of a map: their distances from the map and their widths, in units.
 pub(crate) const LINES: [(f32, f32); 2] = [(0.0, 0.7), (2.9, 1.5)];
