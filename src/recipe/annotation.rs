@@ -2,9 +2,9 @@
 
 use super::Recipe;
 use super::choice::{Cartouche, Labels};
+use super::key::{Key, NumberKey};
 use super::names::OwnNames;
 use super::style::{Shown, Style};
-use super::table::{Key, NumberKey};
 
 impl Recipe {
     /// Returns how wooded the land is and how thickly hills stand, from 0 to 1: 0 in a style that does not draw them.

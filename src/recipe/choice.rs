@@ -1,7 +1,7 @@
 //! The parameters whose values are words. Each is declared once: a type, and the words, labels and help texts of its
 //! values.
 
-use super::table::Key;
+use super::key::Key;
 use super::texts::explained;
 
 /// A value of a parameter that is a choice among words.

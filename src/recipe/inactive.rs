@@ -1,8 +1,8 @@
 //! Parameters that have no effect in a recipe, and the reasons: the only place that decides this.
 
 use super::choice::{CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern};
+use super::key::Key;
 use super::style::Style;
-use super::table::Key;
 use super::{Decimal, Recipe, Value};
 
 /// The reason why a parameter has no effect; `None` if it has one.

@@ -9,9 +9,9 @@ use std::str::FromStr;
 
 use super::error::RecipeError;
 use super::hidden::{shown, visible};
+use super::key::Key;
 use super::names::OwnNames;
 use super::parameter::{Kind, Parameter};
-use super::table::Key;
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};

@@ -13,6 +13,7 @@ mod hidden;
 mod inactive;
 #[cfg(feature = "json")]
 pub mod json;
+mod key;
 pub mod link;
 mod names;
 mod outline;
@@ -30,15 +31,16 @@ pub use choice::{
 };
 pub use error::RecipeError;
 pub use hidden::{shown, visible};
+pub use key::{IntegerKey, Key, NumberKey};
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};
 pub(crate) use style::Shown;
 pub use style::Style;
-pub use table::{IntegerKey, Key, NumberKey};
 pub use value::{Decimal, Sides, Value};
 
-use table::{COUNT, TABLE};
+use key::COUNT;
+use table::TABLE;
 
 /// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.
 pub const EDITION: u32 = 1;

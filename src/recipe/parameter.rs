@@ -3,9 +3,9 @@
 use super::choice::Word;
 use super::error::RecipeError;
 use super::hidden::shown;
+use super::key::Key;
 use super::names::OwnNames;
 use super::outline::Outline;
-use super::table::Key;
 use super::value::{Decimal, Sides, Value};
 
 /// A stage that parameters belong to. Stages run in this order.

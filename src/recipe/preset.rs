@@ -2,8 +2,8 @@
 
 mod countries;
 
+use super::key::Key;
 use super::style::Style;
-use super::table::Key;
 use super::texts::explained;
 pub use countries::COUNTRIES;
 

@@ -3,9 +3,9 @@
 
 use super::Recipe;
 use super::choice::{GrowthMethod, LandKind};
+use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
 use super::style::Style;
-use super::table::{IntegerKey, Key};
 use super::value::Value;
 
 /// The place where a link's rivers are shown.

@@ -1,7 +1,7 @@
 //! The styles of painting, and the parts of a map that each shows.
 
 use super::choice::{Choice, Word, choices};
-use super::table::Key;
+use super::key::Key;
 use super::texts::{Written, explained};
 
 choices! {

@@ -10,7 +10,7 @@ use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
 const INTRODUCTION: &str = "\
 # Parameters
 
-<!-- Written by `make docs` from the parameter table, src/recipe/table.rs: change it there. -->
+<!-- Written by `make docs` from the parameter table, src/recipe/rows.rs: change it there. -->
 
 A recipe is a value for each of these parameters; a parameter that is left out has its default. The same keys are used in links
 (`seed=kauri&valleys=0.6`), as command-line options (`--valleys 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
