@@ -7,7 +7,7 @@ use crate::annotate::place::STEPS;
 use crate::base::hash::Fnv1a;
 use crate::base::numbers::Reader;
 
-/// How many curves a letter has at most, and how far it reaches, in ems.
+/// The most curves of a letter, and the farthest that it reaches, in ems.
 const MOST_CURVES: usize = 1000;
 const FARTHEST: f32 = 8.0;
 

@@ -15,11 +15,11 @@ use crate::annotate::place::{Kind, Label, LabelIn, PlacedIn, Stroke};
 use crate::base::numbers::{Reader, Writer};
 use crate::base::trigonometry::sine_and_cosine;
 
-/// How many there are to a unit: of places, of ems, and of half widths.
+/// The number of steps to a unit: of places, of ems, and of half widths.
 const PLACES: f32 = 32.0;
 const EMS: f32 = 64.0;
 const HALVES: f32 = 256.0;
-/// How many turns there are to a whole one.
+/// The number of steps to a whole turn.
 const TURNS: f32 = 4096.0;
 
 /// The farthest place, the largest letters and the widest lines that are read: all of any map.

@@ -12,7 +12,7 @@ use crate::paint::View;
 /// Returns the step of a picture with `ratio` pixels to a CSS pixel; `None` if it shows less than the whole map, or more, or if it is
 /// smaller than all steps.
 pub(super) fn step_of(view: &View, ratio: f32) -> Option<usize> {
-    /// How far the map may reach over a side, in pixels: what rounding to whole pixels takes.
+    /// The most that the map may reach over a side, in pixels: what rounding to whole pixels takes.
     const ROUNDING: f32 = 1.5;
     let corners = view.frame().map(|corner| view.pixel(corner));
     let ends = [Vec2::ZERO, view.domain()].map(|corner| view.pixel(corner));
