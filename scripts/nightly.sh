@@ -3,7 +3,7 @@
 #
 #   scripts/nightly.sh [TARGET…]   these targets of make; by itself all of them
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 
 (($#)) || set -- check test-all test-arch newest explore fuzz mutants
 commit=$(git rev-parse --short=12 HEAD)

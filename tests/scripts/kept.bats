@@ -47,5 +47,5 @@ there() { [[ -e $checkout/target/debug/$1 ]] || fail "no $1"; }
   done
   mv "$checkout/built" "$checkout/target"
   kept keep
-  [[ $(ls "$machine/cache/riverseed/crates" | wc -l) == 1 ]] || fail "older ones stay"
+  [[ $(find "$machine/cache/riverseed/crates" -mindepth 1 -maxdepth 1 | wc -l) == 1 ]] || fail "older ones stay"
 }

@@ -44,6 +44,8 @@ plan() { run env "${variables[@]}" "$real_node" "$clone/scripts/plan.mjs" "$@"; 
 parts() { variables=(RIVERSEED_ROOT="$clone"); plan parts; }
 # tests NAME…: those that are chosen of the tests with these names.
 tests() { chosen=$(printf '%s\n' "$@" | RIVERSEED_ROOT=$clone SHARE=${share-} "$real_node" "$clone/scripts/plan.mjs" tests rust 2>"$BATS_TEST_TMPDIR/why"); }
+# named KEY: the words that rows of docs/ci.toml have under it.
+named() { grep -oE "$1 = \"[^\"]*\"" "$project/docs/ci.toml" | sed 's/.* = //; s/"//g' | tr ' ' '\n'; }
 has() { grep --quiet --line-regexp "$1" <<<"$output" || fail "no line $1"; }
 lacks() { ! grep --quiet --line-regexp "$1" <<<"$output" || fail "there is a line $1"; }
 
@@ -159,19 +161,19 @@ lacks() { ! grep --quiet --line-regexp "$1" <<<"$output" || fail "there is a lin
 
 @test "every name in docs/ci.toml is there: parts, modules of tests, specs" {
   make=$(grep -oE '^[a-z-]+:' "$project/Makefile")
-  for part in $(grep -oE '(make|parts) = "[^"]*"' "$project/docs/ci.toml" | sed 's/.* = //; s/"//g'); do
+  while read -r part; do
     grep --quiet "^$part:" <<<"$make" || fail "make has no $part"
-  done
-  for spec in $(grep -oE 'browser = "[^"]*"' "$project/docs/ci.toml" | sed 's/.* = //; s/"//g'); do
+  done < <(named make; named parts)
+  while read -r spec; do
     [[ -e $project/www/tests/e2e/$spec.spec.ts ]] || fail "no spec $spec"
-  done
-  for module in $(grep -oE 'rust = "[^"]*"' "$project/docs/ci.toml" | sed 's/.* = //; s/"//g'); do
-    found=("$project"/src/"$module"{,.rs} "$project"/tests/"$module"{,.rs} "$project"/crates/*/tests/"$module".rs)
-    [[ $(ls -d "${found[@]}" 2>/dev/null) ]] || fail "no module $module"
-  done
-  for path in $(sed -n '/^\[paths\]/,$s/^"\([^"]*\)" = .*/\1/p' "$project/docs/ci.toml"); do
+  done < <(named browser)
+  while read -r module; do
+    compgen -G "$project/crates/*/tests/$module.rs" >/dev/null || [[ -d $project/src/$module || -d $project/tests/$module ]] ||
+      [[ -e $project/src/$module.rs || -e $project/tests/$module.rs ]] || fail "no module $module"
+  done < <(named rust)
+  while read -r path; do
     [[ -e $project/$path || -e $project/$path.rs ]] || fail "no path $path"
-  done
+  done < <(sed -n '/^\[paths\]/,$s/^"\([^"]*\)" = .*/\1/p' "$project/docs/ci.toml")
 }
 
 @test "a suite runs the tests that were chosen by their names, and one that is lost on the way is a failure" {
