@@ -133,7 +133,7 @@ fn every_island_of_some_size_has_rivers() {
         let mouths = riverseed::grow::mouths(&settings);
         let all: u32 = land.regions().iter().map(|region| region.cells).sum();
         for region in land.regions().iter().filter(|region| region.cells * 100 >= all) {
-            assert!(mouths.iter().any(|mouth| land.is_in(region, mouth.at)), "seed {seed}: {} cells", region.cells);
+            assert!(mouths.iter().any(|mouth| region.holds(mouth.at)), "seed {seed}: {} cells", region.cells);
         }
     }
 }

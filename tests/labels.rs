@@ -11,8 +11,10 @@ use crate::common::tier::{first, tiers};
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::annotate::labels;
-use riverseed::annotate::place::{Area, AreaKind, Box, Input, Kind, Label, Piece, Placed, Raster, Strip, place};
+use riverseed::annotate::names::{PlaceKind, PlaceName};
+use riverseed::annotate::place::{Box, Input, Kind, Label, Piece, Placed, Raster, place};
 use riverseed::glam::Vec2;
+use riverseed::land::{CELL_SIZE, Region, Run};
 use riverseed::recipe::{Key, link};
 use riverseed::{Map, Picture, Session};
 
@@ -95,7 +97,7 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
         let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
         prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
     }
-    let depth = |at: Vec2| input.coast.map_or(-1.0, |coast| -coast.height(at));
+    let depth = |at: Vec2| input.map.coast.map_or(-1.0, |coast| -coast.height(at));
     let is_sea = |from: Vec2, least: f32| {
         let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
         points.all(|share| depth(from + share * (to - from)) >= least)
@@ -109,38 +111,52 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
     Ok(())
 }
 
+/// The seas, lakes and islands but the main land, with their regions.
+fn areas<'a>(input: &'a Input<'_>) -> impl Iterator<Item = (&'a PlaceName, &'a Region)> {
+    let is_area = |place: &PlaceName| match place.kind {
+        PlaceKind::Island => place.number > 0,
+        kind => matches!(kind, PlaceKind::Sea | PlaceKind::Lake),
+    };
+    input.map.names.places.iter().zip(&input.map.regions).filter(move |(place, _)| is_area(place))
+}
+
+/// Returns `true` if a place has this name, in full or without its article.
+fn is_named(place: &PlaceName, text: &str) -> bool {
+    place.name == text || place.name.strip_prefix("The ") == Some(text)
+}
+
 /// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
 fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     if matches!(label.kind, Kind::Region | Kind::Inlet | Kind::Cape) {
         return check_landmark(label, input);
     }
-    let area = input.areas.iter().find(|area| area.name.contains(&label.text)).unwrap();
-    let (is_island, is_in) = (area.kind == AreaKind::Island, label.kind != Kind::Offshore);
+    let (place, region) = areas(input).find(|(place, _)| is_named(place, &label.text)).unwrap();
+    let (is_island, is_in) = (place.kind == PlaceKind::Island, label.kind != Kind::Offshore);
     prop_assert_eq!(is_island, label.kind != Kind::Water);
     for letter in &label.letters {
         let angle = degrees(letter.along);
         prop_assert!(angle.abs() < if is_island { 0.1 } else { 20.01 }, "{} climbs by {angle} degrees", label.text);
     }
     for around in boxes(label) {
-        prop_assert_eq!(area.contains(around.middle), is_in, "{}", label.text);
+        prop_assert_eq!(region.holds(around.middle), is_in, "{}", label.text);
         for corner in around.corners() {
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
-            let inland = input.coast.unwrap().height(corner);
+            let inland = input.map.coast.unwrap().height(corner);
             let room = if label.kind == Kind::Island { inland } else { -inland };
             let least = if label.kind == Kind::Water { 0.7 } else { 0.15 };
             prop_assert!(room > least * label.em, "{} is {room} from the coast", label.text);
         }
     }
     if label.kind == Kind::Offshore {
-        check_belonging(label, area, input)?;
+        check_belonging(label, region, input)?;
     }
     Ok(())
 }
 
 /// Regions on their land, bays and straits in their water, capes on the water near their tip; all upright and in the frame.
 fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
-    let landmark = input.landmarks.iter().find(|landmark| landmark.name.contains(&label.text)).unwrap();
-    let (is_region, coast) = (label.kind == Kind::Region, input.coast.unwrap());
+    let landmark = input.map.names.places.iter().find(|place| is_named(place, &label.text)).unwrap();
+    let (is_region, coast) = (label.kind == Kind::Region, input.map.coast.unwrap());
     let mut nearest = f32::MAX;
     for corner in boxes(label).into_iter().flat_map(|around| around.corners()) {
         prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
@@ -155,18 +171,17 @@ fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError>
 }
 
 /// Nearer to its island than to any other, on average.
-fn check_belonging(label: &Label, own: &Area, input: &Input<'_>) -> Result<(), TestCaseError> {
-    let away = |area: &Area| -> f32 {
-        let off = |strip: &Strip, at: Vec2| {
-            let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
-            at.clamp(least, most).distance(at)
+fn check_belonging(label: &Label, own: &Region, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let away = |region: &Region| -> f32 {
+        let off = |run: &Run, at: Vec2| {
+            let corner = |x: u32, y: u32| Vec2::new(x as f32, y as f32) * CELL_SIZE;
+            at.clamp(corner(run.start, run.row), corner(run.end, run.row + 1)).distance(at)
         };
-        let from = |at: Vec2| area.strips.iter().map(|strip| off(strip, at)).fold(f32::MAX, f32::min);
+        let from = |at: Vec2| region.runs.iter().map(|run| off(run, at)).fold(f32::MAX, f32::min);
         boxes(label).iter().map(|around| from(around.middle)).sum::<f32>() / label.letters.len() as f32
     };
-    let others = input.areas.iter().filter(|area| area.kind == AreaKind::Island && *area != own);
-    for other in others {
-        prop_assert!(away(own) < 1.35 * away(other) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);
+    for (other, region) in areas(input).filter(|(place, region)| place.kind == PlaceKind::Island && *region != own) {
+        prop_assert!(away(own) < 1.35 * away(region) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);
     }
     Ok(())
 }
@@ -194,7 +209,11 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>, pieces: &Pieces) ->
     };
     for around in boxes(label) {
         for corner in around.corners() {
-            prop_assert!(input.coast.is_none_or(|coast| coast.height(corner) > 0.0), "{} is in the sea", label.text);
+            prop_assert!(
+                input.map.coast.is_none_or(|coast| coast.height(corner) > 0.0),
+                "{} is in the sea",
+                label.text
+            );
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
         }
         let own = pieces.of_river(river).filter(|_| label.kind == Kind::River);
@@ -210,9 +229,9 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>, pieces: &Pieces) ->
         let of_river = || pieces.of_river(river).filter(|piece| piece.is_as_wide_as(least));
         middles().map(|at| of_river().map(|piece| piece.distance(at)).fold(4.0 * label.em, f32::min)).sum()
     };
-    let widest = input.rivers[river as usize].course.iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
+    let widest = input.map.courses[river as usize].iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
     let own = away(river, 0.0);
-    for rival in (0..input.rivers.len() as u32).filter(|&rival| rival != river) {
+    for rival in (0..input.map.courses.len() as u32).filter(|&rival| rival != river) {
         prop_assert!(own < away(rival, 0.4 * widest), "{} seems to belong to river {rival}", label.text);
     }
     Ok(())
@@ -268,7 +287,7 @@ fn islands_and_lakes_have_names_too() {
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
         check(&session, 1400.0).unwrap();
-        let islands = input.areas.iter().filter(|area| area.kind == AreaKind::Island).count();
+        let islands = areas(&input).filter(|(place, _)| place.kind == PlaceKind::Island).count();
         let count = |kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
         (islands, [Kind::Island, Kind::Offshore, Kind::Water].map(count))
     };
@@ -298,7 +317,7 @@ fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind
         let session = finished(&format!("{link}&seed={seed}"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
-        let greatest = (0..input.rivers.len()).max_by_key(|&river| input.rivers[river].discharge).unwrap();
+        let greatest = (0..input.map.discharges.len()).max_by_key(|&river| input.map.discharges[river]).unwrap();
         let has_name = |label: &Label| label.river == Some(greatest as u32) && label.kind == Kind::River;
         assert!(labels.iter().any(has_name), "{seed}");
     }
@@ -344,8 +363,8 @@ fn most_great_rivers_have_their_name() {
         let session = finished(&link);
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
-        let mut greatest: Vec<u32> = (0..input.rivers.len() as u32).collect();
-        greatest.sort_by_key(|&river| std::cmp::Reverse(input.rivers[river as usize].discharge));
+        let mut greatest: Vec<u32> = (0..input.map.courses.len() as u32).collect();
+        greatest.sort_by_key(|&river| std::cmp::Reverse(input.map.discharges[river as usize]));
         let count =
             greatest[..10].iter().filter(|&&river| labels.iter().any(|label| label.river == Some(river))).count();
         println!("{link}: {count} of 10, {} labels", labels.len());

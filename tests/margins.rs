@@ -71,7 +71,7 @@ fn the_smallest_pictures_of_islands_have_their_title_on_open_water() {
                 finished(&format!("land=island&attractors=900&seed={seed}&labels=some&cartouche={cartouche}"));
             let map = session.map().unwrap();
             let (labels, input) = placed(&map, 370.0);
-            let coast = input.as_ref().unwrap().coast.unwrap();
+            let coast = input.as_ref().unwrap().map.coast.unwrap();
             let Some(title) = title(&labels) else { continue };
             shown += 1;
             let [least, most] = around(title);
@@ -199,7 +199,8 @@ fn the_plate_of_lengths_tells_those_of_the_network_the_longest_first() {
             assert!((km - length).abs() <= 0.6, "{link}: {} and {length}", label.text);
             assert_eq!(called, name, "{link}");
         }
-        let Plate::Lengths(rivers) = input.as_ref().unwrap().cartouche.as_ref().unwrap().plate.as_ref().unwrap() else {
+        let Plate::Lengths(rivers) = input.as_ref().unwrap().map.cartouche.as_ref().unwrap().plate.as_ref().unwrap()
+        else {
             unreachable!("it is the plate of lengths")
         };
         assert!(rivers.is_sorted_by(|a, b| a.kilometres >= b.kilometres), "{link}");
@@ -226,7 +227,7 @@ fn a_profile_never_falls_upstream_and_ends_at_the_river_s_length() {
         let session = finished(&format!("{link}&attractors=2000&labels=some&cartouche=profile"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1600.0);
-        let cartouche = input.as_ref().unwrap().cartouche.as_ref().unwrap();
+        let cartouche = input.as_ref().unwrap().map.cartouche.as_ref().unwrap();
         let Some(Plate::Profile(profile)) = &cartouche.plate else { unreachable!("{link}: it has heights") };
         assert!(profile.heights.is_sorted() && *profile.heights.last().unwrap() > 10.0, "{link}");
         let network = map.network();

@@ -77,7 +77,7 @@ fn reach(one: &Standing, silhouette: &geo::Polygon<f64>, strokes: &[geo::LineStr
 }
 
 /// The distance of a glyph from the banks of some lines, measured by discs along them.
-fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
+fn clearance(one: &Standing, lines: &[impl AsRef<[Place]>]) -> f64 {
     let (silhouette, strokes) = shapes(one);
     let reach = reach(one, &silhouette, &strokes);
     // The nearest first, by what even the farthest end of the glyph keeps from them.
@@ -99,7 +99,7 @@ fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
 }
 
 /// The discs along some lines near a place, so dense that hardly anything is left out.
-fn discs_near(at: Vec2, reach: f32, lines: &[&[Place]]) -> Vec<Place> {
+fn discs_near(at: Vec2, reach: f32, lines: &[impl AsRef<[Place]>]) -> Vec<Place> {
     const DISCS: u32 = 16;
     let is_near = |pair: &&[Place]| {
         let [least, most] = [pair[0].at.min(pair[1].at), pair[0].at.max(pair[1].at)];
@@ -112,11 +112,16 @@ fn discs_near(at: Vec2, reach: f32, lines: &[&[Place]]) -> Vec<Place> {
             Place { at: from.at.lerp(to.at, t), half: from.half + (to.half - from.half) * t }
         })
     };
-    lines.iter().flat_map(|line| line.windows(2)).filter(is_near).flat_map(discs).collect()
+    lines.iter().flat_map(|line| line.as_ref().windows(2)).filter(is_near).flat_map(discs).collect()
 }
 
-fn water<'a>(input: &'a SceneryInput<'_>) -> Vec<&'a [Place]> {
-    input.streams.iter().map(|stream| &stream.course[..]).chain(input.lakes.iter().map(|lake| &lake[..])).collect()
+/// The centerlines of all rivers.
+fn courses<'a>(input: &'a SceneryInput<'_>) -> impl Iterator<Item = Vec<Place>> + 'a {
+    input.network.rivers.iter().map(|river| input.network.middle(river))
+}
+
+fn water(input: &SceneryInput<'_>) -> Vec<Vec<Place>> {
+    courses(input).chain(input.lakes.iter().cloned()).collect()
 }
 
 fn polygon(around: &Box) -> geo::Polygon<f64> {
@@ -340,7 +345,8 @@ fn conifers_are_high_and_broad_leaves_low() {
 fn marshes_lie_on_level_low_ground_near_great_rivers_and_rows_along_them() {
     with_heights("land=valley&attractors=3000&seed=tay&woods=0.7&style=parchment", |all, input, height| {
         // Three units wide at least.
-        let great: Vec<&[Place]> = input.streams.iter().flat_map(|stream| stream.course.windows(2)).collect();
+        let courses: Vec<Vec<Place>> = courses(input).collect();
+        let great: Vec<&[Place]> = courses.iter().flat_map(|course| course.windows(2)).collect();
         let great: Vec<&[Place]> =
             great.into_iter().filter(|piece| piece.iter().any(|place| place.half >= 1.5)).collect();
         let away = |one: &Standing| {

@@ -38,7 +38,7 @@ fn is_at(growth: &Growth, root: Vec2, start: &Start) -> bool {
         GrowthMethod::Brownian => away < 2.0,
         _ => {
             let Some(land) = growth.settings().land() else { return true };
-            land.regions().iter().any(|region| land.is_in(region, root) && land.is_in(region, start.mouth.at))
+            land.regions().iter().any(|region| region.holds(root) && region.holds(start.mouth.at))
         }
     }
 }

@@ -1,21 +1,21 @@
 //! The labels of a map, and the input of their placement.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use glam::Vec2;
 
 use crate::annotate::glyph::initials;
-use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
+use crate::annotate::names::Names;
 use crate::annotate::place::{
-    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, Label, Landmark, LandmarkKind, Legend, Marks,
-    NorthPoint, Places, Plate, Raster, Reach, River, RiverClass, SHEET_MARGIN, Seal, SheetGrid, Strip,
+    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Places, Plate, Raster,
+    RiverClass, SHEET_MARGIN, Seal, SheetGrid,
 };
 use crate::annotate::plates;
-use crate::base::geometry::distance;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
-use crate::land::{CELL_SIZE, Land, Region, Run, margin_of};
+use crate::land::{Land, Region, margin_of};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::Shown;
@@ -55,7 +55,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let (mut names, regions) = Names::with_regions(map);
+    let (names, regions) = Names::with_regions(map);
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| SheetGrid::MARGIN * grid.em);
@@ -63,13 +63,13 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let cut = cut_to_shape(&map.domain(), frame);
     // Places are chosen for the whole map: with the margin of a whole map's picture, if it has one.
     let whole = if marks.has_grid { SheetGrid::MARGIN * SheetGrid::EM } else { 0.0 };
-    let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, |land| area(land));
     let shown = share_shown(&map.domain(), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
     let side = shown.max(LEAST_SHOWN).sqrt();
     let shrink = side.sqrt() * side.sqrt().sqrt();
     Some(Input {
+        map: Rc::new(map_input(map, frame, (names, regions), marks)),
         frame: [within[0].max(cut[0] + whole), within[1].min(cut[1] - whole)],
         view: [frame[0] + margin, frame[1] - margin],
         least_em: least_em / shrink,
@@ -84,21 +84,33 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
             Labels::Some => 4,
             Labels::Many => 8,
         },
-        total_discharge: total_discharge(network),
-        reaches: names.reaches.iter().filter_map(reach).collect(),
-        cartouche: recipe.has_title().then(|| cartouche(map, &mut names, frame)),
-        areas: names.places.iter().zip(&regions).filter_map(|(place, region)| area_of(place, region)).collect(),
-        landmarks: names.places.iter().filter_map(landmark_of).collect(),
-        rivers: rivers(network, names),
-        lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
-        marks,
-        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
-        coast: land.map(|land| land.coast_distance()),
     })
 }
 
+/// Gathers the input that is the same for pictures of all sizes.
+fn map_input<'a>(
+    map: &'a Map,
+    sheet: [Vec2; 2],
+    (names, regions): (Names, Vec<Region>),
+    marks: Marks<'a>,
+) -> MapInput<'a> {
+    let (network, land) = (map.network(), map.land());
+    MapInput {
+        courses: network.rivers.iter().map(|river| network.middle(river)).collect(),
+        discharges: network.rivers.iter().map(|river| network.discharge(river)).collect(),
+        total_discharge: total_discharge(network),
+        cartouche: map.recipe().has_title().then(|| cartouche(map, &names, sheet)),
+        names,
+        regions,
+        lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
+        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
+        coast: land.map(|land| land.coast_distance()),
+        marks,
+    }
+}
+
 /// Describes the cartouche: the title, and what stands with it.
-fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
+fn cartouche(map: &Map, names: &Names, sheet: [Vec2; 2]) -> Cartouche {
     let recipe = map.recipe();
     let style: Style = recipe.get();
     Cartouche {
@@ -107,8 +119,8 @@ fn cartouche(map: &Map, names: &mut Names, sheet: [Vec2; 2]) -> Cartouche {
             recipe::Cartouche::Profile => plates::profile(map, names).map(Plate::Profile),
             _ => None,
         },
-        title: std::mem::take(&mut names.title),
-        seed: std::mem::take(&mut names.subtitle),
+        title: names.title.clone(),
+        seed: names.subtitle.clone(),
         is_framed: recipe.is_sheet(),
         frame: if style.shows(Shown::CompassRose) { Frame::Scrolls } else { Frame::Rules },
         // A legend has one of its own.
@@ -223,36 +235,7 @@ fn share_of_land(labels: Labels) -> f32 {
 
 /// Returns the area of a land, in square units.
 fn area(land: &Land) -> f32 {
-    land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
-}
-
-/// A sea, a lake or an island but the main land, with its name.
-fn area_of(place: &PlaceName, region: &Region) -> Option<Area> {
-    let kind = match place.kind {
-        PlaceKind::Sea => AreaKind::Sea,
-        PlaceKind::Lake => AreaKind::Lake,
-        PlaceKind::Island if place.number > 0 => AreaKind::Island,
-        _ => return None,
-    };
-    let strip = |run: &Run| {
-        let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
-        Strip { top, left, right }
-    };
-    Some(Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() })
-}
-
-/// A place that is no area of its own, with its name.
-fn landmark_of(place: &PlaceName) -> Option<Landmark> {
-    let kind = match place.kind {
-        PlaceKind::Island if place.number == 0 => LandmarkKind::MainLand,
-        PlaceKind::Range => LandmarkKind::Range,
-        PlaceKind::Strait => LandmarkKind::Strait,
-        PlaceKind::Gulf | PlaceKind::Bay => LandmarkKind::Bay,
-        PlaceKind::Cape => LandmarkKind::Cape,
-        _ => return None,
-    };
-    let (name, line) = (forms(&place.name), place.line.clone());
-    Some(Landmark { kind, name, at: place.at, line, size: place.size })
+    land.regions().iter().map(Region::area).sum()
 }
 
 pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
@@ -269,33 +252,6 @@ pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
 pub(crate) fn total_discharge(network: &Network) -> u32 {
     let mouths = network.rivers.iter().filter(|river| river.parent == NONE);
     mouths.map(|river| network.discharge(river)).fold(0, u32::saturating_add)
-}
-
-fn rivers(network: &Network, names: Names) -> Vec<River> {
-    let rivers = network.rivers.iter().zip(names.rivers);
-    let river = |(river, name): (&crate::River, crate::annotate::names::RiverName)| River {
-        course: network.middle(river),
-        discharge: network.discharge(river),
-        name: [name.name, name.short],
-    };
-    rivers.map(river).collect()
-}
-
-/// A reach with the banks of its river.
-fn reach_of(network: &Network, reach: &ReachName) -> Option<Reach> {
-    let course = network.middle(network.rivers.get(reach.river as usize)?);
-    let nearest = |at: Vec2| {
-        let nearer = |a: &usize, b: &usize| distance(course[*a].at, at).total_cmp(&distance(course[*b].at, at));
-        (0..course.len()).min_by(nearer)
-    };
-    let (first, last) = (nearest(*reach.course.first()?)?, nearest(*reach.course.last()?)?);
-    let course = course.get(first..=last)?.to_vec();
-    Some(Reach { river: reach.river, course, name: forms(&reach.name) })
-}
-
-/// A name in full, and without its article.
-fn forms(name: &str) -> [String; 2] {
-    [name.into(), name.strip_prefix("The ").unwrap_or(name).into()]
 }
 
 pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {

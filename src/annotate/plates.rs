@@ -122,8 +122,8 @@ fn tributaries(network: &Network, names: &Names, number: u32) -> Vec<Tributary> 
     }
     let length = along[along.len() - 1].max(f32::MIN_POSITIVE);
     let is_joining = |&i: &usize| network.rivers[i].parent == number;
-    let joining = (0..network.rivers.len()).filter(is_joining).collect();
-    let joining: Vec<usize> = sort::sorted_by(joining, |&i| u32::MAX - network.discharge(&network.rivers[i]));
+    let joining: Vec<usize> = (0..network.rivers.len()).filter(is_joining).collect();
+    let joining = sort::sorted_by(&joining, |&i| u32::MAX - network.discharge(&network.rivers[i]));
     let tributary = |i: usize| {
         let at = along.get(main.end.checked_sub(1 + network.rivers[i].junction)? as usize)?;
         let name = names.rivers.get(i).map_or_else(String::new, |river| river.name.clone());

@@ -3,11 +3,11 @@
 use glam::Vec2;
 
 use crate::annotate::labels::{heights, on_map, ridges, total_discharge};
-use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stream, Stroke};
+use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stroke};
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::map::Map;
-use crate::network::{Network, Oxbow, PastRound, Place};
+use crate::network::{Oxbow, PastRound, Place};
 use crate::recipe::Style;
 
 /// Places the scenery of a map with these labels, the hindmost first; none if the recipe wants none, or if the style shows none.
@@ -33,7 +33,7 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         woods,
         hills,
         total_discharge: total_discharge(network),
-        streams: streams(network),
+        network,
         lakes: network.oxbows.iter().map(Oxbow::middle).chain(beds(map)).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
         coast: land.map(|land| land.coast_distance()),
@@ -46,15 +46,6 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
 fn beds(map: &Map) -> Vec<Vec<Place>> {
     let rounds = if map.recipe().get::<Style>().has_beds() { map.past().rounds() } else { &[] };
     rounds.iter().flat_map(PastRound::beds).flatten().map(|bed| bed.line.clone()).collect()
-}
-
-fn streams(network: &Network) -> Vec<Stream> {
-    let stream = |river: &crate::River| Stream {
-        course: network.middle(river),
-        discharge: network.discharge(river),
-        parent: river.parent,
-    };
-    network.rivers.iter().map(stream).collect()
 }
 
 /// Returns the boxes of the margin, if the map has one.

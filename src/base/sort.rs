@@ -14,10 +14,8 @@ fn order_of(keys: &[u32]) -> Vec<usize> {
 }
 
 /// Returns items in ascending order of their keys. Equal ones keep their order.
-pub(crate) fn sorted_by<T>(items: Vec<T>, key: impl FnMut(&T) -> u32) -> Vec<T> {
-    let order = argsort(items.iter().map(key));
-    let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();
-    order.into_iter().filter_map(|i| items[i].take()).collect()
+pub(crate) fn sorted_by<T: Copy>(items: &[T], key: impl FnMut(&T) -> u32) -> Vec<T> {
+    argsort(items.iter().map(key)).into_iter().map(|i| items[i]).collect()
 }
 
 /// Returns pairs in ascending order of the first of each, and of the second among those of the same first.

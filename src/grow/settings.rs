@@ -180,7 +180,7 @@ impl GrowthSettings {
     /// Returns `true` if two points of land are connected.
     pub(in crate::grow) fn is_same_region(&self, a: Vec2, b: Vec2) -> bool {
         let Some(land) = &self.land else { return true };
-        land.regions().iter().any(|region| land.is_in(region, a) && land.is_in(region, b))
+        land.regions().iter().any(|region| region.holds(a) && region.holds(b))
     }
 
     /// Returns the land if it may hide attractors within reach of a node.
@@ -206,7 +206,7 @@ fn mouths_of(recipe: &Recipe) -> u32 {
 
 /// Counts the starts in each region.
 fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
-    let count = |region| starts.iter().filter(|start| land.is_in(region, start.mouth.at)).count() as u32;
+    let count = |region: &Region| starts.iter().filter(|start| region.holds(start.mouth.at)).count() as u32;
     land.regions().iter().map(count).collect()
 }
 

@@ -10,8 +10,7 @@ use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
-use super::regions::{Region, Run, regions_of};
-use super::regions::{between, regions};
+use super::regions::{Region, around, between, regions, regions_of};
 use super::walk::walk;
 use crate::base::geometry::length;
 use crate::base::work;
@@ -118,10 +117,7 @@ impl Land {
     /// Returns the north-western and the south-eastern corner of the box around all land, in units; `None` if there is
     /// no land. The last cells may reach beyond the map.
     pub fn bounds(&self) -> Option<[Vec2; 2]> {
-        let runs = self.regions.iter().flat_map(|region| &region.runs);
-        let corners = |run: &Run| [(run.start, run.row), (run.end, run.row + 1)];
-        let boxes = runs.map(|run| corners(run).map(|(x, y)| Vec2::new(x as f32, y as f32) * CELL_SIZE));
-        boxes.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
+        around(self.regions.iter().filter_map(Region::corners))
     }
 
     /// Finds the connected components of water, the largest first.
@@ -153,12 +149,6 @@ impl Land {
             [(1.0, 0.0), (0.7, 0.7), (0.0, 1.0), (-0.7, 0.7), (-1.0, 0.0), (-0.7, -0.7), (0.0, -1.0), (0.7, -0.7)];
         let land = |way: (f32, f32)| (self.coast_distance.height(at + Vec2::from(way) * FAR) / FAR).clamp(-1.0, 1.0);
         AROUND.into_iter().map(land).sum::<f32>() / AROUND.len() as f32
-    }
-
-    /// Returns `true` if a point lies in a region.
-    pub fn is_in(&self, region: &Region, point: Vec2) -> bool {
-        let cell = (point / CELL_SIZE).floor();
-        cell.min_element() >= 0.0 && region.contains(cell.x as u32, cell.y as u32)
     }
 
     /// Returns the ridges that no river crosses, as polylines.

@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::cell::Cell;
+use super::cell::{CELL_SIZE, Cell};
 use crate::base::sort;
 
 /// The cells `start..end` of a row.
@@ -17,6 +17,13 @@ pub struct Run {
     pub end: u32,
     /// The number of the region's cells before the run.
     pub before: u32,
+}
+
+impl Run {
+    /// Returns the north-western and the south-eastern corner of the box around its cells, in units.
+    pub(crate) fn corners(&self) -> [Vec2; 2] {
+        [(self.start, self.row), (self.end, self.row + 1)].map(|(x, y)| Vec2::new(x as f32, y as f32) * CELL_SIZE)
+    }
 }
 
 /// A place where a river may reach the sea.
@@ -46,6 +53,27 @@ impl Region {
         let next = self.runs.partition_point(|run| (run.row, run.start) <= (row, column));
         next.checked_sub(1).is_some_and(|run| self.runs[run].row == row && column < self.runs[run].end)
     }
+
+    /// Returns `true` if a point lies in one of its cells.
+    pub fn holds(&self, point: Vec2) -> bool {
+        let cell = (point / CELL_SIZE).floor();
+        cell.min_element() >= 0.0 && self.contains(cell.x as u32, cell.y as u32)
+    }
+
+    /// Returns its area, in square units.
+    pub(crate) fn area(&self) -> f32 {
+        self.cells as f32 * (CELL_SIZE * CELL_SIZE)
+    }
+
+    /// Returns the north-western and the south-eastern corner of the box around its cells, in units; `None` if it has none.
+    pub(crate) fn corners(&self) -> Option<[Vec2; 2]> {
+        around(self.runs.iter().map(Run::corners))
+    }
+}
+
+/// Returns the box around some boxes, each of which is given by its least and its greatest corner; `None` if there are none.
+pub(super) fn around(boxes: impl Iterator<Item = [Vec2; 2]>) -> Option<[Vec2; 2]> {
+    boxes.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
 }
 
 /// The cells of some regions, region after region, each row by row, found by their numbers without a search among all

@@ -61,7 +61,7 @@ impl<'a> Heads<'a> {
         let is_great = |node: &usize| self.lowest[*node] == *node as u32 && thousandths(*node) >= least;
         // Of those that drain as much, the one with the lower identity comes first.
         let great: Vec<usize> = self.by_identity.iter().copied().filter(is_great).collect();
-        let great = sort::sorted_by(great, |&node| u32::MAX - self.discharge[node]);
+        let great = sort::sorted_by(&great, |&node| u32::MAX - self.discharge[node]);
         great.into_iter().map(|node| (self.identity(node), thousandths(node))).collect()
     }
 

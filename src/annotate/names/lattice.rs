@@ -44,10 +44,10 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    pub fn of(size: Vec2, [seas, islands]: [Vec<&Region>; 2]) -> Self {
+    pub fn of(size: Vec2, [seas, islands]: [&[Region]; 2]) -> Self {
         let [columns, rows] = [size.x, size.y].map(|length| (length / SIDE).ceil() as usize);
         let mut this = Self { columns, rows, lands: vec![NEITHER; columns * rows] };
-        seas.into_iter().for_each(|sea| this.fill(sea, SEA));
+        seas.iter().for_each(|sea| this.fill(sea, SEA));
         (1..NEITHER).zip(islands).for_each(|(number, island)| this.fill(island, number));
         this
     }

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::PlaceKind;
 use super::lattice::SIDE;
-use super::regions::Found;
+use super::places::Place;
 use crate::base::sort;
 use crate::recipe::{Mark, OwnNames};
 
@@ -41,34 +41,36 @@ fn middle_of(cell: u32) -> Vec2 {
 
 /// Numbers places: by an own mark for a place of the same kind that is the nearest to it and near enough, else by the place's cell. No two
 /// marks are alike. The main land has 0.
-pub(super) fn numbers(places: &[&Found], own: &OwnNames, is_main: impl Fn(usize) -> bool) -> Vec<u32> {
-    let mut numbers: Vec<Option<u32>> = (0..places.len()).map(|i| is_main(i).then_some(0)).collect();
+pub(super) fn numbers(places: &[Place], own: &OwnNames) -> Vec<u32> {
+    let main_land = |place: &Place| place.is_main_land().then_some(0);
+    let mut numbers: Vec<Option<u32>> = places.iter().map(main_land).collect();
     let mut pairs = Vec::new();
-    for (i, place) in places.iter().enumerate().filter(|(i, _)| !is_main(*i)) {
-        for number in own.marks().filter_map(|own| number_of(own, place.kind)).filter(|&number| number > 0) {
-            let away = place.at.distance(middle_of(number));
-            if away <= TOLERANCE + 0.5 * place.size {
+    for (i, place) in places.iter().enumerate().filter(|(_, place)| !place.is_main_land()) {
+        for number in own.marks().filter_map(|own| number_of(own, place.found.kind)).filter(|&number| number > 0) {
+            let away = place.found.at.distance(middle_of(number));
+            if away <= TOLERANCE + 0.5 * place.found.size {
                 pairs.push((away, i, number));
             }
         }
     }
     // The nearest first; of those as near, the greater place.
-    let pairs = sort::sorted_by(pairs, |(away, ..)| sort::key(*away));
-    let is_taken = |numbers: &[Option<u32>], kind, number| {
-        let taken =
-            |(place, of): (&&Found, &Option<u32>)| of.is_some_and(|of| mark(place.kind, of) == mark(kind, number));
-        places.iter().zip(numbers).any(taken)
-    };
-    for (_, i, number) in pairs {
-        if numbers[i].is_none() && !is_taken(&numbers, places[i].kind, number) {
+    for next in sort::argsort(pairs.iter().map(|(away, ..)| sort::key(*away))) {
+        let (_, i, number) = pairs[next];
+        if numbers[i].is_none() && !is_taken(places, &numbers, places[i].found.kind, number) {
             numbers[i] = Some(number);
         }
     }
     for (i, place) in places.iter().enumerate() {
-        let free = || (cell_of(place.at)..).find(|&number| !is_taken(&numbers, place.kind, number));
+        let free = || (cell_of(place.found.at)..).find(|&number| !is_taken(places, &numbers, place.found.kind, number));
         numbers[i] = numbers[i].or_else(free);
     }
     numbers.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// Returns `true` if a place has the mark of a kind and number.
+fn is_taken(places: &[Place], numbers: &[Option<u32>], kind: PlaceKind, number: u32) -> bool {
+    let wanted = mark(kind, number);
+    places.iter().zip(numbers).any(|(place, of)| of.is_some_and(|of| mark(place.found.kind, of) == wanted))
 }
 
 /// Returns the number in a mark, if it is one for places of a kind.
@@ -88,10 +90,13 @@ fn number_of(own: Mark, kind: PlaceKind) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::regions::Found;
     use super::*;
+    use crate::land::Region;
 
-    fn place(kind: PlaceKind, x: f32, y: f32, size: f32) -> Found {
-        Found { kind, at: Vec2::new(x, y), line: vec![], size }
+    fn place(kind: PlaceKind, x: f32, y: f32, size: f32) -> Place {
+        let found = Found { kind, at: Vec2::new(x, y), line: vec![], size };
+        Place { found, region: Region::default(), rank: 0, height_or_size: size }
     }
 
     #[test]
@@ -104,14 +109,14 @@ mod tests {
             place(PlaceKind::Sea, 604.0, 404.0, 400.0),
             place(PlaceKind::Island, 604.0, 404.0, 400.0),
         ];
-        let numbers = numbers(&places.each_ref(), &own, |i| i == 4);
+        let numbers = numbers(&places, &own);
         assert_eq!(numbers, [50_052, 50_050, 50_065, 50_050, 0]);
     }
 
     #[test]
     fn places_in_one_cell_have_numbers_of_their_own_and_no_number_panics() {
         let places = [place(PlaceKind::Bay, 1.0, 1.0, 9.0), place(PlaceKind::Gulf, 2.0, 2.0, 9.0)];
-        assert_eq!(numbers(&places.each_ref(), &OwnNames::readable("b4294967295.x_b0.y"), |_| false), [1, 2]);
+        assert_eq!(numbers(&places, &OwnNames::readable("b4294967295.x_b0.y")), [1, 2]);
         assert_eq!(cell_of(Vec2::splat(1e9)), 999_999);
         assert_eq!(cell_of(Vec2::splat(-1e9)), 1);
     }

@@ -42,6 +42,13 @@ pub struct RiverName {
     pub kind: String,
 }
 
+impl RiverName {
+    /// Returns its name, in full and in short.
+    pub(crate) fn forms(&self) -> [&str; 2] {
+        [&self.name, &self.short]
+    }
+}
+
 /// The name of a stretch of a great river that winds.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -112,6 +119,18 @@ pub struct PlaceName {
     /// Its size, in units: the width of the mouth of a bay or gulf, the length of a strait or range, the distance by which a cape juts out;
     /// for a sea, lake or island the side of a square of its area.
     pub size: f32,
+}
+
+impl PlaceName {
+    /// Returns `true` if it names the main land.
+    pub(crate) fn is_of_main_land(&self) -> bool {
+        self.kind == PlaceKind::Island && self.number == 0
+    }
+}
+
+/// Returns a name in full, and without its article.
+pub(crate) fn forms(name: &str) -> [&str; 2] {
+    [name, name.strip_prefix("The ").unwrap_or(name)]
 }
 
 /// All names of a map.

@@ -160,21 +160,22 @@ impl Namer {
 
     /// Names the places of a map. Returns each with its region, which parts of a coast and ranges do not have.
     fn places(&self, map: &Map, land: &Land) -> (Vec<PlaceName>, Vec<Region>) {
-        let (places, regions): (Vec<Place>, Vec<Region>) = places::of(map, land).into_iter().unzip();
-        let found: Vec<&Found> = places.iter().map(|place| &place.found).collect();
-        let numbers = numbers(&found, &self.own, |i| places[i].kind_and_rank() == (PlaceKind::Island, 0));
-        let named = |(place, number): (Place, u32)| {
-            let (kind, _) = place.kind_and_rank();
+        let places = places::of(map, land);
+        let numbers = numbers(&places, &self.own);
+        let (mut names, mut regions) = (Vec::new(), Vec::new());
+        for (place, number) in places.into_iter().zip(numbers) {
+            let kind = place.found.kind;
             let name = if number == 0 { self.land() } else { self.name(mark(kind, number), || self.usual(&place)) };
             let Found { at, line, size, .. } = place.found;
-            PlaceName { kind, number, name, at, line, size }
-        };
-        (places.into_iter().zip(numbers).map(named).collect(), regions)
+            names.push(PlaceName { kind, number, name, at, line, size });
+            regions.push(place.region);
+        }
+        (names, regions)
     }
 
     /// Makes up the name of a place, by its kind and rank.
     fn usual(&self, place: &Place) -> String {
-        let (kind, rank) = place.kind_and_rank();
+        let (kind, rank) = (place.found.kind, place.rank);
         let chance = self.words.language.chance.bits([rank, kind as u32, PLACE]);
         kinds::place(kind, &self.words.place(number_of_word(kind, rank)), place.height_or_size, chance)
     }

@@ -30,9 +30,8 @@ pub(super) fn found(lattice: &Lattice, relief: &Relief) -> Vec<(Found, f32)> {
             ranges.push((Found { kind: PlaceKind::Range, at, line, size }, peak));
         }
     }
-    let mut ranges = sort::sorted_by(ranges, |(range, _): &(Found, f32)| sort::key(-range.size));
-    ranges.truncate(MOST);
-    ranges
+    let order = sort::argsort(ranges.iter().map(|(range, _): &(Found, f32)| sort::key(-range.size)));
+    order.into_iter().take(MOST).map(|i| ranges[i].clone()).collect()
 }
 
 /// Moves a line to the highest places beside it, and smooths it.

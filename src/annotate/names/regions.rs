@@ -18,48 +18,42 @@ pub(super) struct Found {
     pub size: f32,
 }
 
-/// A sea, a lake or an island.
-pub(super) struct Tract {
-    /// In square units.
-    pub area: f32,
-    pub region: Region,
-}
-
 /// Finds the tracts of a land: the seas, which reach the frame of the map; the lakes, which do not; and the islands, the main land first.
-pub(super) fn tracts(land: &Land) -> [Vec<Tract>; 3] {
-    let (seas, lakes): (Vec<Region>, Vec<Region>) =
-        land.waters().into_iter().partition(|water| reaches_frame(land, water));
-    let tract = |region: Region| Tract { area: region.cells as f32 * (CELL_SIZE * CELL_SIZE), region };
-    [seas, lakes, land.islands()].map(|regions| regions.into_iter().map(tract).collect())
+pub(super) fn tracts(land: &Land) -> [Vec<Region>; 3] {
+    let (mut seas, mut lakes) = (Vec::new(), Vec::new());
+    for water in land.waters() {
+        let kind = if reaches_frame(land, &water) { &mut seas } else { &mut lakes };
+        kind.push(water);
+    }
+    [seas, lakes, land.islands()]
 }
 
-impl Tract {
-    /// Returns a place in the midst of the tract: the middle of the cell that is farthest from the coast.
-    pub fn midst(&self, land: &Land) -> Vec2 {
-        /// The greatest rise of the distance from the coast along a row, per unit.
-        const STEEPEST: f32 = 2.0;
-        let mut midst = (Vec2::ZERO, -1.0);
-        for run in &self.region.runs {
-            let mut column = run.start;
-            while column < run.end {
-                let at = land.point(column, run.row, Vec2::splat(0.5));
-                let far = land.coast_distance().height(at).abs();
-                if far > midst.1 {
-                    midst = (at, far);
-                }
-                // None of those that follow is farther off, as far as it would have to rise for that.
-                column += 1 + ((midst.1 - far) / (STEEPEST * CELL_SIZE)) as u32;
+/// Returns a place in the midst of a tract: the middle of the cell that is farthest from the coast.
+pub(super) fn midst(land: &Land, tract: &Region) -> Vec2 {
+    /// The greatest rise of the distance from the coast along a row, per unit.
+    const STEEPEST: f32 = 2.0;
+    let mut midst = (Vec2::ZERO, -1.0);
+    for run in &tract.runs {
+        let mut column = run.start;
+        while column < run.end {
+            let at = land.point(column, run.row, Vec2::splat(0.5));
+            let far = land.coast_distance().height(at).abs();
+            if far > midst.1 {
+                midst = (at, far);
             }
+            // None of those that follow is farther off, as far as it would have to rise for that.
+            column += 1 + ((midst.1 - far) / (STEEPEST * CELL_SIZE)) as u32;
         }
-        midst.0
     }
+    midst.0
 }
 
 /// Returns the axis of the main land, from west to east: the middles of its broadest parts from north to south, without its ends.
 pub(super) fn axis(lattice: &Lattice) -> Vec<Vec2> {
     /// The share of the columns that is left out at either end.
     const LEFT_OUT: usize = 12;
-    let middle = |column: usize| {
+    let mut middles = Vec::new();
+    for column in 0..lattice.columns {
         let (mut best, mut length) = ((0, 0), 0);
         for row in 0..lattice.rows {
             length = if lattice.lands[row * lattice.columns + column] == 1 { length + 1 } else { 0 };
@@ -68,10 +62,10 @@ pub(super) fn axis(lattice: &Lattice) -> Vec<Vec2> {
             }
         }
         let (length, row) = best;
-        let middle = row as f32 + 1.0 - 0.5 * length as f32;
-        (length > 0).then(|| Vec2::new(column as f32 + 0.5, middle) * SIDE)
-    };
-    let middles: Vec<Vec2> = (0..lattice.columns).filter_map(middle).collect();
+        if length > 0 {
+            middles.push(Vec2::new(column as f32 + 0.5, row as f32 + 1.0 - 0.5 * length as f32) * SIDE);
+        }
+    }
     let out = middles.len() / LEFT_OUT;
     let mut line = middles[out..middles.len() - out].to_vec();
     // Where the broadest part is another one the middles jump.
@@ -96,12 +90,11 @@ mod tests {
             let land = Land::of(&link::read(&format!("aspect=1.5&{kind}&seed=kea")).unwrap()).unwrap();
             let from_coast = |at: Vec2| land.coast_distance().height(at).abs();
             for tract in tracts(&land).iter().flatten() {
-                let cells =
-                    tract.region.runs.iter().flat_map(|run| (run.start..run.end).map(|column| (column, run.row)));
+                let cells = tract.runs.iter().flat_map(|run| (run.start..run.end).map(|column| (column, run.row)));
                 let farthest = cells
                     .map(|(column, row)| from_coast(land.point(column, row, Vec2::splat(0.5))))
                     .fold(-1.0, f32::max);
-                assert_eq!(from_coast(tract.midst(&land)), farthest, "{kind}");
+                assert_eq!(from_coast(midst(&land, tract)), farthest, "{kind}");
             }
         }
     }

@@ -6,6 +6,7 @@ use super::PlaceKind;
 use super::lattice::{Lattice, SEA, SIDE, distance};
 use super::regions::Found;
 use crate::base::sort;
+use crate::land::Land;
 
 /// The greatest numbers of bays, gulfs, straits and capes of a map.
 const MOST_BAYS: usize = 6;
@@ -13,18 +14,18 @@ const MOST_GULFS: usize = 2;
 const MOST_STRAITS: usize = 4;
 const MOST_CAPES: usize = 6;
 
-/// Finds gulfs, bays, capes and straits, by kind, the most important of each first.
-pub(super) fn found(lattice: &Lattice, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
+/// Finds gulfs, and then bays, capes and straits, by kind, the most important of each first.
+pub(super) fn found(lattice: &Lattice, land: &Land) -> [Vec<Found>; 2] {
     let views = lattice.views();
     let straits = straits(lattice, &views);
-    let gulfs = enclosed(lattice, &views, PlaceKind::Gulf, &far);
-    let mut bays = enclosed(lattice, &views, PlaceKind::Bay, &far);
-    let is_apart = |bay: &Found, other: &Found| bay.at.distance(other.at) > APART;
-    bays.retain(|bay| gulfs.iter().chain(&straits).all(|other| is_apart(bay, other)));
-    bays.truncate(MOST_BAYS);
-    let mut capes = capes(lattice);
-    capes.truncate(MOST_CAPES);
-    gulfs.into_iter().chain(bays).chain(capes).chain(straits).collect()
+    let gulfs = enclosed(lattice, &views, PlaceKind::Gulf, land);
+    let mut others = enclosed(lattice, &views, PlaceKind::Bay, land);
+    let is_apart = |bay: &Found, others: &[Found]| others.iter().all(|other| bay.at.distance(other.at) > APART);
+    others.retain(|bay| is_apart(bay, &gulfs) && is_apart(bay, &straits));
+    others.truncate(MOST_BAYS);
+    others.extend(capes(lattice));
+    others.extend(straits);
+    [gulfs, others]
 }
 
 /// The least distance of a bay from a gulf or a strait, in units.
@@ -34,8 +35,8 @@ type View = [(u16, u8); 16];
 
 /// Finds bays or gulfs: sea that sees land near in eleven of sixteen directions at least, all others side by side, and nearly all of one
 /// land.
-fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec2) -> f32) -> Vec<Found> {
-    /// Land is near at so many units, and a bay or gulf has so many square units.
+fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, land: &Land) -> Vec<Found> {
+    /// The distance within which land counts as near, in units, and the least area of a bay or gulf, in square units.
     const BAY: (f32, f32) = (72.0, 1000.0);
     const GULF: (f32, f32) = (190.0, 16_000.0);
     let ((near, least), most) = if kind == PlaceKind::Gulf { (GULF, MOST_GULFS) } else { (BAY, usize::MAX) };
@@ -43,15 +44,28 @@ fn enclosed(lattice: &Lattice, views: &[View], kind: PlaceKind, far: impl Fn(Vec
     let classes: Vec<u32> = (0..views.len()).map(class).collect();
     let mut components = lattice.components(&classes);
     components.retain(|cells| cells.len() as f32 * SIDE * SIDE >= least);
-    let components = sort::sorted_by(components, |cells| u32::MAX - cells.len() as u32);
-    let place = |cells: &Vec<usize>| {
-        let midst = cells.iter().map(|&cell| lattice.at(cell)).max_by(|a, b| far(*a).total_cmp(&far(*b)));
-        Found { kind, at: midst.unwrap_or_default(), line: Vec::new(), size: mouth(lattice, &classes, cells) }
-    };
-    // Water without a mouth is the sea itself, or surrounded by land.
-    let mut places: Vec<Found> = components.iter().map(place).filter(|place| place.size > 0.0).collect();
-    places.truncate(most);
+    let mut places = Vec::new();
+    for i in sort::argsort(components.iter().map(|cells| u32::MAX - cells.len() as u32)) {
+        let cells = &components[i];
+        let size = mouth(lattice, &classes, cells);
+        // Water without a mouth is the sea itself, or surrounded by land.
+        if size > 0.0 && places.len() < most {
+            places.push(Found { kind, at: midst(lattice, cells, land), line: Vec::new(), size });
+        }
+    }
     places
+}
+
+/// Returns the middle of the cell that is farthest from the coast; the last of equals.
+fn midst(lattice: &Lattice, cells: &[usize], land: &Land) -> Vec2 {
+    let mut midst = (Vec2::ZERO, 0.0);
+    for at in cells.iter().map(|&cell| lattice.at(cell)) {
+        let far = land.coast_distance().height(at).abs();
+        if far >= midst.1 {
+            midst = (at, far);
+        }
+    }
+    midst.0
 }
 
 fn is_enclosed(view: &View, near: f32) -> bool {
@@ -84,7 +98,8 @@ fn mouth(lattice: &Lattice, classes: &[u32], cells: &[usize]) -> f32 {
 
 /// Finds straits: sea with one land on one side and another on the other, near to both, and much longer than wide.
 fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
-    /// Both shores together are no farther off, in units; a strait is no shorter; and a land that makes one has so many cells.
+    /// The greatest distance between the two shores of a strait, its least length, both in units, and the fewest cells of each land
+    /// beside it.
     const WIDEST: f32 = 80.0;
     const SHORTEST: f32 = 56.0;
     const LEAST_LAND: u32 = 12;
@@ -119,10 +134,10 @@ fn straits(lattice: &Lattice, views: &[View]) -> Vec<Found> {
 
 /// Finds capes: land with little of its own land around it, however far one looks.
 fn capes(lattice: &Lattice) -> Vec<Found> {
-    /// Radii in cells, and the most land of a disc, in its share: half of it is land on a straight coast.
+    /// The radii of discs around a cape, in cells, and the greatest share of them that is land: on a straight coast it is half.
     const RADII: [i32; 4] = [4, 7, 10, 14];
     const MOST_LAND: f32 = 0.34;
-    /// The distance of two capes, and of one from the map's frame, in units; and the fewest cells of its land.
+    /// The least distance between two capes, in units, and the fewest cells of the land of one.
     const SPARE: f32 = 110.0;
     const LEAST_LAND: usize = 60;
     let discs = discs(RADII);
@@ -177,9 +192,10 @@ fn discs<const N: usize>(radii: [i32; N]) -> [Vec<[i32; 2]>; N] {
 /// Chooses places by a number, the greatest first, each of them at least `apart` units from all better ones.
 fn best(places: Vec<(f32, Found)>, most: usize, apart: f32) -> Vec<Found> {
     let mut kept: Vec<Found> = Vec::new();
-    for (_, place) in sort::sorted_by(places, |(worth, _)| sort::key(-worth)) {
+    for i in sort::argsort(places.iter().map(|(worth, _)| sort::key(-worth))) {
+        let place = &places[i].1;
         if kept.len() < most && kept.iter().all(|other| other.at.distance(place.at) >= apart) {
-            kept.push(place);
+            kept.push(place.clone());
         }
     }
     kept

@@ -3,10 +3,11 @@
 use glam::Vec2;
 
 use super::chosen::{Chosen, Shrinks};
-use super::input::{Area, AreaKind, Input};
+use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text, between};
+use crate::annotate::names::{PlaceKind, PlaceName, forms};
 use crate::base::geometry::distance;
-use crate::land::CoastDistance;
+use crate::land::{CoastDistance, Region};
 
 /// Lengths of the em that are tried, in units, the first that fits; the last for lakes alone.
 const SIZES: [f32; 5] = [34.0, 27.0, 21.0, 16.0, 13.0];
@@ -34,18 +35,18 @@ const TILTS: [(Vec2, f32, f32); 5] = [
 const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
 
 /// Finds a place for the name of a sea or a lake, off the boxes that are taken; `None` if there is no room.
-pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
-    let coast = input.coast?;
-    let sizes = if area.kind == AreaKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
+pub fn water(input: &Input<'_>, place: &PlaceName, region: &Region, taken: &[(u32, Box)]) -> Option<Chosen> {
+    let coast = input.map.coast?;
+    let sizes = if place.kind == PlaceKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
     let (em, sizes) = (|usual: f32| input.em(usual, OVER_LEAST), input.sizes(sizes, OVER_LEAST));
     let chosen = |usual: f32| {
-        let search = |name: &String| {
+        let search = |name: &str| {
             let text = Text::new(name, Kind::Water);
-            let search = Search { input, coast, area, taken, em: em(usual), text };
+            let search = Search { input, coast, place, region, taken, em: em(usual), text };
             let label = search.label(name)?;
             Some(Chosen { label, text: search.text, usual, over_least: OVER_LEAST, shrinks: Shrinks::ToMiddle })
         };
-        area.name.iter().filter(|text| !text.is_empty()).find_map(search)
+        forms(&place.name).into_iter().filter(|text| !text.is_empty()).find_map(search)
     };
     sizes.into_iter().find_map(chosen)
 }
@@ -53,7 +54,8 @@ pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Cho
 struct Search<'a> {
     input: &'a Input<'a>,
     coast: &'a CoastDistance,
-    area: &'a Area,
+    place: &'a PlaceName,
+    region: &'a Region,
     taken: &'a [(u32, Box)],
     em: f32,
     text: Text,
@@ -80,7 +82,7 @@ impl Search<'_> {
         let (mut best, mut letters) = (None, Vec::new());
         // A lake is named in its midst, a sea in that of the map.
         let (centre, per_off) =
-            if self.area.kind == AreaKind::Lake { (self.area.midst, 0.004) } else { ((least + most) * 0.5, 0.002) };
+            if self.place.kind == PlaceKind::Lake { (self.place.at, 0.004) } else { ((least + most) * 0.5, 0.002) };
         for middle in middles.map(|middle| least + middle).filter(|&middle| self.is_open(middle)) {
             let off = distance(middle, centre);
             for (along, tilt, highest) in TILTS {
@@ -115,12 +117,12 @@ impl Search<'_> {
         }
         // Letters this far from any coast are in the water that their neighbours are in, but for straits narrower than a space.
         let ends = [letters.first()?, letters.last()?].map(|letter| letter.around(self.em).middle);
-        ends.into_iter().all(|end| self.area.contains(end)).then_some(least)
+        ends.into_iter().all(|end| self.region.holds(end)).then_some(least)
     }
 
     /// Returns `true` if there is water of this sea or lake around a point.
     fn is_open(&self, middle: Vec2) -> bool {
-        self.clearance(middle) >= FROM_COAST && self.area.contains(middle)
+        self.clearance(middle) >= FROM_COAST && self.region.holds(middle)
     }
 
     /// Returns `true` if no letter comes too near to another label.

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::input::Input;
-use crate::network::Place;
+use crate::network::{Network, Place};
 
 /// The number of no river.
 pub const NONE: u32 = u32::MAX;
@@ -54,11 +54,29 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// All pieces of a map, river by river.
+    /// Returns all pieces of a map: those of rivers, river by river, of lakes and of ridges.
     pub fn all(input: &Input<'_>) -> Vec<Self> {
-        let rivers = (0..).zip(&input.rivers).flat_map(|(number, river)| Self::along(number, &river.course));
-        let lakes = input.lakes.iter().flat_map(|line| Self::along(LAKE, line));
-        rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| Self::along(RIDGE, line))).collect()
+        let mut pieces = Vec::new();
+        for (number, course) in (0..).zip(&input.map.courses) {
+            pieces.extend(Self::along(number, course));
+        }
+        pieces.extend(Self::of_lines(LAKE, &input.map.lakes));
+        pieces.extend(Self::of_lines(RIDGE, &input.map.ridges));
+        pieces
+    }
+
+    /// Returns the pieces of the rivers of a network, river by river.
+    pub(super) fn of_rivers(network: &Network) -> Vec<Self> {
+        let mut pieces = Vec::new();
+        for (number, river) in (0..).zip(&network.rivers) {
+            pieces.extend(Self::along(number, &network.middle(river)));
+        }
+        pieces
+    }
+
+    /// Returns the pieces of some lines, which are all lakes or all ridges.
+    pub(super) fn of_lines(kind: u32, lines: &[Vec<Place>]) -> Vec<Self> {
+        lines.iter().flat_map(|line| Self::along(kind, line)).collect()
     }
 
     /// Returns the pieces of a line.

@@ -12,10 +12,10 @@ pub fn blocks<G: Background>(
     background: &G,
     boxes: &mut Vec<(u32, Box)>,
 ) -> (Vec<Label>, Option<Box>) {
-    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
+    let cartouche = input.map.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
     let cartouche::Set { mut labels, around, beside } = cartouche.unwrap_or_default();
     boxes.extend(around.into_iter().map(|around| (NONE, around)));
-    let Marks { legend, seal, .. } = &input.marks;
+    let Marks { legend, seal, .. } = &input.map.marks;
     if let Some(set) = legend.as_ref().and_then(|legend| legend::set(input, background, legend, boxes)) {
         labels.extend(set.labels);
         boxes.push((NONE, set.around));

@@ -94,22 +94,25 @@ pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouc
 fn title<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<(Set, Anchor)> {
     let Place { anchor, size, is_at_sea } = Place::of(input, background, cartouche)?;
     // On land it has a ground of its own, and that has edges.
-    let cartouche = &Cartouche { is_framed: cartouche.is_framed || !is_at_sea, ..cartouche.clone() };
+    let is_framed = cartouche.is_framed || !is_at_sea;
     let first =
         if is_at_sea { 0 } else { SIZES.iter().position(|from| from * input.whole_size <= size).unwrap_or(ON_LAND) };
     let sizes = sizes(&SIZES[first..], input);
-    let fit = |form: &Form| {
-        let least = input.least().max(LEAST_UNDER_TITLE * input.label_size);
-        let blocks = sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form));
-        blocks
-            .map(|block| (anchor.place(input.inner_frame(), block.size), block))
-            .find(|(at, block)| !is_at_sea || block.is_open(input, *at))
-    };
-    let forms: Vec<(Vec2, Block)> = FORMS.iter().filter_map(fit).collect();
+    let least = input.least().max(LEAST_UNDER_TITLE * input.label_size);
     let wanted = (AS_LARGE * size * input.shrink).max(OVER_LEAST * input.least()).min(sizes[0]);
-    let largest = || forms.iter().reduce(|best, next| if next.1.em > best.1.em { next } else { best });
-    let (at, block) = forms.iter().find(|(_, block)| block.em >= wanted).or_else(largest)?;
-    Some((block.set(cartouche, *at, is_at_sea), anchor))
+    let mut best: Option<(Vec2, Block)> = None;
+    for form in &FORMS {
+        let blocks = Block::all(input, (cartouche, is_framed), &sizes, least, form);
+        let fit = blocks.into_iter().find_map(|block| {
+            let at = anchor.place(input.inner_frame(), block.size);
+            (!is_at_sea || block.is_open(input, at)).then_some((at, block))
+        });
+        // The first that is large enough, else the largest.
+        let is_better = |block: &Block| best.as_ref().is_none_or(|(_, best)| block.em > best.em && best.em < wanted);
+        best = fit.filter(|(_, block)| is_better(block)).or(best);
+    }
+    let (at, block) = best?;
+    Some((block.set(cartouche, at, is_at_sea), anchor))
 }
 
 /// Returns the lengths of the em that are tried in a picture, the longest first: as in other pictures, and down to the smallest that can be
@@ -151,37 +154,21 @@ struct Place {
 impl Place {
     /// Finds the place with the most room. It depends on the map alone.
     fn of<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Self> {
-        let frame = input.frame;
-        let sizes = SIZES.map(|size| size * input.whole_size);
-        let blocks = |sizes: &[f32], cartouche: &Cartouche, form: &Form| -> Vec<Block> {
-            let least = LEAST_UNDER_TITLE * input.whole_size;
-            sizes.iter().filter_map(|&em| Block::new(input, cartouche, em, least, form)).collect()
-        };
-        let framed = Cartouche { is_framed: true, ..cartouche.clone() };
-        let widest = SHORT_ON_LAND * (frame[1] - frame[0]).x;
-        let suits_land = |block: &Block| block.em <= sizes[ON_LAND] || block.size.x <= widest;
-        let first_on_land =
-            |form: &Form| blocks(&sizes[ON_LAND_IF_SHORT..], &framed, form).into_iter().find(suits_land);
-        let on_land = FORMS.iter().find_map(first_on_land);
-        let forms: Vec<(Vec<Block>, f32)> =
-            FORMS.iter().map(|form| (blocks(&sizes, cartouche, form), form.worth)).collect();
+        let (sizes, least) = (SIZES.map(|size| size * input.whole_size), LEAST_UNDER_TITLE * input.whole_size);
+        let blocks =
+            FORMS.each_ref().map(|form| Block::all(input, (cartouche, cartouche.is_framed), &sizes, least, form));
         let mut best: Option<(f32, corner::Corner, Self)> = None;
         for &anchor in &Anchor::ALL {
-            let first = |(blocks, worth): &(Vec<Block>, f32)| {
-                let found = blocks.iter().map(|block| (anchor.place(frame, block.size), block));
-                let (at, block) = found.into_iter().find(|(at, block)| block.is_open(input, *at))?;
-                Some((block.em * worth, at, block.size, block.em))
-            };
-            let better = |a: (f32, Vec2, Vec2, f32), b: (f32, Vec2, Vec2, f32)| if b.0 > a.0 { b } else { a };
-            let Some((worth, at, block, size)) = forms.iter().filter_map(first).reduce(better) else { continue };
-            let judged = corner::judged(input, background, at, block, size);
+            let Some((worth, at, block)) = roomiest(input, anchor, &blocks) else { continue };
+            let judged = corner::judged(input, background, at, block.size, block.em);
             let is_better = best
                 .as_ref()
                 .is_none_or(|(most, corner, _)| worth > *most || worth == *most && judged.is_better_than(corner));
             if is_better {
-                best = Some((worth, judged, Self { anchor, size, is_at_sea: true }));
+                best = Some((worth, judged, Self { anchor, size: block.em, is_at_sea: true }));
             }
         }
+        let on_land = block_on_land(input, cartouche, &sizes, least);
         let least = on_land.as_ref().map_or(0.0, |block| block.em).min(LEAST_AT_SEA * input.whole_size);
         let at_sea = best.filter(|(_, _, place)| place.size >= least).map(|(_, _, place)| place);
         at_sea.or_else(|| Self::on_land(input, background, on_land.as_ref()?))
@@ -190,13 +177,38 @@ impl Place {
     /// Finds the place with the most sea, and the least ink.
     fn on_land<G: Background>(input: &Input<'_>, background: &G, block: &Block) -> Option<Self> {
         let frame = input.frame;
-        let judged = |anchor: Anchor| {
-            (corner::judged(input, background, anchor.place(frame, block.size), block.size, block.em), anchor)
-        };
-        let places = Anchor::ALL.into_iter().map(judged);
-        let (_, anchor) = places.reduce(|best, next| if next.0.is_better_than(&best.0) { next } else { best })?;
-        Some(Self { anchor, size: block.em, is_at_sea: false })
+        let mut best: Option<(corner::Corner, Anchor)> = None;
+        for anchor in Anchor::ALL {
+            let judged = corner::judged(input, background, anchor.place(frame, block.size), block.size, block.em);
+            if best.as_ref().is_none_or(|(best, _)| judged.is_better_than(best)) {
+                best = Some((judged, anchor));
+            }
+        }
+        best.map(|(_, anchor)| Self { anchor, size: block.em, is_at_sea: false })
     }
+}
+
+/// Returns the block of a form that has the most room at sea at an anchor, with its worth and its place; the first of equals.
+fn roomiest<'a>(input: &Input<'_>, anchor: Anchor, blocks: &'a [Vec<Block>; 4]) -> Option<(f32, Vec2, &'a Block)> {
+    let mut best: Option<(f32, Vec2, &Block)> = None;
+    for (blocks, form) in blocks.iter().zip(&FORMS) {
+        let place = |block: &Block| anchor.place(input.frame, block.size);
+        let Some(block) = blocks.iter().find(|block| block.is_open(input, place(block))) else { continue };
+        let worth = block.em * form.worth;
+        if best.is_none_or(|(most, ..)| worth > most) {
+            best = Some((worth, place(block), block));
+        }
+    }
+    best
+}
+
+/// Returns the largest framed block that may stand on land, of the first form that has one.
+fn block_on_land(input: &Input<'_>, cartouche: &Cartouche, sizes: &[f32], least: f32) -> Option<Block> {
+    let widest = SHORT_ON_LAND * (input.frame[1] - input.frame[0]).x;
+    FORMS.iter().find_map(|form| {
+        let blocks = Block::all(input, (cartouche, true), &sizes[ON_LAND_IF_SHORT..], least, form);
+        blocks.into_iter().find(|block| block.em <= sizes[ON_LAND] || block.size.x <= widest)
+    })
 }
 
 /// A line of type.
@@ -210,6 +222,7 @@ struct Line {
 
 /// Lines of type, one under the other.
 struct Block {
+    is_framed: bool,
     em: f32,
     lines: Vec<Line>,
     /// The size of the letters and of what is around them, in units.
@@ -217,28 +230,44 @@ struct Block {
 }
 
 impl Block {
-    /// Sets a title in letters of a size, and the line under it in none smaller than `least`; `None` if it has no such form, or does not
-    /// fit.
-    fn new(input: &Input<'_>, cartouche: &Cartouche, em: f32, least: f32, form: &Form) -> Option<Self> {
-        let around = AROUND * em + if cartouche.is_framed { frames::width(cartouche.frame, em) } else { 0.0 };
-        let titles = broken(&cartouche.title, form.lines)?.into_iter().map(|line| Text::new(line, Kind::Title));
-        let mut lines: Vec<Line> = Vec::new();
-        for text in titles.filter(|text| !text.letters.is_empty()) {
-            let down = around + (CAPITAL + LINE * lines.len() as f32) * em;
-            lines.push(Line { kind: Kind::Title, text, em, down });
+    /// Sets a title in letters of some sizes, with or without a frame, and the line under it in none smaller than `least`. Leaves out sizes in
+    /// which it has no such form, or does not fit.
+    fn all(input: &Input<'_>, design: (&Cartouche, bool), sizes: &[f32], least: f32, form: &Form) -> Vec<Self> {
+        let mut blocks = Vec::new();
+        for &em in sizes {
+            blocks.extend(Self::new(input, design, em, least, form));
         }
-        let down = lines.last()?.down;
+        blocks
+    }
+
+    /// Sets a title in letters of one size; `None` if it has no such form, or does not fit.
+    fn new(
+        input: &Input<'_>,
+        (cartouche, is_framed): (&Cartouche, bool),
+        em: f32,
+        least: f32,
+        form: &Form,
+    ) -> Option<Self> {
+        let around = AROUND * em + if is_framed { frames::width(cartouche.frame, em) } else { 0.0 };
+        let (mut lines, mut width, mut down): (Vec<Line>, f32, f32) = (Vec::new(), 0.0, 0.0);
+        for title in broken(&cartouche.title, form.lines)? {
+            let text = Text::new(title, Kind::Title);
+            if !text.letters.is_empty() {
+                down = around + (CAPITAL + LINE * lines.len() as f32) * em;
+                width = width.max(text.length * em);
+                lines.push(Line { kind: Kind::Title, text, em, down });
+            }
+        }
+        let mut height = down + UNDER * lines.last()?.em;
         if form.has_seed {
-            let wide = lines.iter().map(|line| line.text.length * em).fold(SHORT * em, f32::max) * WIDER;
-            let (text, em_of_seed) = seed(&cartouche.seed, em, least, wide)?;
+            let (text, em_of_seed) = seed(&cartouche.seed, em, least, (SHORT * em).max(width) * WIDER)?;
             let down = down + TO_SEED * em_of_seed + 0.12 * em;
+            (width, height) = (width.max(text.length * em_of_seed), down + UNDER * em_of_seed);
             lines.push(Line { kind: Kind::Seed, text, em: em_of_seed, down });
         }
-        let width = lines.iter().map(|line| line.text.length * line.em).fold(0.0, f32::max);
-        let height = lines.last().map_or(0.0, |line| line.down + UNDER * line.em);
         let size = Vec2::new(width + 2.0 * around, height + around);
         let room = (input.frame[1] - input.frame[0]) * MOST;
-        size.cmple(room).all().then_some(Self { em, lines, size })
+        size.cmple(room).all().then_some(Self { is_framed, em, lines, size })
     }
 
     /// Returns `true` if all of it is at sea in a place.
@@ -260,7 +289,7 @@ impl Block {
             }
         }
         if let Some(title) = labels.first_mut() {
-            if cartouche.is_framed {
+            if self.is_framed {
                 title.strokes = frames::strokes(cartouche.frame, at, self.size, self.em);
             }
             if !is_at_sea {

@@ -76,8 +76,11 @@ impl Chosen {
             Shrinks::ToMiddle => shrunk(self.middle()),
             Shrinks::Towards(place) => shrunk(*place).or_else(|| shrunk(self.middle())),
         };
-        let label = letters.map(|letters| Label { em, letters, ..self.label.clone() });
-        Self { label: label.unwrap_or_else(|| self.label.clone()), ..self.clone() }
+        let mut resized = self.clone();
+        if let Some(letters) = letters {
+            (resized.label.em, resized.label.letters) = (em, letters);
+        }
+        resized
     }
 
     /// Returns its letters about the middle of its line, or a little before or behind that.
@@ -92,7 +95,7 @@ impl Chosen {
         let mut turns = Turns::default();
         let is_readable = |letter: &Placed| is_upright(letter.along) && turns.take(letter.along).is_some();
         let river = self.label.river.filter(|_| self.label.kind == Kind::River);
-        let course = river.map_or(&[][..], |river| &input.rivers[river as usize].course);
+        let course = river.map_or(&[][..], |river| &input.map.courses[river as usize]);
         let touches = |letter: &Placed| {
             let around = letter.around(em);
             course.windows(2).any(|pair| around.meets_river(pair))
@@ -137,7 +140,7 @@ fn is_off_coast(kind: Kind, letters: &[Placed], em: f32, input: &Input<'_>) -> b
         Kind::Water => FROM_COAST_AT_SEA * em,
         _ => FROM_COAST * em,
     };
-    let is_off = |at: Vec2| match input.coast.map(|coast| coast.height(at)) {
+    let is_off = |at: Vec2| match input.map.coast.map(|coast| coast.height(at)) {
         Some(height) if kind.is_afloat() => -height >= least,
         Some(height) => height >= least,
         None => true,

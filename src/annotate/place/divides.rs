@@ -3,13 +3,13 @@
 use glam::Vec2;
 
 use super::background::Piece;
-use super::input::{SceneryInput, Stream};
+use super::input::SceneryInput;
+use crate::network::{NONE, Network};
 
 /// The side of the cells that know their nearest river, in units.
 const CELL: f32 = 5.0;
 /// The share of all water below which rivers are part of the one that they join.
 const GREAT: f32 = 0.03;
-const NONE: u32 = u32::MAX;
 
 /// A divide that a place may lie on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,9 +38,8 @@ impl Divides {
     /// Finds the nearest river of each cell of a map.
     pub fn new(input: &SceneryInput<'_>) -> Self {
         let [columns, rows] = [input.size.x, input.size.y].map(|length| (length / CELL) as usize + 1);
-        let systems = systems(&input.streams, input.total_discharge);
-        let pieces: Vec<Piece> =
-            (0..).zip(&input.streams).flat_map(|(number, stream)| Piece::along(number, &stream.course)).collect();
+        let systems = systems(input.network, input.total_discharge);
+        let pieces = Piece::of_rivers(input.network);
         let mut this = Self { columns, rows, nearest: vec![(NONE, f32::MAX); columns * rows], systems, pieces };
         this.mark_pieces();
         this.hand_on();
@@ -135,16 +134,16 @@ impl Divides {
     }
 }
 
-/// Of each river the first that is great, itself or below it, and the one that reaches the sea.
-fn systems(streams: &[Stream], total_discharge: u32) -> Vec<[u32; 2]> {
-    let least = GREAT * total_discharge as f32;
-    let below = |number: u32| streams.get(number as usize).map_or(NONE, |stream| stream.parent);
+/// Returns two rivers for each river: the first great one downstream of its source, which may be itself, and the one that reaches the sea.
+fn systems(network: &Network, total_discharge: u32) -> Vec<[u32; 2]> {
+    let (rivers, least) = (&network.rivers, GREAT * total_discharge as f32);
+    let below = |number: u32| rivers.get(number as usize).map_or(NONE, |river| river.parent);
     let system = |own: u32| {
         let (mut great, mut mouth, mut is_found) = (own, own, false);
         // No river is below itself; and if it were, this would end.
-        for _ in 0..streams.len() {
-            is_found |= streams[mouth as usize].discharge as f32 >= least;
-            if below(mouth) as usize >= streams.len() {
+        for _ in 0..rivers.len() {
+            is_found |= network.discharge(&rivers[mouth as usize]) as f32 >= least;
+            if below(mouth) as usize >= rivers.len() {
                 break;
             }
             mouth = below(mouth);
@@ -154,29 +153,36 @@ fn systems(streams: &[Stream], total_discharge: u32) -> Vec<[u32; 2]> {
         }
         [great, mouth]
     };
-    (0..streams.len() as u32).map(system).collect()
+    (0..rivers.len() as u32).map(system).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::random::Seed;
-    use crate::network::Place;
+    use crate::network::{River, Vertex};
 
-    /// Rivers from north to south, at these x, each joining the one of a number.
-    fn divides(streams: &[(f32, u32)]) -> Divides {
-        let stream = |&(x, parent): &(f32, u32)| Stream {
-            course: [0.0, 100.0].map(|y| Place { at: Vec2::new(x, y), half: 1.0 }).to_vec(),
-            discharge: 10,
-            parent,
-        };
+    /// Makes a network of rivers from north to south, each with its x, its discharge and the number of the river that it joins.
+    fn network(rivers: &[(f32, u32, u32)]) -> Network {
+        let mut network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+        for &(x, discharge, parent) in rivers {
+            let start = network.vertices.len() as u32;
+            let vertex = |y: f32| Vertex { at: Vec2::new(x, y), discharge, left: 1.0, right: 1.0, ..Vertex::default() };
+            network.vertices.extend([0.0, 100.0].map(vertex));
+            let river = River { start, end: start + 2, junction: NONE, parent, order: 1, magnitude: 1, identity: 0 };
+            network.rivers.push(river);
+        }
+        network
+    }
+
+    fn divides(network: &Network) -> Divides {
         Divides::new(&SceneryInput {
             size: Vec2::new(200.0, 100.0),
             seed: Seed::from_text(""),
             woods: 0.0,
             hills: 1.0,
             total_discharge: 100,
-            streams: streams.iter().map(stream).collect(),
+            network,
             lakes: Vec::new(),
             ridges: Vec::new(),
             coast: None,
@@ -187,7 +193,7 @@ mod tests {
 
     #[test]
     fn divides_are_midway_between_rivers_and_main_if_their_mouths_differ() {
-        let divides = divides(&[(20.0, NONE), (80.0, 0), (180.0, NONE)]);
+        let divides = divides(&network(&[(20.0, 10, NONE), (80.0, 10, 0), (180.0, 10, NONE)]));
         let at = |x: f32| divides.at(Vec2::new(x, 50.0));
         assert_eq!(
             (at(20.0), at(50.0), at(65.0), at(130.0), at(199.0)),
@@ -197,8 +203,8 @@ mod tests {
 
     #[test]
     fn brooks_belong_to_the_river_that_they_join() {
-        let stream = |discharge: u32, parent: u32| Stream { course: Vec::new(), discharge, parent };
-        let streams = [stream(90, NONE), stream(2, 0), stream(40, 0), stream(1, 2), stream(2, NONE)];
-        assert_eq!(systems(&streams, 100), [[0, 0], [0, 0], [2, 0], [2, 0], [4, 4]]);
+        let rivers = [(90, NONE), (2, 0), (40, 0), (1, 2), (2, NONE)];
+        let network = network(&rivers.map(|(discharge, parent)| (0.0, discharge, parent)));
+        assert_eq!(systems(&network, 100), [[0, 0], [0, 0], [2, 0], [2, 0], [4, 4]]);
     }
 }

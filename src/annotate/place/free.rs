@@ -34,16 +34,14 @@ pub struct FreeGround {
 impl FreeGround {
     /// Gathers the obstacles of a map.
     pub fn new(input: &SceneryInput<'_>) -> Self {
-        let streams = (0..).zip(&input.streams).flat_map(|(number, stream)| Piece::along(number, &stream.course));
-        let lakes = input.lakes.iter().flat_map(|line| Piece::along(LAKE, line));
-        let ridges = input.ridges.iter().flat_map(|line| Piece::along(RIDGE, line));
-        let streams: Vec<Piece> = streams.collect();
-        let great = streams.iter().filter(|piece| piece.is_as_wide_as(GREAT)).copied().collect();
+        let mut water = Piece::of_rivers(input.network);
+        let great = water.iter().filter(|piece| piece.is_as_wide_as(GREAT)).copied().collect();
+        water.extend(Piece::of_lines(LAKE, &input.lakes));
         Self {
             size: input.size,
             great: Banks::new(input.size, great),
-            water: Banks::new(input.size, streams.into_iter().chain(lakes).collect()),
-            ridges: Banks::new(input.size, ridges.collect()),
+            water: Banks::new(input.size, water),
+            ridges: Banks::new(input.size, Piece::of_lines(RIDGE, &input.ridges)),
             letters: input.letters.clone(),
         }
     }
@@ -139,12 +137,11 @@ impl Spots {
 
 #[cfg(test)]
 mod tests {
-    use super::super::input::Stream;
     use super::super::shapes::SHAPES;
     use super::*;
     use crate::base::random::Seed;
     use crate::land::CoastDistance;
-    use crate::network::Place;
+    use crate::network::{NONE, Network, Place, River, Vertex};
 
     const SIZE: Vec2 = Vec2::new(200.0, 120.0);
     const STREAM: [Vec2; 2] = [Vec2::new(80.0, 20.0), Vec2::new(110.0, 50.0)];
@@ -184,13 +181,16 @@ mod tests {
         // Inland by as much as x is over 20.
         let inland = (0..12 * 8).map(|i| (i % 12) as f32 * 20.0 - 20.0).collect();
         let coast = CoastDistance::of_heights(SIZE, 20.0, inland).unwrap();
+        let vertex = |at: Vec2| Vertex { at, discharge: 1, left: 3.0, right: 3.0, ..Vertex::default() };
+        let river = River { start: 0, end: 2, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 0 };
+        let network = Network { vertices: STREAM.map(vertex).to_vec(), rivers: vec![river], oxbows: Vec::new() };
         let input = SceneryInput {
             size: SIZE,
             seed: Seed::from_text("kea"),
             woods: 1.0,
             hills: 1.0,
             total_discharge: 1,
-            streams: vec![Stream { course: line(STREAM, 3.0), discharge: 1, parent: u32::MAX }],
+            network: &network,
             lakes: vec![line(LAKE, 5.0)],
             ridges: vec![line(RIDGE, 0.5)],
             coast: Some(&coast),

@@ -5,8 +5,9 @@ use glam::Vec2;
 use super::baseline::{Line, is_upright, smoothed};
 use super::chosen::{Chosen, Shrinks};
 use super::costs::Turns;
-use super::input::{Input, Landmark, LandmarkKind};
+use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
+use crate::annotate::names::{PlaceKind, PlaceName, forms};
 use crate::land::CoastDistance;
 
 /// Lengths of the em that are tried, in units.
@@ -33,25 +34,25 @@ const MIDDLE: f32 = 0.24;
 const SMOOTHED: f32 = 0.1;
 
 /// Finds a place for the name of a bay, a strait or a cape, off the boxes that are taken; `None` if there is no room.
-pub fn inlet(input: &Input<'_>, landmark: &Landmark, taken: &[(u32, Box)]) -> Option<Chosen> {
-    let coast = input.coast?;
-    let kind = if landmark.kind == LandmarkKind::Cape { Kind::Cape } else { Kind::Inlet };
+pub fn inlet(input: &Input<'_>, place: &PlaceName, taken: &[(u32, Box)]) -> Option<Chosen> {
+    let coast = input.map.coast?;
+    let kind = if place.kind == PlaceKind::Cape { Kind::Cape } else { Kind::Inlet };
     let em = |usual: f32| input.em(usual, 1.0);
     // On small pictures only wide bays have names.
-    let most = MOST_EM.max(MOST_SHARE * landmark.size);
-    let is_wide = landmark.kind == LandmarkKind::Bay && landmark.size >= WIDE;
+    let most = MOST_EM.max(MOST_SHARE * place.size);
+    let is_wide = matches!(place.kind, PlaceKind::Gulf | PlaceKind::Bay) && place.size >= WIDE;
     let sizes = input.sizes(if is_wide { SIZES } else { &SIZES[WIDE_SIZES..] }, 1.0);
-    let names = || landmark.name.iter().filter(|name| !name.is_empty());
+    let names = || forms(&place.name).into_iter().filter(|name| !name.is_empty());
     sizes
         .into_iter()
         .filter(|usual| em(*usual) <= most)
         .flat_map(|usual| names().map(move |name| (usual, name)))
         .find_map(|(usual, name)| {
             let text = Text::new(name, kind);
-            let search = Search { input, coast, taken, landmark, em: em(usual), text };
-            let (letters, shrinks) = match landmark.kind {
-                LandmarkKind::Strait => search.along()?,
-                LandmarkKind::Cape => (search.before_the_cape()?, Shrinks::Towards(landmark.at)),
+            let search = Search { input, coast, taken, place, em: em(usual), text };
+            let (letters, shrinks) = match place.kind {
+                PlaceKind::Strait => search.along()?,
+                PlaceKind::Cape => (search.before_the_cape()?, Shrinks::Towards(place.at)),
                 _ => (search.in_the_bay()?, Shrinks::ToMiddle),
             };
             let label = Label::new(kind, None, name, search.em, letters);
@@ -63,7 +64,7 @@ struct Search<'a> {
     input: &'a Input<'a>,
     coast: &'a CoastDistance,
     taken: &'a [(u32, Box)],
-    landmark: &'a Landmark,
+    place: &'a PlaceName,
     em: f32,
     text: Text,
 }
@@ -71,12 +72,12 @@ struct Search<'a> {
 impl Search<'_> {
     /// Returns letters in the water of a bay, near its midst and off its coast.
     fn in_the_bay(&self) -> Option<Vec<Placed>> {
-        let reach = AROUND * self.em + WIDTHS * self.landmark.size;
+        let reach = AROUND * self.em + WIDTHS * self.place.size;
         let steps = (reach / (STEP * self.em)) as i32;
         let around = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| (row, column)));
         let places = around.map(|(row, column)| {
             let off = Vec2::new(column as f32, row as f32) * (STEP * self.em);
-            (off.length() / reach, self.landmark.at + off)
+            (off.length() / reach, self.place.at + off)
         });
         self.cheapest(places.map(|(cost, middle)| (cost, self.level(middle, 0.5))))
     }
@@ -92,13 +93,13 @@ impl Search<'_> {
             let over = [-1.0, 1.0].map(|down: f32| (0.5 + 0.1 * down, Vec2::new(0.0, down * (0.5 + gap)), 0.5));
             beside.into_iter().chain(over).map(move |(cost, off, from)| (cost + gap, off, from))
         });
-        let letters = |(cost, off, from): (f32, Vec2, f32)| (cost, self.level(self.landmark.at + off * self.em, from));
+        let letters = |(cost, off, from): (f32, Vec2, f32)| (cost, self.level(self.place.at + off * self.em, from));
         self.cheapest(places.map(letters))
     }
 
     /// Returns letters along a strait, and the line that they stand on.
     fn along(&self) -> Option<(Vec<Placed>, Shrinks)> {
-        let mut line = smoothed(&self.landmark.line, (SMOOTHED * self.landmark.line.len() as f32) as usize);
+        let mut line = smoothed(&self.place.line, (SMOOTHED * self.place.line.len() as f32) as usize);
         if !is_upright(*line.last()? - *line.first()?) {
             line.reverse();
         }

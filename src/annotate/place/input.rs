@@ -1,126 +1,18 @@
 //! The input of the placement of labels and scenery.
 
+use std::rc::Rc;
+
 use glam::Vec2;
 
 use super::letters::Box;
+use crate::annotate::names::{Names, ReachName};
+use crate::base::geometry::distance;
 use crate::base::random::Seed;
-use crate::land::{CELL_SIZE, CoastDistance};
-use crate::network::Place;
+use crate::land::{CoastDistance, Region};
+use crate::network::{Network, Place};
 
 /// The length of a kilometre, in units: a unit is a hundredth of a degree of the equator, of which a degree has 111.32 km.
 pub const KILOMETRE: f32 = 1.0 / 1.113_2;
-
-/// A river that may have a label.
-#[derive(Clone, Debug, PartialEq)]
-pub struct River {
-    /// Its centerline, from the source, with its banks, in units.
-    pub course: Vec<Place>,
-    /// Its discharge at its end.
-    pub discharge: u32,
-    /// Its name in full, and in short.
-    pub name: [String; 2],
-}
-
-/// A stretch on which a great river winds, and that has a name of its own.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reach {
-    /// The number of its river.
-    pub river: u32,
-    /// Its centerline, with its banks, in units.
-    pub course: Vec<Place>,
-    /// Its name in full, and in short.
-    pub name: [String; 2],
-}
-
-/// What an area of land or water is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AreaKind {
-    /// Water that reaches the frame of the map.
-    Sea,
-    /// Water that does not.
-    Lake,
-    /// Land with water around it.
-    Island,
-}
-
-/// A part of a row that belongs to an area; [`Area::ROW`] high. Lengths are units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strip {
-    /// Its northern side.
-    pub top: f32,
-    /// Its western side.
-    pub left: f32,
-    /// Its eastern side.
-    pub right: f32,
-}
-
-/// A sea, a lake or an island.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Area {
-    /// Its kind.
-    pub kind: AreaKind,
-    /// Its name in full, and in short.
-    pub name: [String; 2],
-    /// A place in the midst of it, in units.
-    pub midst: Vec2,
-    /// Where it lies, row by row, each from west to east.
-    pub strips: Vec<Strip>,
-}
-
-impl Area {
-    /// The height of a row, in units.
-    pub const ROW: f32 = CELL_SIZE;
-
-    /// How large it is, in square units.
-    pub fn size(&self) -> f32 {
-        self.strips.iter().map(|strip| (strip.right - strip.left) * Self::ROW).sum()
-    }
-
-    /// Whether a place lies in it.
-    pub fn contains(&self, at: Vec2) -> bool {
-        let next = self
-            .strips
-            .partition_point(|strip| strip.top + Self::ROW <= at.y || (strip.top <= at.y && strip.right <= at.x));
-        self.strips.get(next).is_some_and(|strip| strip.top <= at.y && strip.left <= at.x)
-    }
-
-    /// The north-western and the south-eastern corner of the box around it.
-    pub fn corners(&self) -> [Vec2; 2] {
-        let ends = |strip: &Strip| [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Self::ROW)];
-        let around = |all: [Vec2; 2], one: [Vec2; 2]| [all[0].min(one[0]), all[1].max(one[1])];
-        self.strips.iter().map(ends).reduce(around).unwrap_or([self.midst; 2])
-    }
-}
-
-/// A kind of place that is no area of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LandmarkKind {
-    /// The main land.
-    MainLand,
-    /// A range of mountains.
-    Range,
-    /// Narrow water between two lands.
-    Strait,
-    /// Water with land on three sides.
-    Bay,
-    /// A point of land.
-    Cape,
-}
-
-/// A place that is no area of its own, with its name. Lengths are units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Landmark {
-    /// Its kind.
-    pub kind: LandmarkKind,
-    /// Its name in full, and in short.
-    pub name: [String; 2],
-    /// A place in its midst, or the tip of a cape.
-    pub at: Vec2,
-    /// The line that its name may run along: a crest, the middle of a strait, the axis of the main land. Empty for others.
-    pub line: Vec<Vec2>,
-    /// How large it is: the width of a bay, how far a cape juts out, the length of a line.
-    pub size: f32,
-}
 
 /// The title of a map, and what stands with it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -286,48 +178,78 @@ pub struct Marks<'a> {
     pub seal: Option<Seal>,
 }
 
-/// A map that labels are wanted for. Lengths are units.
+/// The part of the input that is the same for pictures of all sizes: a map with its names. Lengths are units.
+#[derive(Debug)]
+pub struct MapInput<'a> {
+    /// The centerline of each river, from the source, with its banks.
+    pub courses: Vec<Vec<Place>>,
+    /// The discharge of each river at its end.
+    pub discharges: Vec<u32>,
+    /// The discharge of all rivers together.
+    pub total_discharge: u32,
+    /// The names of rivers, reaches and places.
+    pub names: Names,
+    /// The region of each place; empty for those that are no sea, lake or island.
+    pub regions: Vec<Region>,
+    /// Lakes that rivers have left, which only letters of reaches may touch.
+    pub lakes: Vec<Vec<Place>>,
+    /// Ridges, which no letter may touch.
+    pub ridges: Vec<Vec<Place>>,
+    /// The distance of each point from the coast; `None` if there is no sea.
+    pub coast: Option<&'a CoastDistance>,
+    /// The title; `None` if it is to have none.
+    pub cartouche: Option<Cartouche>,
+    /// The marks besides names.
+    pub marks: Marks<'a>,
+}
+
+/// A reach: its name, and its part of its river's course.
+pub type Reach<'a> = (&'a ReachName, &'a [Place]);
+
+impl MapInput<'_> {
+    /// Returns the reaches that have a course, the one with the most water first.
+    pub fn reaches(&self) -> Vec<Reach<'_>> {
+        let mut reaches = Vec::new();
+        for reach in &self.names.reaches {
+            let [Some(first), Some(last)] = [reach.course.first(), reach.course.last()] else { continue };
+            let Some(course) = self.courses.get(reach.river as usize) else { continue };
+            let [Some(first), Some(last)] = [first, last].map(|end| nearest(course, *end)) else { continue };
+            reaches.extend(course.get(first..=last).map(|course| (reach, course)));
+        }
+        reaches
+    }
+}
+
+/// Returns the number of the place of a course that is nearest to a point; `None` if the course has no places.
+fn nearest(course: &[Place], point: Vec2) -> Option<usize> {
+    (0..course.len()).min_by(|&a, &b| distance(course[a].at, point).total_cmp(&distance(course[b].at, point)))
+}
+
+/// A map that labels are wanted for, on a picture of one size. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct Input<'a> {
+    /// The map, with all that does not depend on the picture's size.
+    pub map: Rc<MapInput<'a>>,
     /// The part of the domain that labels may stand in: its north-western and its south-eastern corner.
     pub frame: [Vec2; 2],
-    /// The part of it that the picture shows, its two corners: what reaches beyond that is left out.
+    /// The part of the frame that the picture shows, its two corners: what reaches beyond that is left out.
     pub view: [Vec2; 2],
     /// The em of the smallest letters that can be read, before it is multiplied by the factor of their size.
     pub least_em: f32,
     /// The factor of the sizes of letters.
     pub label_size: f32,
-    /// The same on the whole map. (Not computed from that: rounding would make other choices of places.)
+    /// The factor of the sizes of letters on the whole map. It is not computed from `label_size` and `shrink`: rounding would make other
+    /// choices of places.
     pub whole_size: f32,
-    /// The share of that which is due to the view being a part of the map; 1 for the whole map.
+    /// The share of `label_size` that is due to the view being a part of the map; 1 for the whole map.
     pub shrink: f32,
-    /// Returns `true` if no river has more than one label.
+    /// `true` if no river has more than one label.
     pub is_one_each: bool,
     /// The greatest area that the labels of rivers cover on land, in square units, and the greatest that those of lakes and islands cover
     /// on the water. Where labels may cover no land there are none.
     pub most_area: [f32; 2],
-    /// How many bays, capes and straits have labels at most, of each.
+    /// The greatest number of labels of bays, of capes and of straits each.
     pub most_landmarks: usize,
-    /// What all rivers together bring to the sea, in the unit of their discharge.
-    pub total_discharge: u32,
-    /// The rivers.
-    pub rivers: Vec<River>,
-    /// Stretches of them with names of their own.
-    pub reaches: Vec<Reach>,
-    /// Lakes that rivers have left, which only letters of reaches may touch.
-    pub lakes: Vec<Vec<Place>>,
-    /// Ridges, which no letter may touch.
-    pub ridges: Vec<Vec<Place>>,
-    /// The title; `None` if it is to have none.
-    pub cartouche: Option<Cartouche>,
-    /// Seas, lakes and islands.
-    pub areas: Vec<Area>,
-    /// Places besides these, the most important of each kind first.
-    pub landmarks: Vec<Landmark>,
-    /// The marks besides names.
-    pub marks: Marks<'a>,
-    /// How far inland each point lies; `None` if there is no sea.
-    pub coast: Option<&'a CoastDistance>,
 }
 
 impl Input<'_> {
@@ -347,7 +269,7 @@ impl Input<'_> {
     /// Returns the frame in pictures of this size: the letters of a grid take more of small ones.
     pub fn inner_frame(&self) -> [Vec2; 2] {
         let em = self.em(SheetGrid::EM, 1.0);
-        let has_grid = self.marks.has_grid && em <= SheetGrid::MOST_EM;
+        let has_grid = self.map.marks.has_grid && em <= SheetGrid::MOST_EM;
         let margin = if has_grid { (SheetGrid::MARGIN * (em - SheetGrid::EM)).max(0.0) } else { 0.0 };
         let [least, most] = self.frame;
         [least + margin, most - margin]
@@ -366,19 +288,8 @@ impl Input<'_> {
 
     /// Returns the part of the domain that is seen: its north-western and its south-eastern corner.
     pub fn sheet(&self) -> [Vec2; 2] {
-        self.marks.grid.map_or(self.view, |grid| grid.sheet)
+        self.map.marks.grid.map_or(self.view, |grid| grid.sheet)
     }
-}
-
-/// A river that scenery keeps off.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stream {
-    /// Its centerline, from the source, with its banks, in units.
-    pub course: Vec<Place>,
-    /// Its discharge at its end.
-    pub discharge: u32,
-    /// The number of the river that it joins; `u32::MAX` if it reaches the sea.
-    pub parent: u32,
 }
 
 /// The heights of the land, cell by cell, row by row from the map's north-western corner on.
@@ -405,35 +316,18 @@ pub struct SceneryInput<'a> {
     pub woods: f32,
     /// The density of hills, from 0 to 1.
     pub hills: f32,
-    /// What all rivers together bring to the sea, in the unit of their discharge.
+    /// The discharge of all rivers together.
     pub total_discharge: u32,
     /// The rivers.
-    pub streams: Vec<Stream>,
+    pub network: &'a Network,
     /// Lakes that rivers have left.
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which are drawn in strokes of their own.
     pub ridges: Vec<Vec<Place>>,
-    /// How far inland each point lies; `None` if there is no sea.
+    /// The distance of each point from the coast; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
     /// The relief; `None` if it is not known.
     pub heights: Option<Heights<'a>>,
     /// The boxes of all letters on the map, and of what stands with them.
     pub letters: Vec<Box>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_area_holds_what_its_strips_do() {
-        let strip = |top: f32, left: f32, right: f32| Strip { top, left, right };
-        let strips = vec![strip(3.0, 5.0, 7.0), strip(3.0, 9.0, 10.0), strip(4.0, 5.0, 10.0)];
-        let area = Area { kind: AreaKind::Lake, name: Default::default(), midst: Vec2::ONE, strips };
-        let holds = |x: f32, y: f32| area.contains(Vec2::new(x, y));
-        assert!(holds(5.0, 3.0) && holds(6.9, 3.9) && holds(9.5, 3.5) && holds(8.0, 4.5));
-        assert!(!holds(8.0, 3.5) && !holds(4.9, 4.5) && !holds(6.0, 2.9) && !holds(6.0, 5.0) && !holds(10.0, 4.5));
-        assert_eq!(area.size(), 8.0);
-        assert_eq!(area.corners(), [Vec2::new(5.0, 3.0), Vec2::new(10.0, 5.0)]);
-    }
 }

@@ -4,10 +4,11 @@ use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
 use super::chosen::{Chosen, Shrinks, middle};
-use super::input::{Area, Input, Strip};
+use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
+use crate::annotate::names::{PlaceName, forms};
 use crate::base::geometry::length;
-use crate::land::CoastDistance;
+use crate::land::{CoastDistance, Region, Run};
 
 /// The lengths of the em, in units, by the least area of an island that has it, in square units.
 const SIZES: [(f32, f32); 4] = [(20_000.0, 18.5), (5000.0, 16.0), (1000.0, 13.5), (0.0, 11.5)];
@@ -39,16 +40,21 @@ const NEARER: f32 = 1.3;
 const NEARER_EM: f32 = 0.3;
 
 /// Finds a place for the name of an island, off the boxes that are taken; `None` if there is no room.
-pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Chosen> {
-    let coast = input.coast?;
-    let (size, corners) = (area.size(), area.corners());
+pub fn island<G: Background>(
+    input: &Input<'_>,
+    background: &G,
+    (place, region): (&PlaceName, &Region),
+    taken: &[(u32, Box)],
+) -> Option<Chosen> {
+    let coast = input.map.coast?;
+    let (size, corners) = (region.area(), region.corners().unwrap_or([place.at; 2]));
     let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
     let em = |usual: f32| input.em(usual, 1.0);
     let sizes = input.sizes(&[usual, SMALLER * usual], 1.0);
     let chosen = |usual: f32| {
-        area.name.iter().find_map(|name| {
+        forms(&place.name).into_iter().find_map(|name| {
             let (text, em) = (Text::new(name, Kind::Island), em(usual));
-            let search = Search { input, background, coast, area, corners, taken, em, usual, text };
+            let search = Search { input, background, coast, midst: place.at, region, corners, taken, em, usual, text };
             let (kind, letters) = search.letters()?;
             let label = Label::new(kind, None, name, em, letters);
             let towards = |label: &Label| Shrinks::Towards(search.nearest(middle(label)));
@@ -63,7 +69,8 @@ struct Search<'a, G> {
     input: &'a Input<'a>,
     background: &'a G,
     coast: &'a CoastDistance,
-    area: &'a Area,
+    midst: Vec2,
+    region: &'a Region,
     /// The corners of the box around the island.
     corners: [Vec2; 2],
     taken: &'a [(u32, Box)],
@@ -84,7 +91,7 @@ impl<G: Background> Search<'_, G> {
         }
         let inside = self.inside().map(|letters| (Kind::Island, letters));
         // One that has room for its name on larger pictures has none beside it on smaller ones.
-        let is_wide = self.coast.height(self.area.midst) >= ROOM * self.usual * self.input.whole_size;
+        let is_wide = self.coast.height(self.midst) >= ROOM * self.usual * self.input.whole_size;
         inside.or_else(|| {
             if is_wide && self.em > self.usual * self.input.label_size {
                 None
@@ -96,14 +103,14 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns the letters near the island's midst, where the least ink is under them.
     fn inside(&self) -> Option<Vec<Placed>> {
-        if self.coast.height(self.area.midst) < ROOM * self.em {
+        if self.coast.height(self.midst) < ROOM * self.em {
             return None;
         }
         let half = Vec2::new(-0.5 * self.text.length, MIDDLE) * self.em;
         let mut best: Best = None;
         for (row, column) in (-AROUND..=AROUND).flat_map(|row| (-AROUND..=AROUND).map(move |column| (row, column))) {
             let off = Vec2::new(column as f32, row as f32) * (STEP * self.em);
-            let letters = self.level(self.area.midst + half + off);
+            let letters = self.level(self.midst + half + off);
             let cost = self.ink(&letters).map(|ink| 0.25 * length(off) / self.em + ink);
             self.take_better(&mut best, letters, cost);
         }
@@ -116,7 +123,7 @@ impl<G: Background> Search<'_, G> {
         for letter in letters {
             let around = letter.around(self.em);
             let is_ashore = |at: Vec2| self.coast.height(at) >= FROM_COAST_INSIDE * self.em;
-            if !around.corners().into_iter().all(is_ashore) || !self.area.contains(around.middle) {
+            if !around.corners().into_iter().all(is_ashore) || !self.region.holds(around.middle) {
                 return None;
             }
             for sample in around.samples() {
@@ -163,15 +170,24 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns the western and the eastern end of the island in some rows; `None` if it has nothing there.
     fn across(&self, [top, bottom]: [f32; 2]) -> Option<[f32; 2]> {
-        let strips = self.area.strips.iter().filter(|strip| strip.top < bottom && strip.top + Area::ROW > top);
-        strips.map(|strip| [strip.left, strip.right]).reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
+        self.extent(|[least, most]| least.y < bottom && most.y > top).map(|corners| corners.map(|corner| corner.x))
     }
 
     /// Returns the northern and the southern end of the island between two sides; `None` if it has nothing there.
     fn down(&self, [left, right]: [f32; 2]) -> Option<[f32; 2]> {
-        let strips = self.area.strips.iter().filter(|strip| strip.left < right && strip.right > left);
-        let ends = strips.map(|strip| [strip.top, strip.top + Area::ROW]);
-        ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
+        self.extent(|[least, most]| least.x < right && most.x > left).map(|corners| corners.map(|corner| corner.y))
+    }
+
+    /// Returns the corners of the box around some of the island's runs of cells; `None` if there are none.
+    fn extent(&self, is_one: impl Fn([Vec2; 2]) -> bool) -> Option<[Vec2; 2]> {
+        let mut extent: Option<[Vec2; 2]> = None;
+        for [least, most] in self.region.runs.iter().map(Run::corners) {
+            if is_one([least, most]) {
+                let [all_least, all_most] = extent.unwrap_or([least, most]);
+                extent = Some([all_least.min(least), all_most.max(most)]);
+            }
+        }
+        extent
     }
 
     /// Returns the cost of other land near letters on the water; `None` if they touch land, or would seem to name another island.
@@ -191,13 +207,13 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns the distance of a place from the island, in units.
     fn away(&self, at: Vec2) -> f32 {
-        let off = |strip: &Strip| within(strip, at).distance_squared(at);
-        self.area.strips.iter().map(off).fold(f32::MAX, f32::min).sqrt()
+        let off = |run: &Run| within(run, at).distance_squared(at);
+        self.region.runs.iter().map(off).fold(f32::MAX, f32::min).sqrt()
     }
 
     /// Returns the place of the island that is nearest to a point.
     fn nearest(&self, at: Vec2) -> Vec2 {
-        let places = self.area.strips.iter().map(|strip| within(strip, at));
+        let places = self.region.runs.iter().map(|run| within(run, at));
         let nearer = |a: Vec2, b: Vec2| if b.distance_squared(at) < a.distance_squared(at) { b } else { a };
         places.reduce(nearer).unwrap_or(at)
     }
@@ -222,8 +238,8 @@ impl<G: Background> Search<'_, G> {
     }
 }
 
-/// The place of a strip that is nearest to another.
-fn within(strip: &Strip, at: Vec2) -> Vec2 {
-    let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
+/// Returns the point of a run of cells that is nearest to a point.
+fn within(run: &Run, at: Vec2) -> Vec2 {
+    let [least, most] = run.corners();
     at.max(least).min(most)
 }

@@ -60,9 +60,8 @@ pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use heading::heading;
 pub use input::{
-    Area, AreaKind, Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Landmark, LandmarkKind, Legend,
-    LongProfile, Marks, NorthPoint, Plate, Reach, River, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver,
-    Stream, Strip, Tributary,
+    Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Legend, LongProfile, MapInput, Marks, NorthPoint, Plate,
+    RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary,
 };
 pub use letters::{Box, Kind, Label, LabelIn, Placed, PlacedIn, Stroke};
 pub use levels::{STEPS, least_em_of, step_for};

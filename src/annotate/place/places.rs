@@ -10,7 +10,6 @@ use super::letters::{Box, Kind, Label, Placed, Stroke};
 use super::levels::Level;
 use super::placing::Map;
 use super::{grid_letters, spot_heights};
-use crate::base::sort;
 
 /// Places the labels of a picture, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of
 /// regions, lakes and islands, of seas; the title; and the marks that the style has besides names.
@@ -54,24 +53,28 @@ impl Places {
 
 /// Returns the labels that a picture shows whole, with those in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
-    let mut boxes = Vec::new();
-    let (mut corners, _) = blocks(input, background, &mut boxes);
-    // On a part of the map something may have room that has none on the whole, where a name has its place: the name stays.
-    let is_in_the_way =
-        |(_, around): &(u32, Box)| chosen.iter().flat_map(Chosen::boxes).any(|(_, own)| own.meets(around, 0.0));
-    let (left_out, kept): (Vec<_>, Vec<_>) = boxes.into_iter().partition(is_in_the_way);
-    // A title without its second line, or a number without its bar, says nothing: what is not shown whole is not shown.
-    let is_cut =
-        |(_, around): &(u32, Box)| corners.iter().any(|label| stands_in(label, around) && !is_shown(input, label));
-    let (cut, kept): (Vec<_>, Vec<_>) = kept.into_iter().partition(is_cut);
-    corners.retain(|label| !left_out.iter().chain(&cut).any(|(_, around)| stands_in(label, around)));
-    let mut boxes = kept;
-    boxes.extend(chosen.iter().flat_map(Chosen::boxes));
-    let mut labels: Vec<Label> = chosen.into_iter().map(|chosen| chosen.label).chain(corners).collect();
-    labels.retain(|label| label.kind == Kind::Grid || is_shown(input, label));
-    // Stable: rivers first, in the order of their importance.
-    labels = sort::sorted_by(labels, |label| label.river.is_none().into());
-    let Marks { elevations, grid, .. } = &input.marks;
+    let mut in_corners = Vec::new();
+    let (mut corners, _) = blocks(input, background, &mut in_corners);
+    let own: Vec<(u32, Box)> = chosen.iter().flat_map(Chosen::boxes).collect();
+    let (mut boxes, mut left_out) = (Vec::new(), Vec::new());
+    for (river, around) in in_corners {
+        // On a part of the map something may have room that has none on the whole, where a name has its place: the name stays.
+        let is_in_the_way = own.iter().any(|(_, own)| own.meets(&around, 0.0));
+        // A title without its second line, or a number without its bar, says nothing: what is not shown whole is not shown.
+        let is_cut = || corners.iter().any(|label| stands_in(label, &around) && !is_shown(input, label));
+        if is_in_the_way || is_cut() { left_out.push(around) } else { boxes.push((river, around)) }
+    }
+    corners.retain(|label| !left_out.iter().any(|around| stands_in(label, around)));
+    boxes.extend(own);
+    // Rivers first, in the order of their importance.
+    let (mut labels, mut others) = (Vec::new(), Vec::new());
+    for label in chosen.into_iter().map(|chosen| chosen.label).chain(corners) {
+        if label.kind == Kind::Grid || is_shown(input, &label) {
+            if label.river.is_some() { labels.push(label) } else { others.push(label) }
+        }
+    }
+    labels.extend(others);
+    let Marks { elevations, grid, .. } = &input.map.marks;
     if let Some(elevations) = elevations {
         for (label, around) in spot_heights::labels(input, background, elevations, &boxes) {
             boxes.extend(around.map(|around| (NONE, around)));

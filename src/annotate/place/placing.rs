@@ -7,13 +7,16 @@ use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
 use super::blocks::blocks;
 use super::chosen::{Chosen, Shrinks};
-use super::input::{Area, AreaKind, Input, Landmark, LandmarkKind, Reach, River};
+use super::input::{Input, MapInput, Reach};
 use super::letters::{Box, Kind, Text};
 use super::levels::Level;
 use super::search::{MOST_COST, MOST_COST_SMALL, Search};
 use super::{areas, inlets, islands, regions};
+use crate::annotate::names::{PlaceKind, PlaceName, forms};
 use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
+use crate::land::Region;
+use crate::network::Place;
 
 /// The usual lengths of the em, in units, by the least share of all water of a river that has it.
 const SIZES: [(f32, f32); 5] = [(0.10, 18.5), (0.045, 16.0), (0.018, 14.0), (0.007, 12.5), (0.0, 11.0)];
@@ -37,17 +40,17 @@ const NEAR: f32 = 0.6;
 /// The greatest number of rivers that are tried.
 const MOST_RIVERS: usize = 400;
 
-/// The rivers that are long enough, in the order in which they are labelled.
-fn by_importance(rivers: &[River], shrink: f32) -> Vec<usize> {
-    let lengths: Vec<f32> = rivers.iter().map(length).collect();
-    let importance = |i: usize| (rivers[i].discharge as f32).sqrt() * lengths[i].min(LONG);
-    let order = sort::argsort((0..rivers.len()).map(|i| sort::key(-importance(i))));
+/// Returns the rivers that are long enough, in the order in which they are labelled.
+fn by_importance(map: &MapInput<'_>, shrink: f32) -> Vec<usize> {
+    let lengths: Vec<f32> = map.courses.iter().map(|course| length(course)).collect();
+    let importance = |i: usize| (map.discharges[i] as f32).sqrt() * lengths[i].min(LONG);
+    let order = sort::argsort((0..lengths.len()).map(|i| sort::key(-importance(i))));
     order.into_iter().filter(|&i| lengths[i] >= SHORTEST * shrink).take(MOST_RIVERS).collect()
 }
 
-/// The length of a river's course, in units.
-fn length(river: &River) -> f32 {
-    river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
+/// Returns the length of a river's course, in units.
+fn length(course: &[Place]) -> f32 {
+    course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum()
 }
 
 /// A river or a reach that a label is wanted for.
@@ -55,7 +58,7 @@ fn length(river: &River) -> f32 {
 struct Subject<'a> {
     kind: Kind,
     river: u32,
-    name: &'a [String; 2],
+    name: [&'a str; 2],
     /// The usual length of its em, in units.
     usual: f32,
 }
@@ -112,8 +115,9 @@ impl<'a, G: Background> Map<'a, G> {
     fn draw_near(&mut self, number: usize, em: f32) {
         let Chosen { label, usual, shrinks: Shrinks::Along { anchor, .. }, .. } = &self.chosen[number] else { return };
         let (Kind::River, Some(river)) = (label.kind, label.river) else { return };
-        let (usual, anchor, name) = (*usual, *anchor, &self.input.rivers[river as usize].name);
-        let Some(course) = Course::new(&self.input.rivers[river as usize].course, em) else { return };
+        let map = &self.input.map;
+        let (usual, anchor, name) = (*usual, *anchor, map.names.rivers[river as usize].forms());
+        let Some(course) = Course::new(&map.courses[river as usize], em) else { return };
         let before = std::mem::take(&mut self.boxes);
         let own: Vec<Box> = self.chosen[number].boxes().map(|(_, around)| around).collect();
         let is_other = |(_, around): &&(u32, Box)| own.iter().all(|own| own.middle != around.middle);
@@ -136,23 +140,24 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Labels rivers, the greatest first, until they cover as much land as they may.
     fn label_rivers(&mut self) {
-        let Input { reaches, rivers, most_area: [most, _], is_one_each, .. } = self.input;
+        let Input { map, most_area: [most, _], is_one_each, .. } = self.input;
         if *most <= 0.0 {
             return;
         }
-        let order = by_importance(rivers, self.input.shrink);
+        let order = by_importance(map, self.input.shrink);
+        let reaches = map.reaches();
         // It has its name even if stretches of others would use up all that labels may cover.
-        let greatest = order.iter().copied().min_by_key(|&number| u32::MAX - rivers[number].discharge);
-        greatest.into_iter().for_each(|number| self.label_greatest(number));
-        let reaches = if *is_one_each { &[][..] } else { reaches };
-        let winding = reaches.iter().map(|reach| reach.river as usize);
-        let mut is_done = vec![false; rivers.len()];
+        let greatest = order.iter().copied().min_by_key(|&number| u32::MAX - map.discharges[number]);
+        greatest.into_iter().for_each(|number| self.label_greatest(number, reach_of(&reaches, number)));
+        let reaches = if *is_one_each { &[][..] } else { &reaches[..] };
+        let winding = reaches.iter().map(|(name, _)| name.river as usize);
+        let mut is_done = vec![false; map.courses.len()];
         for number in greatest.into_iter().chain(winding).chain(order.iter().copied()) {
             if self.area(|kind| matches!(kind, Kind::River | Kind::Reach)) >= *most {
                 break;
             }
             if !std::mem::replace(&mut is_done[number], true) {
-                let reach = reaches.iter().find(|reach| reach.river as usize == number);
+                let reach = reach_of(reaches, number);
                 self.label(number, reach);
                 reach.into_iter().for_each(|reach| self.label_reach(reach));
             }
@@ -160,16 +165,16 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones; but only if the river has its name.
-    fn label_reach(&mut self, reach: &Reach) {
-        let of_river = |kind| self.labels_of(reach.river).any(|chosen| chosen.label.kind == kind);
+    fn label_reach(&mut self, (name, course): Reach<'_>) {
+        let of_river = |kind| self.labels_of(name.river).any(|chosen| chosen.label.kind == kind);
         if of_river(Kind::Reach) || !of_river(Kind::River) {
             return;
         }
         for size in [1.0, SMALLER] {
-            let usual = self.usual(reach.river as usize) * size;
+            let usual = self.usual(name.river as usize) * size;
             let em = self.em(usual);
-            let Some(course) = Course::new(&reach.course, em) else { return };
-            let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name, usual };
+            let Some(course) = Course::new(course, em) else { return };
+            let subject = Subject { kind: Kind::Reach, river: name.river, name: forms(&name.name), usual };
             let chosen = self.attempt(subject, &course, &course.lines_of_reach(em), em, Within::default());
             if let Some(chosen) = chosen {
                 return self.take(chosen);
@@ -183,7 +188,7 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Returns the share of all water that a river has.
     fn share(&self, number: usize) -> f32 {
-        self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32
+        self.input.map.discharges[number] as f32 / self.input.map.total_discharge.max(1) as f32
     }
 
     /// Returns the usual size of a river's letters.
@@ -199,8 +204,8 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Labels a river, in short if there is no room for all of its name, and a great one in smaller letters if there is none for that; off the
     /// stretch that has a name of its own if it can be; and once more if it is long.
-    fn label(&mut self, number: usize, reach: Option<&Reach>) {
-        let Input { rivers, shrink, is_one_each, .. } = self.input;
+    fn label(&mut self, number: usize, reach: Option<Reach<'_>>) {
+        let Input { map, shrink, is_one_each, .. } = self.input;
         let own: Vec<(Vec2, f32)> = self
             .labels_of(number as u32)
             .filter(|chosen| chosen.label.kind == Kind::River)
@@ -208,13 +213,13 @@ impl<'a, G: Background> Map<'a, G> {
             .collect();
         if let Some((_, apart)) = own.first() {
             let each = (LONG_ENOUGH_FOR_TWO * shrink).max(LABELS_FOR_TWO * apart / APART);
-            if !is_one_each && length(&rivers[number]) >= each * own.len() as f32 {
+            if !is_one_each && length(&map.courses[number]) >= each * own.len() as f32 {
                 self.label_in_size(number, self.usual(number), &own, false);
             }
             return;
         }
         let usual = self.usual(number);
-        let belt = reach.map(belt_of);
+        let belt = reach.map(|(_, course)| belt_of(course));
         let sizes = if self.share(number) >= GREAT { &[1.0, SMALLER][..] } else { &[1.0] };
         let is_labelled = sizes.iter().any(|size| {
             belt.is_some_and(|belt| self.label_in_size(number, usual * size, &[belt], false))
@@ -226,8 +231,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels the greatest river wherever that can be read, on all pictures but the smallest.
-    fn label_greatest(&mut self, number: usize) {
-        let reach = self.input.reaches.iter().find(|reach| reach.river as usize == number);
+    fn label_greatest(&mut self, number: usize, reach: Option<Reach<'_>>) {
         if self.labels_of(number as u32).next().is_none() {
             self.label(number, reach);
         }
@@ -239,9 +243,10 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Labels a river in letters of a size. Returns whether there was room.
     fn label_in_size(&mut self, number: usize, usual: f32, away: &[(Vec2, f32)], is_lenient: bool) -> bool {
-        let (river, em) = (&self.input.rivers[number], self.em(usual));
-        let subject = Subject { kind: Kind::River, river: number as u32, name: &river.name, usual };
-        let Some(course) = Course::new(&river.course, em) else { return false };
+        let (map, em) = (&self.input.map, self.em(usual));
+        let subject =
+            Subject { kind: Kind::River, river: number as u32, name: map.names.rivers[number].forms(), usual };
+        let Some(course) = Course::new(&map.courses[number], em) else { return false };
         let mut lines = course.lines(em);
         if is_lenient {
             lines.extend(course.lines_beside_belt(em));
@@ -304,66 +309,74 @@ impl<'a, G: Background> Map<'a, G> {
 
     /// Labels regions, lakes and islands, the largest first, until they cover as much water as they may; seas; then what lies along the coast.
     fn label_areas(&mut self) {
-        let Input { areas, landmarks, most_landmarks, most_area: [most_land, most], .. } = self.input;
+        let Input { map, most_landmarks, most_area: [most_land, most], .. } = self.input;
         if *most_land <= 0.0 {
             return;
         }
-        let is_region = |landmark: &&Landmark| matches!(landmark.kind, LandmarkKind::MainLand | LandmarkKind::Range);
-        landmarks.iter().filter(is_region).for_each(|region| self.label_landmark(region));
-        let (seas, others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
-        let others = sort::sorted_by(others, |area| sort::key(-area.size()));
+        let (mut waters, mut seas, mut coastal) = (Vec::new(), Vec::new(), [(); 3].map(|()| Vec::new()));
+        for (place, region) in map.names.places.iter().zip(&map.regions) {
+            match place.kind {
+                PlaceKind::Sea => seas.push((place, region)),
+                PlaceKind::Strait => coastal[0].push((place, region)),
+                PlaceKind::Gulf | PlaceKind::Bay => coastal[1].push((place, region)),
+                PlaceKind::Cape => coastal[2].push((place, region)),
+                _ if is_region(place) => self.label_place(place, region),
+                PlaceKind::Lake | PlaceKind::Island | PlaceKind::Range => waters.push((place, region)),
+            }
+        }
+        let waters = sort::sorted_by(&waters, |(_, region)| sort::key(-region.area()));
         let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape);
-        for area in others.into_iter().chain(seas) {
-            if self.area(is_of_water) < *most || area.kind == AreaKind::Sea {
-                self.label_area(area);
+        for (place, region) in waters {
+            if self.area(is_of_water) < *most {
+                self.label_place(place, region);
             }
         }
-        for kind in [LandmarkKind::Strait, LandmarkKind::Bay, LandmarkKind::Cape] {
-            for landmark in landmarks.iter().filter(|landmark| landmark.kind == kind).take(*most_landmarks) {
-                if self.area(is_of_water) < *most {
-                    self.label_landmark(landmark);
-                }
+        for (place, region) in seas {
+            self.label_place(place, region);
+        }
+        for (place, region) in coastal.iter().flat_map(|places| places.iter().take(*most_landmarks)) {
+            if self.area(is_of_water) < *most {
+                self.label_place(place, region);
             }
         }
     }
 
-    fn label_area(&mut self, area: &Area) {
-        if self.has(&area.name) {
+    /// Labels a place, unless a label of something that is no river says the same.
+    fn label_place(&mut self, place: &PlaceName, region: &Region) {
+        let forms = forms(&place.name);
+        let says_it = |chosen: &Chosen| chosen.label.river.is_none() && forms.contains(&chosen.label.text.as_str());
+        if self.chosen.iter().any(says_it) {
             return;
         }
-        let chosen = match area.kind {
-            AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
-            AreaKind::Lake | AreaKind::Sea => {
-                let beside = self.beside.filter(|_| area.kind == AreaKind::Sea).map(|beside| (NONE, beside));
-                let taken: Vec<(u32, Box)> = self.boxes.iter().copied().chain(beside).collect();
-                areas::water(self.input, area, &taken)
+        let (input, background, taken) = (self.input, self.background, &self.boxes);
+        let chosen = match place.kind {
+            _ if is_region(place) => regions::region(input, background, place, taken),
+            PlaceKind::Island => islands::island(input, background, (place, region), taken),
+            PlaceKind::Lake => areas::water(input, place, region, taken),
+            PlaceKind::Sea => {
+                let taken: Vec<(u32, Box)> =
+                    taken.iter().copied().chain(self.beside.map(|beside| (NONE, beside))).collect();
+                areas::water(input, place, region, &taken)
             }
+            _ => inlets::inlet(input, place, taken),
         };
         chosen.into_iter().for_each(|chosen| self.take(chosen));
-    }
-
-    fn label_landmark(&mut self, landmark: &Landmark) {
-        if self.has(&landmark.name) {
-            return;
-        }
-        let chosen = match landmark.kind {
-            LandmarkKind::MainLand | LandmarkKind::Range => {
-                regions::region(self.input, self.background, landmark, &self.boxes)
-            }
-            _ => inlets::inlet(self.input, landmark, &self.boxes),
-        };
-        chosen.into_iter().for_each(|chosen| self.take(chosen));
-    }
-
-    /// Returns `true` if something that is no river has a label that says this.
-    fn has(&self, name: &[String; 2]) -> bool {
-        self.chosen.iter().any(|chosen| chosen.label.river.is_none() && name.contains(&chosen.label.text))
     }
 }
 
-/// The middle of a stretch on which a river winds, and how far its ends are from that.
-fn belt_of(reach: &Reach) -> (Vec2, f32) {
-    let line: Vec<Vec2> = reach.course.iter().map(|place| place.at).collect();
+/// Returns `true` if the name of a place runs across it in capitals.
+fn is_region(place: &PlaceName) -> bool {
+    place.is_of_main_land() || place.kind == PlaceKind::Range
+}
+
+/// Returns the reach of a river; `None` if it has none.
+fn reach_of<'a>(reaches: &[Reach<'a>], river: usize) -> Option<Reach<'a>> {
+    reaches.iter().copied().find(|(name, _)| name.river as usize == river)
+}
+
+/// Returns the middle of a reach, and the distance from there to the farther of its ends.
+fn belt_of(course: &[Place]) -> (Vec2, f32) {
+    let line: Vec<Vec2> = course.iter().map(|place| place.at).collect();
     let along = lengths(&line);
     let half = along.last().copied().unwrap_or(0.0) * 0.5;
     let middle = line.get(along.partition_point(|&along| along < half)).copied().unwrap_or_default();

@@ -6,8 +6,9 @@ use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright, smoothed, walk_from};
 use super::chosen::{Chosen, Shrinks};
 use super::costs::COS_TURN;
-use super::input::{Input, Landmark, LandmarkKind};
+use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
+use crate::annotate::names::{PlaceKind, PlaceName, forms};
 
 /// The lengths of the em that are tried, in units: for the main land, and for ranges.
 const SIZES: [[f32; 3]; 2] = [[30.0, 24.0, 19.0], [15.0, 13.0, 11.0]];
@@ -35,11 +36,11 @@ const CAPITAL: f32 = 0.65;
 pub fn region<G: Background>(
     input: &Input<'_>,
     background: &G,
-    landmark: &Landmark,
+    place: &PlaceName,
     taken: &[(u32, Box)],
 ) -> Option<Chosen> {
-    let (line, name) = (upright(&landmark.line)?, &landmark.name[1]);
-    let is_range = landmark.kind == LandmarkKind::Range;
+    let (line, [_, name]) = (upright(&place.line)?, forms(&place.name));
+    let is_range = place.kind == PlaceKind::Range;
     let em = |usual: f32| input.em(usual, OVER_LEAST);
     let sizes = input.sizes(&SIZES[usize::from(is_range)], OVER_LEAST);
     let tries = sizes.into_iter().flat_map(|usual| TRACKING.map(|tracking| (usual, tracking)));
@@ -135,7 +136,7 @@ impl<G: Background> Search<'_, G> {
     /// Returns the share of a letter that has ink under it; `None` if it cannot stand there.
     fn ink(&self, around: &Box) -> Option<f32> {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
-        let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        let is_ashore = |at: Vec2| self.input.map.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
         let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
         if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) || self.taken.iter().any(is_taken) {
             return None;

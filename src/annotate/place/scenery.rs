@@ -48,7 +48,7 @@ impl Scenery {
         };
         if self.all.is_none() {
             let trees = if input.woods > 0.0 { woods(input, points, ground, placed) } else { Vec::new() };
-            self.all = Some(from_behind(placed.iter().copied().chain(trees).collect()));
+            self.all = Some(from_behind(&placed.iter().copied().chain(trees).collect::<Vec<_>>()));
         }
         false
     }
@@ -60,11 +60,10 @@ impl Scenery {
 }
 
 /// Sorts glyphs by y, then x, then number.
-fn from_behind(all: Vec<Standing>) -> Vec<Standing> {
-    let sorted = |all: Vec<Standing>, key: &dyn Fn(&Standing) -> u32| -> Vec<Standing> {
-        sort::argsort(all.iter().map(key)).into_iter().map(|i| all[i]).collect()
-    };
+fn from_behind(all: &[Standing]) -> Vec<Standing> {
+    // One copy of the sort for the three keys.
+    let sorted = |all: &[Standing], key: &dyn Fn(&Standing) -> u32| sort::sorted_by(all, key);
     let all = sorted(all, &|one| one.number);
-    let all = sorted(all, &|one| sort::key(one.foot.x));
-    sorted(all, &|one| sort::key(one.foot.y))
+    let all = sorted(&all, &|one| sort::key(one.foot.x));
+    sorted(&all, &|one| sort::key(one.foot.y))
 }

@@ -131,7 +131,7 @@ impl<G: Background> Search<'_, G> {
                 start += step;
             }
         }
-        sort::argsort(all.iter().map(|candidate| sort::key(candidate.cost))).into_iter().map(|i| all[i]).collect()
+        sort::sorted_by(&all, |candidate| sort::key(candidate.cost))
     }
 
     /// Returns a candidate with all of its cost, if that is less than the limit and nothing forbids it.
@@ -227,7 +227,7 @@ impl<G: Background> Search<'_, G> {
     }
 
     fn is_on_land(&self, around: &Box) -> bool {
-        let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        let is_ashore = |at: Vec2| self.input.map.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
         around.corners().into_iter().all(|at| self.is_in_frame(at) && is_ashore(at))
     }
 
@@ -261,7 +261,7 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns `true` if no letter touches its own river or comes too near to another label. The test is exact.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        let course = &self.input.rivers[self.river as usize].course;
+        let course = &self.input.map.courses[self.river as usize];
         letters.iter().map(|letter| letter.around(self.em)).all(|around| {
             let is_too_near = |(river, other): &(u32, Box)| {
                 let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };

@@ -76,10 +76,10 @@ fn spots(elevations: &Elevations<'_>) -> Vec<Spot> {
             saddles.push(Spot { at, height, is_landmark: false });
         }
     }
-    let sorted = |spots: Vec<Spot>| -> Vec<Spot> {
-        sort::argsort(spots.iter().map(|spot| sort::key(-spot.height))).into_iter().map(|i| spots[i]).collect()
-    };
-    sorted(summits).into_iter().chain(sorted(saddles)).collect()
+    let highest_first = |spot: &Spot| sort::key(-spot.height);
+    let mut spots = sort::sorted_by(&summits, highest_first);
+    spots.extend(sort::sorted_by(&saddles, highest_first));
+    spots
 }
 
 /// Heights, cell by cell.
@@ -190,7 +190,7 @@ impl<G: Background> Search<'_, G> {
         let counts = (half * 2.0 / STEP).ceil().max(Vec2::ONE);
         let is_bare = |at: Vec2| {
             let ink = self.background.ink(at).river;
-            self.input.coast.is_none_or(|coast| coast.height(at) >= clear)
+            self.input.map.coast.is_none_or(|coast| coast.height(at) >= clear)
                 && ink != LAKE
                 && ink != RIDGE
                 && self.background.distances(at, NONE, 0.0, clear)[1] >= clear

@@ -60,7 +60,7 @@ fn thin_out(settings: &GrowthSettings, all: Vec<Outlet>) -> Vec<Outlet> {
     };
     let mut kept = Vec::new();
     for region in land.regions() {
-        let outlets: Vec<Outlet> = all.iter().filter(|outlet| land.is_in(region, outlet.at)).copied().collect();
+        let outlets: Vec<Outlet> = all.iter().filter(|outlet| region.holds(outlet.at)).copied().collect();
         let chosen = on_chosen_sides(region, settings.shores, outlets, |outlet| outlet.at);
         kept.extend(keep_apart(land, chosen, settings.mouth_spacing));
     }
