@@ -182,7 +182,8 @@ mod tests {
         let inland = (0..12 * 8).map(|i| (i % 12) as f32 * 20.0 - 20.0).collect();
         let coast = CoastDistance::of_heights(SIZE, 20.0, inland).unwrap();
         let vertex = |at: Vec2| Vertex { at, discharge: 1, left: 3.0, right: 3.0, ..Vertex::default() };
-        let river = River { start: 0, end: 2, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 0 };
+        // A tributary: any other river goes on past its last place.
+        let river = River { start: 0, end: 1, junction: 1, parent: NONE, order: 1, magnitude: 1, identity: 0 };
         let network = Network { vertices: STREAM.map(vertex).to_vec(), rivers: vec![river], oxbows: Vec::new() };
         let input = SceneryInput {
             size: SIZE,
