@@ -4,8 +4,8 @@
 use std::sync::OnceLock;
 
 use libfuzzer_sys::fuzz_target;
-use riverseed::picture::carried::{Carried, sealed};
 use riverseed::paint::View;
+use riverseed::picture::carried::{Carried, sealed};
 use riverseed::{Map, Session};
 
 fuzz_target!(|text: &str| {
