@@ -14,8 +14,11 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// The modules of a folder by the parts of their paths, and what each uses.
 type Uses = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
 
+/// A function that reads the imports of a folder.
+type Reader = fn(&Path) -> Uses;
+
 /// The folders with a section in `docs/layers.toml`, and how their files are read.
-const FOLDERS: [(&str, fn(&Path) -> Uses); 6] = [
+const FOLDERS: [(&str, Reader); 6] = [
     ("src", rust::uses),
     ("crates/exchange/src", rust::uses),
     ("crates/cli/src", rust::uses),

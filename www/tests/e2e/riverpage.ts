@@ -253,20 +253,21 @@ export function complaints(page: Page): string[] {
   return said;
 }
 
-/** Counts the calls of a function of the engine, in the page and in its worker. Call before `goto`. */
+/** Counts the calls of a function of the engine, in the page and in its worker; of `river_paint with 0` those whose last argument is 0. Call before `goto`. */
 export async function countCalls(page: Page, name: string): Promise<() => Promise<Calls>> {
   const count = (counted: string): void => {
+    const [exported = "", last] = counted.split(" with ");
     const count = { calls: 0 };
     Object.assign(globalThis, { [`calls of ${counted}`]: count });
     const instantiate = WebAssembly.instantiate;
     const counting = async (...given: Parameters<typeof instantiate>) => {
       const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
-      const original = instance.exports[counted] as (...args: unknown[]) => unknown;
+      const original = instance.exports[exported] as (...args: unknown[]) => unknown;
       const calling = (...args: unknown[]): unknown => {
-        count.calls += 1;
+        if (last === undefined || String(args.at(-1)) === last) count.calls += 1;
         return original(...args);
       };
-      const exports = { ...instance.exports, [counted]: calling };
+      const exports = { ...instance.exports, [exported]: calling };
       return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
     };
     WebAssembly.instantiate = counting as unknown as typeof instantiate;
