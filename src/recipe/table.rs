@@ -1,4 +1,4 @@
-//! The parameter table, made of its [`rows`](super::rows).
+//! The parameter table, made of the rows in `rows.rs`.
 
 use super::EDITION;
 use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter};
