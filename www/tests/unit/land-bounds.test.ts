@@ -4,7 +4,7 @@ import { engine } from "../core.ts";
 
 it("bounds the land of a river, without its islets", () => {
   const river = {
-    lengths: () => [1000, 500, 20, 10],
+    lengths: () => ({ width: 1000, height: 500 }),
     coasts: () => [
       [200, 100, 600, 150, 400, 300],
       [700, 200, 800, 250, 700, 250],
