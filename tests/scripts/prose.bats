@@ -6,7 +6,7 @@ load machine
 prose() {
   local root=$BATS_TEST_TMPDIR
   mkdir -p "$root/src/land" "$root/scripts"
-  sed "/^const NOT_YET = /,/];/c const NOT_YET = [$1];" "$project/scripts/prose.mjs" >"$root/scripts/prose.mjs"
+  sed "s|^const NOT_YET = .*|const NOT_YET = [$1];|" "$project/scripts/prose.mjs" >"$root/scripts/prose.mjs"
   cat >"$root/src/land/grid.${2:-rs}"
   run "$real_node" "$root/scripts/prose.mjs"
 }
