@@ -53,7 +53,7 @@ test("a caption comes and goes with the page", async ({ page, blog }) => {
 
 test("after a failure the caption stands below the fallback", async ({ page, blog }) => {
   const events = await listen(page);
-  blog.answer("/widget/riverseed_bg.wasm", { status: 404 });
+  blog.answer("/widget/riverseed_label_bg.wasm", { status: 404 });
   blog.answer("/", { body: post(`<river-seed maker="https://maps.example/">${CAPTION}<p>No map.</p></river-seed>`) });
   await page.goto(blog.origin);
   await heard(events, "error");
