@@ -23,6 +23,7 @@ mod table_json;
 mod verify;
 mod wanted;
 
+use std::hint::black_box;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -39,6 +40,7 @@ use thiserror::Error;
 const START: usize = 3_000_000;
 
 fn main() -> ExitCode {
+    take_stack();
     match memory::ask(START).map_err(Failure::from).and_then(|()| run()) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of a pipe has read enough.
@@ -50,6 +52,15 @@ fn main() -> ExitCode {
             failure.exit_code()
         }
     }
+}
+
+/// Takes the memory of the stack while there is some, four times what any map has needed: where the stack can't grow later, the system
+/// ends the program without a word. In a frame of its own, since later calls take the same memory then, not memory below it.
+#[inline(never)]
+fn take_stack() {
+    const BYTES: usize = 1 << 20;
+    let room = [0_u8; BYTES];
+    black_box(&room);
 }
 
 /// Runs the command of the call.
