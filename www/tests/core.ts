@@ -17,14 +17,29 @@ const drawn = new Map<string, Picture>();
 
 /** The finished river of a link, as the River class draws it at a size: what a framing shows of it, or all that covers the picture. */
 export function pictureOf(link: string, width: number, height: number, framing?: Framing): Picture {
-  const key = JSON.stringify([link, width, height, framing]);
-  const picture = drawn.get(key) ?? draw(link, width, height, framing);
+  return kept(link, width, height, { framing });
+}
+
+/** The same as an element has it, which carries letters, or none. */
+export function embeddedPictureOf(link: string, width: number, height: number, letters = ""): Picture {
+  return kept(link, width, height, { letters });
+}
+
+interface Drawing {
+  framing?: Framing | undefined;
+  letters?: string;
+}
+
+function kept(link: string, width: number, height: number, drawing: Drawing): Picture {
+  const key = JSON.stringify([link, width, height, drawing]);
+  const picture = drawn.get(key) ?? draw(link, width, height, drawing);
   drawn.set(key, picture);
   return picture;
 }
 
-function draw(link: string, width: number, height: number, framing?: Framing): Picture {
+function draw(link: string, width: number, height: number, { framing, letters }: Drawing): Picture {
   const river = new engine.River(engine.readLink(link).link);
+  if (letters !== undefined) river.takeLetters(letters, width, height, 1);
   river.resize(width, height);
   if (framing) river.frame(new Float32Array(framing));
   while (river.advance(1000));

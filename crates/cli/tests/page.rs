@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use riverseed::picture::carried::Carried;
 use serde_json::Value;
 
 use crate::command::{refusal, riverseed, scratch};
@@ -72,6 +73,23 @@ fn folder_has_all_that_its_page_shows_and_all_addresses_in_it_are_relative() {
         });
     }
     assert!(text(&folder, "shape.css").contains("--aspect: 1.6;"));
+}
+
+#[test]
+fn the_element_carries_the_letters_of_its_map_and_a_map_without_names_has_none() {
+    let letters = |folder: &Path, file: &str| {
+        with_nodes(&text(folder, file), |html| {
+            let element = html.descendants().find(|node| node.has_tag_name("river-seed")).unwrap();
+            element.attribute("letters").and_then(Carried::read)
+        })
+    };
+    let folder = page("page-letters", &format!("{FEW}kauri"), &[]);
+    let recipe = riverseed::recipe::link::read(&format!("{FEW}kauri")).unwrap();
+    for file in ["index.html", "embed.html"] {
+        assert!(letters(&folder, file).unwrap().are_for(&recipe), "{file}");
+    }
+    let bare = page("page-no-letters", &format!("{FEW}kauri&labels=none"), &[]);
+    assert!(letters(&bare, "embed.html").is_none());
 }
 
 #[test]

@@ -24,7 +24,7 @@ export interface Makers<R extends River> {
    * Returns an engine for the river of a link: that of the river now on its canvas, if there is one and it will do. A
    * promise if it has to be loaded.
    */
-  makerFor(link: string, now?: RiverMaker<R>): Coming<R>;
+  makerFor(link: LinkToRead, now?: RiverMaker<R>): Coming<R>;
 }
 
 /** An engine, or one that is being loaded. */
@@ -34,6 +34,8 @@ export class Scene<R extends River = River> {
   #size: CanvasSize;
   #player: RiverPlayer<R> | undefined;
   #maker: RiverMaker<R> | undefined;
+  /** The link that was asked for last. */
+  #link: LinkToRead;
   /** The number of links that earlier players of other engines were asked to show. */
   #linksBefore = 0;
   /** Commands that wait until the river is created, or until another engine has been loaded for it. */
@@ -51,12 +53,13 @@ export class Scene<R extends River = River> {
     private readonly clock?: SharedClock,
   ) {
     this.#size = opening.size;
+    this.#link = opening.link;
   }
 
   /** Plants the river and shows it. */
   open(): void {
     const { link, how } = this.opening;
-    this.#attempt(() => void this.#plant(this.makers.makerFor(link.text), link, how));
+    this.#attempt(() => void this.#plant(this.makers.makerFor(link), link, how));
   }
 
   /** The player of its river; none before the river is created. */
@@ -70,22 +73,25 @@ export class Scene<R extends River = River> {
     else this.#attempt(() => this.#follow(command));
   }
 
-  /** Plants the river of a link, once there is an engine for it. Commands wait until then. */
-  async #plant(maker: Coming<R>, link: LinkToRead, how: ShowMode): Promise<void> {
+  /**
+   * Plants the river of a link, once there is an engine for it. Commands wait until then. `asked` is 0 if nobody has asked for
+   * another link.
+   */
+  async #plant(maker: Coming<R>, link: LinkToRead, how: ShowMode, asked = 1): Promise<void> {
     try {
-      this.#begin(maker instanceof Promise ? await maker : maker, link, how);
+      this.#begin(maker instanceof Promise ? await maker : maker, link, how, asked);
     } catch (thrown) {
-      if (this.#player) this.#linksBefore++;
+      if (this.#player) this.#linksBefore += asked;
       this.#fail(thrown);
     }
     if (this.#player) this.#takeEarly();
   }
 
-  #begin(maker: RiverMaker<R>, link: LinkToRead, how: ShowMode): void {
+  #begin(maker: RiverMaker<R>, link: LinkToRead, how: ShowMode, asked: number): void {
     if (this.#isOver) return;
     const { opening, clock } = this;
     const player = new RiverPlayer(maker, opening.canvas, link, this.frames, this.#events, clock);
-    if (this.#player) this.#linksBefore += this.#player.links + 1;
+    if (this.#player) this.#linksBefore += this.#player.links + asked;
     this.#freePlayer();
     [this.#player, this.#maker] = [player, maker];
     player.start(how);
@@ -105,7 +111,16 @@ export class Scene<R extends River = River> {
         this.tell({ id: this.opening.id, is: "shown", reading: { ...reading, links }, ...status });
       },
       failed: (thrown) => this.#fail(thrown),
+      unlettered: (how) => queueMicrotask(() => this.#attempt(() => this.#plantWithNames(how))),
     };
+  }
+
+  /** Plants the same river in an engine that places letters, since those that it carries are for other maps or pictures. */
+  #plantWithNames(how: ShowMode): void {
+    if (this.#isOver) return;
+    this.#early = [];
+    this.#link = { ...this.#link, letters: "" };
+    void this.#plant(this.makers.makerFor(this.#link, this.#maker), this.#link, how, 0);
   }
 
   #follow(command: Request): void {
@@ -133,7 +148,8 @@ export class Scene<R extends River = River> {
 
   /** Shows another link, by another engine if the one that is there will not do. */
   #show({ link, how }: { link: LinkToRead; how: ShowMode }, player: RiverPlayer<R>): void {
-    const maker = this.makers.makerFor(link.text, this.#maker);
+    this.#link = link;
+    const maker = this.makers.makerFor(link, this.#maker);
     if (maker === this.#maker) player.show(link, how);
     else {
       this.#early = [];

@@ -20,6 +20,11 @@ export interface PlayerEvents {
   /** Called when the link, the state or the river changed. */
   changed(reading: Reading, status: Status): void;
   failed(error: unknown): void;
+  /**
+   * Called when the letters that a link carries are for another map or picture, and this engine places none. The player is
+   * closed then; `how` is the way to show the map with another engine.
+   */
+  unlettered?(how: ShowMode): void;
 }
 
 /**
@@ -71,13 +76,13 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   constructor(
     core: RiverMaker<R>,
     private readonly canvas: Canvas,
-    link: LinkToRead,
+    private readonly first: LinkToRead,
     private readonly frames: Frames,
     private readonly events: PlayerEvents,
     private readonly clock?: SharedClock,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
-    this.#river = new core.engine.River(link.text, link.options);
+    this.#river = new core.engine.River(first.text, first.options);
     this.#reading = this.#readRiver();
     this.#drafts = new Drafts(this.#river, () => frames.now());
     this.#growing = clock?.join(this.#river) ?? this.#river;
@@ -123,6 +128,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   /** Shows the first river. */
   start(how: ShowMode): void {
     this.#attempt(() => {
+      if (!this.#takeLetters(this.first, how)) return;
       this.#fit();
       this.#grow(how);
     });
@@ -226,6 +232,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#wanted = undefined;
     const stage = this.#change(wanted, isDrafted);
     this.#reading = this.#readRiver();
+    if (!this.#takeLetters(wanted.link, wanted.how)) return;
     if (stage === "none") {
       // The picture stays, unless it is a draft, but its link is reported. A settling river goes on.
       if (isDrafted || this.state === "settling") this.#loop.redraw();
@@ -251,6 +258,21 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       if (isDrafted) this.#loop.redraw();
       throw error;
     }
+  }
+
+  /** Hands the river its letters. Returns whether the map can have them. */
+  #takeLetters({ letters }: LinkToRead, how: ShowMode): boolean {
+    if (letters === undefined) return true;
+    const { width, height, ratio } = this.events.sizeFor(this.#river.aspect);
+    if (this.#river.takeLetters(letters, width, height, ratio)) return true;
+    this.#leave(how);
+    return false;
+  }
+
+  /** Closes, since another engine has to show the map. */
+  #leave(how: ShowMode): void {
+    this.close();
+    this.events.unlettered?.(how);
   }
 
   /** Paints one more picture, unless a draft is shown: then one will be painted when the hand rests. */
@@ -316,6 +338,10 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const drafted = asDraft ? this.#river.paintUnfinished?.() : undefined;
     const isMore = drafted === undefined || drafted === "impossible" ? this.#paint() : drafted === "part";
     if (isMore) return true;
+    if (this.#river.lacksLetters) {
+      this.#leave("still");
+      return false;
+    }
     this.#blitter.blit(this.#river);
     const isStill = this.state === "finished" || this.state === "paused";
     const told = this.#told;
@@ -331,6 +357,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   #tell(): void {
+    if (!this.#canRun) return;
     const { phase } = this.#river;
     this.#told = { phase, at: this.frames.now() };
     this.events.changed(this.#reading, {
@@ -372,6 +399,10 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     canvas.width = width;
     canvas.height = height;
     while (this.#paint());
+    if (river.lacksLetters) {
+      this.#leave("still");
+      return;
+    }
     this.#blitter.blit(river);
     // A draft is shown again, in the new size.
     this.#drafts.forget();

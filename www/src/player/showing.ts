@@ -16,6 +16,11 @@ export type ShowMode = "watch" | "settle" | "still";
 export interface LinkToRead {
   text: string;
   options?: ReadOptions;
+  /**
+   * The letters that are carried along with the link; empty if there are none. Where this is left out, letters are placed for
+   * each picture, and not in the steps of carried ones.
+   */
+  letters?: string;
 }
 
 /** A link to change to. */

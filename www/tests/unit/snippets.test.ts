@@ -32,6 +32,14 @@ test("keys that HTML has for itself carry a prefix", () => {
   );
 });
 
+test("an element carries its letters, and nothing else does", () => {
+  const carrying = { ...shared("seed=a&names=t:x"), letters: "B-_9" };
+  expect(elementSnippet(carrying, "p.png")).toContain(
+    '<river-seed seed="a" names="t:x" letters="B-_9" maker="https://rivers.example/maps/" style="display:block;',
+  );
+  expect(iframeSnippet(carrying) + markdownSnippet(carrying, "p.png")).not.toContain("B-_9");
+});
+
 test("an iframe is named, lazy, fenced in, and has the river's shape", () => {
   expect(iframeSnippet({ ...shared("seed=kauri&aspect=2"), aspect: "2" })).toBe(
     `<iframe src="https://rivers.example/maps/embed.html?seed=kauri&amp;aspect=2"

@@ -80,6 +80,7 @@ impl Asked {
         let (recipe, names) = (map.recipe(), Names::of(map));
         let name = self.title.unwrap_or_else(|| words::name(&names, recipe));
         let link = link::write_for_file(recipe);
+        let letters = self.element.script().and_then(|_| attributes::letters(map));
         let (width, height) = shots.size();
         Ok(Content {
             title: name.clone(),
@@ -89,7 +90,7 @@ impl Asked {
             aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
             ratio: map.domain().size,
             picture: Shot { width, height },
-            attributes: attributes::of(&link)?,
+            attributes: attributes::of(&link)?.into_iter().chain(letters).collect(),
             name,
             link,
             address: self.address,

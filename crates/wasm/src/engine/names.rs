@@ -6,6 +6,8 @@ use wasm_bindgen::prelude::*;
 use crate::make::river::River;
 use crate::objects::{coded, object};
 use riverseed::annotate::names::Names;
+use riverseed::picture::carried::Carried;
+use riverseed::recipe::reading::{ReadOptions, read};
 use riverseed::recipe::{Mark, OwnNames};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -22,6 +24,15 @@ export interface NameFacts {
 
 #[wasm_bindgen]
 impl River {
+    /// Returns the letters to carry along with the link of an element that shows this finished map, in the light and in the dark. None
+    /// if it shows another map, within an element's limits, or if there are none to carry.
+    #[wasm_bindgen(js_name = lettersFor)]
+    pub fn letters_for(&self, link: &str) -> Result<Option<String>, JsValue> {
+        let map = self.map()?;
+        let [light, dark] = [false, true].map(|dark| read(link, ReadOptions { widget: true, dark }).recipe);
+        Ok(Carried::write(&map, &[&light, &dark]))
+    }
+
     /// Returns names on the finished map: the map's, those of the `rivers` greatest rivers, the user's own, and those of
     /// everything that is not a river. Own names for nothing on this map come last.
     #[wasm_bindgen(unchecked_return_type = "NameFacts[]")]

@@ -8,10 +8,14 @@ use crate::objects::{coded, object};
 use riverseed::grow::Ending;
 use riverseed::paint::{PaintError, Painted, Rect, View};
 use riverseed::picture::Picture;
+use riverseed::picture::carried::{Carried, Lettering};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, Reading};
 use riverseed::recipe::{IntegerKey, Key, Stage, Value};
 use riverseed::session::{Session, SessionError, Shortfall};
+
+/// Whether this package knows names and places letters.
+const PLACES_LETTERS: bool = cfg!(feature = "label");
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -50,12 +54,13 @@ pub struct River {
     pub(crate) dirty: Option<Rect>,
     /// The recipe shown by drafts.
     pub(crate) drafted: Option<Reading>,
+    lettering: Lettering,
 }
 
 impl River {
     /// Makes a river without a picture.
     pub(crate) fn of(session: Session, notices: Vec<Notice>) -> Self {
-        Self { session, notices, picture: None, dirty: None, drafted: None }
+        Self { session, notices, picture: None, dirty: None, drafted: None, lettering: Lettering::Placed }
     }
 
     /// Changes to a recipe and returns the earliest stage that has to run again. After an error nothing has changed.
@@ -127,7 +132,8 @@ impl River {
     /// given: letters have at least 11 CSS pixels. If it throws, nothing has changed.
     pub fn resize(&mut self, width_px: u32, height_px: u32, ratio: Option<f32>) -> Result<(), JsValue> {
         let picture = Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?;
-        let picture = picture.with_ratio(ratio.unwrap_or(1.0));
+        let mut picture = picture.with_ratio(ratio.unwrap_or(1.0));
+        picture.letter(self.lettering.clone());
         self.picture = Some(match self.picture.take() {
             Some(before) => picture.in_place_of(before),
             None => picture,
@@ -168,6 +174,31 @@ impl River {
         let painted = self.picture.as_mut().map(|picture| paint(picture, &self.session));
         self.dirty = painted.and_then(Painted::changed);
         painted == Some(Painted::Part)
+    }
+
+    /// Takes the letters that are carried along with the link of this recipe, for a picture of this size, or of none yet. Where they are an
+    /// empty text, or are for another map or picture, this package places letters as whoever has carried them would have, if it places
+    /// any. Returns `true` if the map can have its names, and its woods and hills, in one way or the other.
+    #[wasm_bindgen(js_name = takeLetters)]
+    pub fn take_letters(&mut self, text: &str, width_px: u32, height_px: u32, ratio: f32) -> bool {
+        let recipe = self.session.recipe();
+        let view = View::new(&self.session.domain(), width_px, height_px);
+        let has_room = view.is_ok_and(|view| Carried::have_room(&view, ratio)) || width_px == 0;
+        let carried = Carried::read(text).filter(|carried| has_room && carried.are_for(recipe));
+        let is_able = PLACES_LETTERS || carried.is_some() || !recipe.is_annotated();
+        self.lettering = carried.map_or(Lettering::InSteps, |carried| Lettering::Carried(carried.into()));
+        if let Some(picture) = &mut self.picture {
+            picture.letter(self.lettering.clone());
+        }
+        is_able
+    }
+
+    /// `true` if the map is finished, and the picture lacks letters that only another package can paint: those that were taken are for
+    /// other rivers, or for no picture of this size or shape.
+    #[wasm_bindgen(getter, js_name = lacksLetters)]
+    pub fn lacks_letters(&self) -> bool {
+        let lacks = |picture: &Picture| picture.lacks_annotation(&self.session);
+        !PLACES_LETTERS && self.picture.as_ref().is_some_and(lacks)
     }
 
     /// `true` if the recipe asks for labels, a cartouche, woods or hills. The package `make` paints none of them.

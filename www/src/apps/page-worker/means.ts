@@ -33,6 +33,8 @@ export function meansOf(core: WholeCore, holdOn: () => void = () => {}): Means<W
         }
         case "names":
           return namesOn(playerIn(question.of, playerOf), question.count);
+        case "letters":
+          return finishedOf(playerIn(question.of, playerOf))?.lettersFor(question.link);
         case "renamed": {
           const { names, mark, name } = question;
           return core.engine.renamed(names, mark, name);

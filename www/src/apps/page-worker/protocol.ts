@@ -97,6 +97,8 @@ interface Questions {
   file: { of: number | undefined; link: string; format: Format; rasters?: RasterOrder | undefined };
   /** Asks for the greatest names of a river's finished map; none while it is not finished. */
   names: { of: number | undefined; count: number };
+  /** Asks for the letters to carry along with a link of a river's finished map; none while it is not finished. */
+  letters: { of: number | undefined; link: string };
   /** Asks for the parameter `names` with another name for something, or its usual one. */
   renamed: { names: string; mark: string; name: string | undefined };
   /**
@@ -131,6 +133,7 @@ interface Questions {
 export interface Answers {
   file: Blob;
   names: Names | undefined;
+  letters: string | undefined;
   renamed: string;
   thumbnails: readonly Thumbnail[] | undefined;
   picture: Picture | undefined;

@@ -8,9 +8,13 @@ import { SaveDialog } from "./save/save-dialog.ts";
 import { SendDialog } from "./share/send-dialog.ts";
 import { ShareDialog } from "./share/share-dialog.ts";
 
-export function makeDialogs(recipe: Recipe, country: CountryName, events: DownloadEvents): void {
+export function makeDialogs(
+  recipe: Recipe,
+  country: CountryName,
+  events: DownloadEvents & { letters: (link: string) => Promise<string | undefined> },
+): void {
   const downloads = new Downloads(recipe, country, events);
   new SaveDialog(elements.saving, recipe, downloads, () => localStorage);
   const sending = new SendDialog(elements.sending, recipe, country, downloads);
-  new ShareDialog(elements.sharing, recipe, downloads, sending);
+  new ShareDialog(elements.sharing, recipe, downloads, sending, events.letters);
 }

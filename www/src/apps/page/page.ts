@@ -98,6 +98,7 @@ export class Page {
     this.#reset = new Reset(recipe, (link) => this.#open(link));
     makeDialogs(recipe, this.#country, {
       make: (link, format, rasters) => viewport.ask.file(link, format, rasters),
+      letters: (link) => viewport.ask.letters(link),
       failed: (error) => this.#failBeside(error),
     });
     this.#listen();

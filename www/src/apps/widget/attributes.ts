@@ -7,7 +7,7 @@ import { type Init, linkToRead } from "./protocol.ts";
 import { isDark } from "./theme.ts";
 
 /** Attributes about the element's behaviour, which are not part of the recipe. */
-const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "maker", "wasm-url"] as const;
+const BEHAVIOUR = ["recipe", "letters", "loading", "theme", "alt", "maker", "wasm-url"] as const;
 
 /** Boolean attributes. */
 const FLAGS = ["still", "controls"] as const;
@@ -39,7 +39,7 @@ export function linkOf(element: Element): string {
 
 /** Returns the link that an element asks for on a page of these colours. */
 export function linkToReadOf(element: Element) {
-  return linkToRead(linkOf(element), isDark(element));
+  return linkToRead(linkOf(element), isDark(element), element.getAttribute("letters") ?? "");
 }
 
 /** Returns the aspect that a link asks for, for use until the core has read it. */
@@ -69,7 +69,7 @@ export function makerOf(element: Element, link: string): string {
 /** Returns what an element says of the engine that it needs. */
 export function initOf(element: Element): Init {
   const url = element.getAttribute("wasm-url");
-  return { wasmUrl: url ? new URL(url, document.baseURI).href : undefined, link: linkOf(element) };
+  return { wasmUrl: url ? new URL(url, document.baseURI).href : undefined, link: linkToReadOf(element) };
 }
 
 /** Gives a class the properties: texts and numbers (null without the attribute), and Booleans. */

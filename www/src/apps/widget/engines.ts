@@ -8,7 +8,7 @@ import { load as loadMake } from "../../engine/make.ts";
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
 import type { River } from "../../engine/types.ts";
 import type { WholeCore } from "../../engine/whole.ts";
-import type { RiverMaker } from "../../player/river-player.ts";
+import type { LinkToRead, RiverMaker } from "../../player/river-player.ts";
 import type { Init } from "./protocol.ts";
 
 type Maker = RiverMaker<River>;
@@ -26,15 +26,16 @@ export class Engines {
   /** Loads the engine of the first map. Calls `progress` for every part that arrives. */
   static async open({ wasmUrl, link }: Init, progress: () => void = () => {}): Promise<Engines> {
     const engines = new Engines(wasmUrl);
-    if (isBare(link)) engines.#bare = await loadMake(wasmUrl, progress);
+    if (needsNoNames(link)) engines.#bare = await loadMake(wasmUrl, progress);
     else await engines.#labels(progress);
     return engines;
   }
 
   /** Returns an engine for the map of a link: `now` if that will do, or else one that is there. */
-  makerFor(link: string, now?: Maker): Maker | Promise<Maker> {
-    if (now && (now !== this.#bare || isBare(link))) return now;
-    const bare = isBare(link) ? this.#bare : undefined;
+  makerFor(link: LinkToRead, now?: Maker): Maker | Promise<Maker> {
+    const isBareEnough = needsNoNames(link);
+    if (now && (now !== this.#bare || isBareEnough)) return now;
+    const bare = isBareEnough ? this.#bare : undefined;
     return this.#labelling ?? bare ?? this.#labels();
   }
 
@@ -55,6 +56,11 @@ export class Engines {
   #beside(name: string): string | undefined {
     return this.wasmUrl && new URL(name, this.wasmUrl).href;
   }
+}
+
+/** Returns whether the smallest engine will do for a map: it has no names, or carries its letters. */
+function needsNoNames({ text, letters }: LinkToRead): boolean {
+  return Boolean(letters) || isBare(text);
 }
 
 /**

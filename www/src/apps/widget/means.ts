@@ -12,7 +12,7 @@ export function meansOf(engines: Engines, holdOn: () => void = () => {}): Means<
     makerFor: (link, now) => engines.makerFor(link, now),
     async answer({ link: { text, options }, format, longSide }) {
       if (format === "png") {
-        const { engine, memory } = await engines.makerFor(text);
+        const { engine, memory } = await engines.makerFor({ text });
         return pngOf(new engine.River(text, options), { memory, holdOn }, longSide);
       }
       const { engine } = await engines.whole();

@@ -4,10 +4,11 @@ import type { Report as AnyReport, Reading, Status } from "../../host/protocol.t
 import type { LinkToRead } from "../../player/river-player.ts";
 
 /**
- * Returns the link that a widget asks for. `text` is the author's and may be anything; `dark` is true on a dark page.
+ * Returns the link that a widget asks for. `text` and `letters` are the author's and may be anything; `dark` is true on a
+ * dark page.
  */
-export function linkToRead(text: string, dark: boolean) {
-  return { text, options: { widget: true, dark } } satisfies LinkToRead;
+export function linkToRead(text: string, dark: boolean, letters = "") {
+  return { text, options: { widget: true, dark }, letters } satisfies LinkToRead;
 }
 
 /** A request for a file of a river. */
@@ -31,6 +32,6 @@ export type Seen = Status & { reading: Reading };
 export interface Init {
   /** The address of the smallest engine, if the engines are not beside the script. */
   wasmUrl: string | undefined;
-  /** The link of the map, which decides which engine is loaded first. */
-  link: string;
+  /** The map, which decides which engine is loaded first. */
+  link: LinkToRead;
 }

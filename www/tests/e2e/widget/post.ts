@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "@playwright/test";
-import { engine, pictureOf } from "../../core.ts";
+import { embeddedPictureOf, engine } from "../../core.ts";
 import { type Pixels, pixelsOf } from "../pixels.ts";
 import { BUILT, expect } from "./hosts.ts";
 
@@ -60,7 +60,7 @@ export async function expectPicture(page: Page, link: string, selector = "river-
   await expect
     .poll(async () => {
       const { width, height, sha256 } = await pixels(page, selector);
-      return width > 100 && sha256 === pictureOf(link, width, height).sha256;
+      return width > 100 && sha256 === embeddedPictureOf(link, width, height).sha256;
     })
     .toBe(true);
 }

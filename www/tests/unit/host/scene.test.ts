@@ -110,7 +110,7 @@ test("a link for another engine waits until that is there, with all that follows
     arrive = done;
   });
   const other = { ...MAKER };
-  const makerFor: Makers<River>["makerFor"] = (link, now) => (link.includes("two") ? coming : (now ?? MAKER));
+  const makerFor: Makers<River>["makerFor"] = ({ text }, now) => (text.includes("two") ? coming : (now ?? MAKER));
   const { scene, display, reports } = opened("one", "still", { makerFor });
   scene.open();
   for (let i = 0; i < 100; i++) display.frame();
@@ -129,8 +129,8 @@ test("a link for another engine waits until that is there, with all that follows
 });
 
 test("an engine that does not come is a failure of the link that asked for it", async () => {
-  const makerFor: Makers<River>["makerFor"] = (link) =>
-    link.includes("two") ? Promise.reject(new PageError("file-missing", "gone")) : MAKER;
+  const makerFor: Makers<River>["makerFor"] = ({ text }) =>
+    text.includes("two") ? Promise.reject(new PageError("file-missing", "gone")) : MAKER;
   const { scene, display, reports } = opened("one", "still", { makerFor });
   scene.open();
   for (let i = 0; i < 100; i++) display.frame();
@@ -138,6 +138,31 @@ test("an engine that does not come is a failure of the link that asked for it", 
   await Promise.resolve();
   await Promise.resolve();
   expect(reports.at(-1)).toEqual({ id: 1, is: "failed", code: "file-missing", message: "gone", links: 1 });
+});
+
+test("a river whose letters do not hold goes on in an engine that has names, as the same link", async () => {
+  const letters = "none of this map";
+  const other = { ...MAKER };
+  const asked: (string | undefined)[] = [];
+  const makerFor: Makers<River>["makerFor"] = (link, now) => {
+    asked.push(link.letters);
+    return link.letters ? (now ?? MAKER) : other;
+  };
+  const { scene, display, reports } = opened("one", "still", { makerFor });
+  scene.open();
+  for (let i = 0; i < 100; i++) display.frame();
+  const river = scene.player?.river;
+  if (!river) throw new Error("there is no river");
+  // As in an engine without names.
+  river.takeLetters = () => false;
+  scene.take({ ...show("two"), link: { text: "seed=two&attractors=100&labels=none", letters } });
+  for (let i = 0; i < 3; i++) display.frame();
+  await Promise.resolve();
+  await Promise.resolve();
+  for (let i = 0; i < 100; i++) display.frame(300);
+  expect(asked.slice(-2)).toEqual([letters, ""]);
+  expect(reports.at(-1)).toMatchObject({ is: "shown", state: "finished", reading: { seed: "two", links: 1 } });
+  expect(() => river.phase).toThrow();
 });
 
 test("what comes before the river is created is done afterwards, in its order", () => {

@@ -57,7 +57,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const INIT = { wasmUrl: undefined, link: "" };
+const INIT = { wasmUrl: undefined, link: { text: "" } };
 const PAUSE: Command<Question> = { id: 1, do: "pause" };
 
 function listener(): Record<keyof Listener, Mock<() => void>> {

@@ -17,8 +17,9 @@ function loader(name: string, loaded: () => unknown) {
   };
 }
 
-const PLAIN = "seed=kauri&attractors=100&labels=none";
-const NAMED = "seed=kauri&attractors=100";
+const PLAIN = { text: "seed=kauri&attractors=100&labels=none", letters: "" };
+const NAMED = { text: "seed=kauri&attractors=100", letters: "" };
+const CARRIED = { ...NAMED, letters: "BCD" };
 
 test("a link that is bare asks for no labels, title, woods or hills, however it is written", () => {
   const styles = ["ink", "atlas", "survey", "blueprint", "ink-wash"];
@@ -31,8 +32,9 @@ test("a link that is bare asks for no labels, title, woods or hills, however it 
         if (isBare(`${link}`)) expect(river.isAnnotated, `${link}`).toBe(false);
         river.free();
       }
-  for (const link of [PLAIN, `?${PLAIN}`, `${PLAIN}&cartouche=none`]) expect(isBare(link), link).toBe(true);
-  for (const { name } of presets) expect(isBare(`${PLAIN}&preset=${name}`)).toBe(false);
+  for (const link of [PLAIN.text, `?${PLAIN.text}`, `${PLAIN.text}&cartouche=none`])
+    expect(isBare(link), link).toBe(true);
+  for (const { name } of presets) expect(isBare(`${PLAIN.text}&preset=${name}`)).toBe(false);
 });
 
 test("a bare map has the smallest engine until one asks for more, and what is there does for all", async () => {
@@ -54,4 +56,12 @@ test("a map with labels never loads the smallest engine, and once all of it is t
   expect(await engines.whole()).toBe(WHOLE);
   const beside = (name: string): string => `from https://cdn.example/widget/riverseed_${name}_bg.wasm`;
   expect(loads).toEqual([`label ${beside("label")}`, `whole ${beside("engine")}`]);
+});
+
+test("a map that carries its letters has the smallest engine, and the next one if they do not hold", async () => {
+  loads.length = 0;
+  const engines = await Engines.open({ wasmUrl: undefined, link: CARRIED });
+  expect([engines.makerFor(CARRIED), engines.makerFor(CARRIED, BARE), loads]).toEqual([BARE, BARE, ["make"]]);
+  expect(await engines.makerFor({ ...CARRIED, letters: "" }, BARE)).toBe(LABELLING);
+  expect([engines.makerFor(CARRIED), loads]).toEqual([LABELLING, ["make", "label"]]);
 });

@@ -28,7 +28,7 @@ async function enter(
   how: ShowMode = "watch",
   signal = new AbortController().signal,
 ): Promise<void> {
-  await river.enter(CLIENT, { wasmUrl: undefined, link: "" }, signal, () => opening(how));
+  await river.enter(CLIENT, { wasmUrl: undefined, link: { text: "" } }, signal, () => opening(how));
 }
 
 /** The orders that the host was given, and the way in which it shows a river. */

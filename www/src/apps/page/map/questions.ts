@@ -58,6 +58,11 @@ export class MapQuestions {
     return this.#ofLast(await this.line.ask({ about: "names", of: this.line.id, count }))?.names ?? [];
   }
 
+  /** Returns the letters to carry along with a link of the finished map, which may leave out its style; none if it has none. */
+  letters(link: string): Promise<string | undefined> {
+    return this.line.ask({ about: "letters", of: this.line.id, link });
+  }
+
   /** Returns the river at a place of the finished map, if there is one. */
   async river(place: RiverPlace): Promise<PointedRiver | undefined> {
     return this.#ofLast(await this.line.ask({ about: "river", of: this.line.id, place }));

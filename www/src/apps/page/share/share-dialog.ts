@@ -62,6 +62,8 @@ export class ShareDialog {
     private readonly recipe: Recipe,
     private readonly downloads: Downloads,
     private readonly sender: Sender,
+    /** Returns the letters to carry along with a link of the map, once they are placed. */
+    private readonly letters: (link: string) => Promise<string | undefined>,
   ) {
     const content: Record<Place, HTMLElement[]> = {
       message: [this.#text(LINK, this.#send)],
@@ -147,11 +149,23 @@ export class ShareDialog {
       aspect: values.get("aspect") ?? "",
       page: location.href,
     };
-    const picture = this.downloads.nameOf(PICTURE);
-    for (const [form, box] of this.#boxes) box.value = form.text(shared, picture);
+    this.#write(shared);
+    void this.#addLetters(shared);
     this.#send.hidden = !this.sender.canSend;
     this.#say(promiseFor(widgetNotices));
     this.elements.dialog.showModal();
+  }
+
+  #write(shared: Shared): void {
+    const picture = this.downloads.nameOf(PICTURE);
+    for (const [form, box] of this.#boxes) box.value = form.text(shared, picture);
+  }
+
+  /** Adds letters to what has been written, unless the dialog has been closed or the map has changed by then. */
+  async #addLetters(shared: Shared): Promise<void> {
+    const { link, widgetLink = link } = shared;
+    const letters = await this.letters(widgetLink).catch(() => undefined);
+    if (letters && this.elements.dialog.open && this.recipe.link === link) this.#write({ ...shared, letters });
   }
 
   async #copy({ name }: Form, box: HTMLTextAreaElement): Promise<void> {

@@ -12,6 +12,8 @@ export interface Shared {
   readonly link: string;
   /** The link for widgets, if it is another: they follow their page's colours where it names no style. */
   readonly widgetLink?: string;
+  /** The letters of its names, for an element to carry. */
+  readonly letters?: string | undefined;
   readonly seed: string;
   /** Width over height, as a link writes it. */
   readonly aspect: string;
@@ -47,10 +49,13 @@ export function withoutDefaultStyle(link: string, style: string): string {
  * picture for readers without script or engine, which is beside the post as `picture`; if it was not saved, its text
  * links to this page. `maker` keeps a small link to it on the map.
  */
-export function elementSnippet({ link, widgetLink = link, seed, aspect, page }: Shared, picture: string): string {
-  const attributes = [...new URLSearchParams(widgetLink)].map(
-    ([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`,
-  );
+export function elementSnippet(
+  { link, widgetLink = link, letters, seed, aspect, page }: Shared,
+  picture: string,
+): string {
+  const values = [...new URLSearchParams(widgetLink)].map(([key, value]) => [attributeOf(key), value]);
+  if (letters) values.push(["letters", letters]);
+  const attributes = values.map(([name = "", value = ""]) => ` ${name}="${escaped(value)}"`);
   return [
     `<script type="module" src="${escaped(addressBeside(page, ELEMENT_SCRIPT))}"></script>`,
     `<river-seed${attributes.join("")} maker="${escaped(addressBeside(page, "./"))}" style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
