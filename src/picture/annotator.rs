@@ -52,12 +52,12 @@ impl Annotator {
 
     /// Returns `true` if this build can place letters, or if they are carried.
     pub fn is_able(&self) -> bool {
-        cfg!(feature = "names") || cfg!(feature = "carried") && self.lettering.are_carried()
+        cfg!(feature = "names") || self.lettering.are_carried()
     }
 
     /// Returns the masks of letters that need not be placed for this very picture.
     pub fn letters(&self, map: &Map, view: &View) -> Option<AnnotationMasks> {
-        if cfg!(feature = "carried") { self.lettering.masks(map, view, self.ratio) } else { None }
+        self.lettering.masks(map, view, self.ratio)
     }
 
     /// Does a part of an annotation. Returns it after the last part.

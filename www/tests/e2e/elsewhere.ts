@@ -1,7 +1,7 @@
 /** Pages on another origin than the site's, and what is to be seen on them. */
 
 import type { Locator, Page } from "@playwright/test";
-import { pictureOf } from "../core.ts";
+import { embeddedPictureOf } from "../core.ts";
 import type { Host } from "./widget/hosts.ts";
 
 /** Where a page elsewhere is opened: the browser's page, somebody else's host, and the site's address. */
@@ -44,8 +44,8 @@ async function placeOf(element: Locator): Promise<{ x: number; y: number; width:
   return { x, y, width: Math.round(box.x + box.width) - x, height: Math.round(box.y + box.height) - y };
 }
 
-/** Whether the screen shows the finished river of a link, to the pixel. */
+/** Whether the screen shows the finished river of a link in an element, to the pixel. */
 export async function showsRiver(page: Page, element: Locator, link: string): Promise<boolean> {
   const { width, height, sha256 } = await seen(page, element);
-  return sha256 === pictureOf(link, width, height).sha256;
+  return sha256 === embeddedPictureOf(link, width, height).sha256;
 }

@@ -1,7 +1,7 @@
 /** Programs that use the packed tarball, in a browser: what they give the element arrives, and what it tells they hear. */
 
 import { expect, type Page, test } from "@playwright/test";
-import { pictureOf } from "../core.ts";
+import { embeddedPictureOf, pictureOf } from "../core.ts";
 import { complaints } from "../e2e/riverpage.ts";
 import { pixels } from "./pixels.ts";
 
@@ -16,7 +16,7 @@ async function expectRiver(page: Page, link: string): Promise<void> {
     .poll(async () => {
       const png = await page.locator("river-seed").screenshot();
       const { width, height, sha256 } = await page.evaluate(pixels, png.toString("base64"));
-      return sha256 === pictureOf(link, width, height).sha256;
+      return sha256 === embeddedPictureOf(link, width, height).sha256;
     })
     .toBe(true);
 }

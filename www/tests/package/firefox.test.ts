@@ -3,7 +3,7 @@
 import puppeteer, { type Browser } from "puppeteer-core";
 import { type PreviewServer, preview } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { pictureOf } from "../core.ts";
+import { embeddedPictureOf } from "../core.ts";
 import { pixels } from "./pixels.ts";
 
 /** This only ends a wait for what does not come. */
@@ -38,7 +38,7 @@ for (const program of ["vite", "blog"]) {
         async () => {
           const png = await river?.screenshot({ encoding: "base64" });
           const { width, height, sha256 } = await page.evaluate(pixels, png ?? "");
-          return sha256 === pictureOf("seed=kauri&attractors=300&width=20", width, height).sha256;
+          return sha256 === embeddedPictureOf("seed=kauri&attractors=300&width=20", width, height).sha256;
         },
         { timeout: PATIENCE_MS },
       )

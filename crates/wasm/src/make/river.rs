@@ -184,7 +184,9 @@ impl River {
         let recipe = self.session.recipe();
         let view = View::new(&self.session.domain(), width_px, height_px);
         let has_room = view.is_ok_and(|view| Carried::have_room(&view, ratio)) || width_px == 0;
-        let carried = Carried::read(text).filter(|carried| has_room && carried.are_for(recipe));
+        // Who places letters reads none: they would be the same.
+        let carried = if PLACES_LETTERS { None } else { Carried::read(text) };
+        let carried = carried.filter(|carried| has_room && carried.are_for(recipe));
         let is_able = PLACES_LETTERS || carried.is_some() || !recipe.is_annotated();
         self.lettering = carried.map_or(Lettering::InSteps, |carried| Lettering::Carried(carried.into()));
         if let Some(picture) = &mut self.picture {
