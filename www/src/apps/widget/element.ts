@@ -36,6 +36,9 @@ import { watch } from "./visibility.ts";
 /** The browser's class, or a stand-in where there is none; with the properties that `reflect` adds. */
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => Audible & Properties & HTMLElement;
 
+/** The time after which an element without a width says so: style sheets have come by then. */
+const SQUEEZED_MS = 2000;
+
 export class RiverSeed extends Base {
   static readonly observedAttributes: readonly string[] = OBSERVED;
 
@@ -54,6 +57,8 @@ export class RiverSeed extends Base {
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
   #link: ReturnType<typeof linkToReadOf> | undefined;
+  /** What has been told of corrections. */
+  #corrections = "";
   /** The river on the canvas. */
   #seen: Seen | undefined;
   readonly #river = new HostedRiver();
@@ -207,6 +212,8 @@ export class RiverSeed extends Base {
       this.#beginIfDue();
     };
     watch(this, { near, resized: () => this.#resized() }, signal);
+    const squeezing = setTimeout(() => this.#warnIfSqueezed(), SQUEEZED_MS);
+    signal.addEventListener("abort", () => clearTimeout(squeezing));
   }
 
   /** Follows the attributes at the end of this turn, so that several changes count as one. */
@@ -313,6 +320,10 @@ export class RiverSeed extends Base {
     }, RESIZE_PAUSE_MS);
   }
 
+  #warnIfSqueezed(): void {
+    if (this.#view.isSqueezed) console.warn("river-seed: its box leaves it no width, so there is no map", this);
+  }
+
   // ---- reports
 
   #hear(report: Report): void {
@@ -327,6 +338,7 @@ export class RiverSeed extends Base {
     if (reading.links === this.#river.links) this.#requested.advance(seen);
     this.#river.answered();
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
+    this.#tellCorrections(reading);
     if (this.#isWorthShowing(seen)) this.#reveal(seen);
     this.#describe();
     if (state !== "finished") this.#emit("progress", { phase, progress, summary });
@@ -346,8 +358,17 @@ export class RiverSeed extends Base {
     this.#view.reveal();
     if (this.#isShown) return;
     this.#isShown = true;
-    if (notices.length > 0) console.warn(`river-seed: ${notices.map(({ message }) => message).join("; ")}`);
     this.#emit("ready", { link, notices });
+  }
+
+  /** Tells what was corrected in attributes and recipe, once for all pictures of it. */
+  #tellCorrections({ link, notices }: Seen["reading"]): void {
+    const corrections = notices.map(({ message }) => message).join("; ");
+    if (corrections === this.#corrections) return;
+    this.#corrections = corrections;
+    if (!corrections) return;
+    console.warn(`river-seed: ${corrections}`);
+    this.#emit("corrected", { link, notices });
   }
 
   /** Handles a failure. `links` is the number of links that had been requested by then. */

@@ -11,6 +11,13 @@ export interface ReadyDetail {
   notices: readonly Notice[];
 }
 
+/** The detail of `corrected`: attributes or the recipe have values that cannot be, at first or after a change. */
+export interface CorrectedDetail {
+  /** The canonical link of what is shown instead. */
+  link: string;
+  notices: readonly Notice[];
+}
+
 /** The detail of `progress`, which is dispatched a few times a second while the river grows. */
 export interface ProgressDetail {
   phase: Phase;
@@ -36,6 +43,7 @@ export interface ErrorDetail {
 
 export interface RiverSeedEventMap {
   ready: CustomEvent<ReadyDetail>;
+  corrected: CustomEvent<CorrectedDetail>;
   progress: CustomEvent<ProgressDetail>;
   complete: CustomEvent<CompleteDetail>;
   error: CustomEvent<ErrorDetail>;

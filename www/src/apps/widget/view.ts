@@ -4,7 +4,7 @@
  */
 
 import { type CanvasSize, type Fit, fitOf, type Size } from "../../browser/canvas.ts";
-import { el, setText } from "../../browser/dom.ts";
+import { el, setText, svg } from "../../browser/dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
 /** The next action of the button. */
@@ -39,7 +39,7 @@ export class View {
   /** `pressed` is called for the button, `recoloured` when the page's colour scheme has changed. */
   constructor(root: ShadowRoot, pressed: () => void, recoloured: () => void) {
     root.adoptedStyleSheets = [sharedSheet(), this.#own];
-    root.append(this.#box, this.#status);
+    root.append(svg("svg", { class: "strut" }), this.#box, this.#status);
     this.#button.addEventListener("click", pressed);
     this.#caption.addEventListener("slotchange", () => this.#applyRules());
     // There is no event for it, but the system's colours change, and this one has a transition.
@@ -121,6 +121,11 @@ export class View {
   /** The size of the picture in pixels; 0 while the element is not laid out. The map covers a box of another shape. */
   get size(): Size {
     return this.#measure().pixels;
+  }
+
+  /** True if the element is laid out in a box that leaves it no width. */
+  get isSqueezed(): boolean {
+    return this.#frame.getClientRects().length > 0 && this.size.width === 0;
   }
 
   /** Gives the shape to the element, or, if there is a caption below, to the map alone. */

@@ -115,6 +115,23 @@ test("junk is corrected, and reported @core", async ({ page, blog }) => {
   expect(said).toEqual([expect.stringMatching(/^river-seed: .*many/s)]);
 });
 
+test("what is corrected in attributes that change is told, once for each change @core", async ({ page, blog }) => {
+  const said = complaints(page);
+  const events = await open(page, blog, '<river-seed attractors="300" curl="0.4" still></river-seed>');
+  await heard(events, "complete");
+  const corrected = async () => (await events()).filter(({ type }) => type === "corrected").map(({ detail }) => detail);
+  expect(await corrected()).toEqual([]);
+  const river = page.locator("river-seed");
+  await river.evaluate((river) => river.setAttribute("curl", "much"));
+  await heard(events, "corrected");
+  await river.evaluate((river) => river.setAttribute("curl", "0.3"));
+  await expectPicture(page, canonical("attractors=300&curl=0.3"));
+  await river.evaluate((river) => river.setAttribute("aspect", "-3"));
+  await heard(events, "corrected", 2);
+  expect(await corrected()).toMatchObject([{ notices: [{ key: "curl" }] }, { notices: [{ key: "aspect" }] }]);
+  expect(said).toEqual([expect.stringMatching(/^river-seed: .*much/s), expect.stringMatching(/^river-seed: .*-3/s)]);
+});
+
 test("what is told of a river is told of that river, though another waits for its turn", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const events = await open(page, blog, '<river-seed seed="one" attractors="9000"></river-seed>');

@@ -30,7 +30,7 @@ export async function listen(page: Page): Promise<() => Promise<Heard[]>> {
   await page.addInitScript(() => {
     const heard: Heard[] = [];
     Object.assign(globalThis, { heard_: heard });
-    for (const type of ["ready", "progress", "complete", "error"]) {
+    for (const type of ["ready", "corrected", "progress", "complete", "error"]) {
       const note = (event: Event): void => {
         if (!(event instanceof CustomEvent && event.target instanceof Element)) return;
         heard.push({ type, id: event.target.id, detail: event.detail });
