@@ -81,72 +81,55 @@ pub enum Readers {
     Gis,
 }
 
-impl Form {
-    const ALL: [Self; 26] = [
-        Self::Png,
-        Self::Svg,
-        Self::GeoJson,
-        Self::Json,
-        Self::Pack,
-        Self::Raster(Layer::Heights),
-        Self::Raster(Layer::Land),
-        Self::Raster(Layer::Rivers),
-        Self::Raster(Layer::Flow),
-        Self::Raster(Layer::Basins),
-        Self::RawHeights,
-        Self::Normals,
-        Self::Splat,
-        Self::Splines,
-        Self::Gltf,
-        Self::Engine(Engine::Unreal),
-        Self::Engine(Engine::Unity),
-        Self::Engine(Engine::Godot),
-        Self::GeoPackage,
-        Self::GeoTiff,
-        Self::RasterTiff(Layer::Heights),
-        Self::RasterTiff(Layer::Land),
-        Self::RasterTiff(Layer::Rivers),
-        Self::RasterTiff(Layer::Flow),
-        Self::RasterTiff(Layer::Basins),
-        Self::HeightStyle,
-    ];
+/// Makes the list of forms and the table of what each is, of the same rows: a form that is in the table is in the list, and
+/// without its row the table does not compile.
+macro_rules! rows {
+    ($($Form:ident $(($of:path))? => $row:expr,)+) => {
+        const ALL: &'static [Self] = &[$(Self::$Form $(($of))?),+];
 
-    /// Returns the row of a form: the ending of its files, their readers, the copies of the map's features that are in
-    /// memory while one is written, and the contents. Writers of pixels and rasters ask for what they need by themselves.
-    const fn row(self) -> (&'static str, Readers, usize, &'static [Holds]) {
-        use Holds::{Files, Letters, Names, PictureAlone, Pixels, Rasters, Relief};
-        use Readers::{Any, Engines, Gis};
-        match self {
-            Self::Png => ("png", Any, 0, &[Pixels, Letters, PictureAlone]),
-            Self::Svg => ("svg", Any, 1, &[Letters, PictureAlone]),
-            Self::GeoJson => ("geojson", Any, 1, &[Relief, Names]),
-            Self::Json => ("json", Any, 1, &[Names]),
-            Self::Pack => ("zip", Any, 1, &[Pixels, Letters, Rasters, Relief, Files]),
-            Self::Raster(Layer::Heights) => ("heights.png", Any, 0, &[Rasters, Relief]),
-            Self::Raster(Layer::Land) => ("land.png", Any, 0, &[Rasters, Relief]),
-            Self::Raster(Layer::Rivers) => ("rivers.png", Any, 0, &[Rasters, Relief]),
-            Self::Raster(Layer::Flow) => ("flow.png", Any, 0, &[Rasters, Relief]),
-            Self::Raster(Layer::Basins) => ("basins.png", Any, 0, &[Rasters, Relief]),
-            Self::RawHeights => ("r16", Engines, 0, &[Rasters, Relief]),
-            Self::Normals => ("normals.png", Engines, 0, &[Rasters, Relief]),
-            Self::Splat => ("splat.png", Engines, 0, &[Rasters, Relief]),
-            Self::Splines => ("splines.json", Engines, 1, &[Rasters, Relief, Names]),
-            Self::Gltf => ("glb", Engines, 0, &[Pixels, Letters, Rasters, Relief]),
-            Self::Engine(Engine::Unreal) => {
-                ("unreal.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files])
+        /// Returns the row of a form: the ending of its files, their readers, the copies of the map's features that are in
+        /// memory while one is written, and the contents. Writers of pixels and rasters ask for what they need by
+        /// themselves.
+        const fn row(self) -> (&'static str, Readers, usize, &'static [Holds]) {
+            use Holds::{Files, Letters, Names, PictureAlone, Pixels, Rasters, Relief};
+            use Readers::{Any, Engines, Gis};
+            match self {
+                $(Self::$Form $(($of))? => $row,)+
             }
-            Self::Engine(Engine::Unity) => ("unity.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
-            Self::Engine(Engine::Godot) => ("godot.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
-            // The features are in memory together, and then the file.
-            Self::GeoPackage => ("gpkg", Gis, 3, &[Relief, Names]),
-            Self::GeoTiff => ("tif", Gis, 0, &[Pixels, Letters, PictureAlone]),
-            Self::RasterTiff(Layer::Heights) => ("heights.tif", Gis, 0, &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Land) => ("land.tif", Gis, 0, &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Rivers) => ("rivers.tif", Gis, 0, &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Flow) => ("flow.tif", Gis, 0, &[Rasters, Relief]),
-            Self::RasterTiff(Layer::Basins) => ("basins.tif", Gis, 0, &[Rasters, Relief]),
-            Self::HeightStyle => ("heights.qml", Gis, 1, &[Relief]),
         }
+    };
+}
+
+impl Form {
+    // The order is that in which people are told of forms.
+    rows! {
+        Png => ("png", Any, 0, &[Pixels, Letters, PictureAlone]),
+        Svg => ("svg", Any, 1, &[Letters, PictureAlone]),
+        GeoJson => ("geojson", Any, 1, &[Relief, Names]),
+        Json => ("json", Any, 1, &[Names]),
+        Pack => ("zip", Any, 1, &[Pixels, Letters, Rasters, Relief, Files]),
+        Raster(Layer::Heights) => ("heights.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Land) => ("land.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Rivers) => ("rivers.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Flow) => ("flow.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Basins) => ("basins.png", Any, 0, &[Rasters, Relief]),
+        RawHeights => ("r16", Engines, 0, &[Rasters, Relief]),
+        Normals => ("normals.png", Engines, 0, &[Rasters, Relief]),
+        Splat => ("splat.png", Engines, 0, &[Rasters, Relief]),
+        Splines => ("splines.json", Engines, 1, &[Rasters, Relief, Names]),
+        Gltf => ("glb", Engines, 0, &[Pixels, Letters, Rasters, Relief]),
+        Engine(Engine::Unreal) => ("unreal.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
+        Engine(Engine::Unity) => ("unity.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
+        Engine(Engine::Godot) => ("godot.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
+        // The features are in memory together, and then the file.
+        GeoPackage => ("gpkg", Gis, 3, &[Relief, Names]),
+        GeoTiff => ("tif", Gis, 0, &[Pixels, Letters, PictureAlone]),
+        RasterTiff(Layer::Heights) => ("heights.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Land) => ("land.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Rivers) => ("rivers.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Flow) => ("flow.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Basins) => ("basins.tif", Gis, 0, &[Rasters, Relief]),
+        HeightStyle => ("heights.qml", Gis, 1, &[Relief]),
     }
 
     fn holds(self, part: Holds) -> bool {
@@ -155,7 +138,7 @@ impl Form {
 
     /// Lists all forms.
     pub fn all() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter()
+        Self::ALL.iter().copied()
     }
 
     /// Returns the ending of the names of a form's files, without the dot before it.
