@@ -1,26 +1,13 @@
 //! Pictures of a part of a map, and of its surroundings.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use crate::common::styles;
 use riverseed::paint::Framing;
+use riverseed::recipe::Style;
 use riverseed::{Picture, Recipe, Session};
 
 const SMALL: &str = "seed=skye&attractors=2000&labels=none";
 const LABELLED: &str = "seed=skye&attractors=2000";
-
-const STYLES: [&str; 12] = [
-    "ink",
-    "dark",
-    "skeleton",
-    "atlas",
-    "night",
-    "survey",
-    "parchment",
-    "basins",
-    "past-courses",
-    "ink-wash",
-    "blueprint",
-    "orbit",
-];
 
 fn finished(text: &str) -> Session {
     let recipe: Recipe = text.parse().unwrap();
@@ -50,7 +37,7 @@ fn apart(one: &[u8], other: &[u8]) -> f32 {
 
 #[test]
 fn a_part_of_a_map_is_a_part_of_its_picture() {
-    for style in STYLES {
+    for style in styles(|_| true) {
         let session = finished(&format!("{SMALL}&aspect=2&style={style}"));
         let whole = painted(&session, [800, 400], [0.0, 0.0, 1.0]);
         let part = painted(&session, [400, 200], [0.25, 0.125, 0.5]);
@@ -64,7 +51,7 @@ fn a_part_of_a_map_is_a_part_of_its_picture() {
 
 #[test]
 fn the_whole_map_framed_is_the_map() {
-    for style in STYLES {
+    for style in styles(|_| true) {
         let session = finished(&format!("{SMALL}&aspect=2&style={style}"));
         let mut picture = Picture::new(400, 200).unwrap();
         picture.paint(&session);
@@ -109,7 +96,7 @@ fn a_growing_tree_is_painted_in_a_frame_as_it_is_at_once() {
 
 #[test]
 fn a_land_that_runs_off_the_map_ends_at_a_line_on_paper() {
-    for style in STYLES.into_iter().filter(|style| *style != "skeleton") {
+    for style in styles(|style| style != Style::Skeleton) {
         let session = finished(&format!("{SMALL}&aspect=1&land=rectangle&style={style}"));
         // The map lies in the middle, from pixel 200 to 600.
         let pixels = painted(&session, [800, 800], [-0.5, -0.5, 2.0]);

@@ -136,20 +136,7 @@ fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
 }
 
 fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
-    let styles = [
-        "atlas",
-        "night",
-        "survey",
-        "basins",
-        "parchment",
-        "past-courses",
-        "ink-wash",
-        "orbit",
-        "blueprint",
-        "ink",
-        "skeleton",
-    ];
-    for style in one_in(6, styles) {
+    for style in one_in(6, Style::WORDS.iter().map(|word| word.name)) {
         let link = format!("aspect=1&land=archipelago&roughness=1&attractors=600&style={style}");
         let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
         let land = session.land().unwrap();
