@@ -1,11 +1,12 @@
 // Writes the descriptions of <river-seed> for tools: the custom-elements manifest, and the types of its markup.
-// Parameters
-// come from the parameter table; everything else about the element from package/element.json.
+// Parameters come from the parameter table; everything else about the element from package/element.json.
 
-/** The attributes of two parameters whose names mean something else on every HTML element. */
-const ATTRIBUTES = { style: "river-style", width: "river-width" };
+import { readFileSync } from "node:fs";
 
-const attributeOf = (key) => ATTRIBUTES[key] ?? key;
+/** Parameters whose names mean something else on every HTML element. As attributes they have a prefix. */
+const PREFIXED = JSON.parse(readFileSync(new URL("../src/engine/prefixed.json", import.meta.url), "utf8"));
+
+const attributeOf = (key) => (PREFIXED.includes(key) ? `river-${key}` : key);
 const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 /** Lists all attributes of the element: the table's rows, then its own. */

@@ -3,6 +3,8 @@
  * before the engine is loaded. A unit test compares the lists with the core's table.
  */
 
+import prefixed from "./prefixed.json" with { type: "json" };
+
 /** Parameters whose values are numbers; below, those whose values are text. */
 // biome-ignore format: a list of words
 export const NUMBERS = [
@@ -28,8 +30,8 @@ export const TEXTS = [
   "style",
 ] as const;
 
-/** Keys that mean something else in HTML; as attributes they have a prefix. */
-const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
+/** Keys that mean something else in HTML; as attributes they have a prefix. `scripts/manifest.mjs` reads the file, too. */
+const PREFIXED: ReadonlySet<string> = new Set(prefixed);
 
 export function attributeOf(key: string): string {
   return PREFIXED.has(key) ? `river-${key}` : key;
