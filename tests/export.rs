@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::common::plain::plain;
 use crate::common::property::cases;
 use crate::common::random_link;
+use crate::common::svg_ids::end_of_ids;
 use crate::common::tier::{first, one_in, pairs, tiers};
 use geo::{Area, LineString, Polygon, Validation};
 use geojson::feature::Id;
@@ -244,6 +245,38 @@ fn hostile_seeds_are_text_and_nothing_else() {
     assert!(!text.contains("<script"));
     let members = collection(&session).foreign_members.unwrap();
     assert_eq!(link::read(members["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
+}
+
+/// Returns the ids that an SVG file refers to, in order.
+fn referred_to(svg: &str) -> Vec<&str> {
+    let named = |mark: &'static str, end: char| svg.split(mark).skip(1).filter_map(move |rest| rest.split(end).next());
+    named("url(#", ')').chain(named("href=\"#", '"')).collect()
+}
+
+#[test]
+fn maps_in_one_page_refer_each_to_its_own_parts() {
+    let links = [
+        "style=atlas&labels=many&land=island&seed=a",
+        "style=atlas&labels=many&land=island&seed=b",
+        "style=parchment&woods=0.6&hills=0.6&labels=some&land=island&seed=a",
+        "style=survey&woods=0.6&labels=some&land=continent&seed=a",
+        "style=ink-wash&labels=some&land=island&seed=a",
+        "style=past-courses&land=island&seed=a",
+    ];
+    let mut before = BTreeSet::new();
+    for link in links {
+        let map = finished(&format!("attractors=1500&growth=drainage&{link}")).map().unwrap();
+        for svg in [svg::svg(&map).unwrap(), svg::svg_with_text(&map).unwrap()] {
+            let document = roxmltree::Document::parse(&svg).unwrap();
+            let ids: BTreeSet<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+            let (referred, end) = (referred_to(&svg), end_of_ids(&svg));
+            assert!(referred.len() > 5, "{link}: {}", referred.len());
+            for id in referred {
+                assert!(ids.contains(id) && id.contains(&end), "{link}: {id}");
+            }
+        }
+        assert!(before.insert(end_of_ids(&svg::svg(&map).unwrap())), "{link}");
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
+use crate::common::svg_ids::without_number;
 use crate::common::tier::{first, tiers};
 use crate::common::{random_link, styles};
 use geo::{Distance, Euclidean};
@@ -383,11 +384,13 @@ fn scenery_does_not_depend_on_how_large_a_picture_is() {
 
 #[test]
 fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() {
-    let svg = |more: &str| riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}")).map().unwrap()).unwrap();
+    let svg = |more: &str| {
+        without_number(&riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}")).map().unwrap()).unwrap())
+    };
     let session = finished(&format!("{MAP}&style=ink&woods=0.6&hills=0.6&labels=some"));
     let map = session.map().unwrap();
     let (all, _) = placed(&map, session.domain().size.x);
-    let text = riverseed::export::svg::svg(&session.map().unwrap()).unwrap();
+    let text = without_number(&riverseed::export::svg::svg(&session.map().unwrap()).unwrap());
     let document = roxmltree::Document::parse(&text).unwrap();
     let ids: BTreeMap<&str, roxmltree::Node<'_, '_>> =
         document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();

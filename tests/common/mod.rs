@@ -10,6 +10,7 @@ pub mod parts;
 pub mod plain;
 pub mod property;
 pub mod shape;
+pub mod svg_ids;
 pub mod tier;
 pub mod twin;
 

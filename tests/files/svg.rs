@@ -16,7 +16,8 @@ fn data_are_what_the_network_says() {
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         let (mut rivers, mut lakes_seen) = (Vec::new(), Vec::new());
         for path in document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "path"))) {
-            let Some((kind, id)) = path.attribute("id").and_then(|id| id.split_once('-')) else { continue };
+            let of_a_kind = path.attribute("id").and_then(|id| id.split_once('-'));
+            let Some((kind, id)) = of_a_kind.filter(|(kind, _)| ["river", "oxbow"].contains(kind)) else { continue };
             let data =
                 |name: &str| path.attribute(format!("data-{name}").as_str()).map(|text| text.parse::<u64>().unwrap());
             let all = path.attributes().filter(|attribute| attribute.name().starts_with("data-")).count();

@@ -34,7 +34,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         return;
     };
     let shown = &SmoothedDistance::of(land.coast_distance());
-    out.text("<clipPath id=\"shore\"><use href=\"#coast\"/></clipPath>\n");
+    out.text("<clipPath id=\"").own("shore").text("\"><use href=\"#").own("coast").text("\"/></clipPath>\n");
     out.text("<g id=\"sea\">\n<rect");
     sheet(out, size, palette.deep);
     let steps = if palette.fade > 0.0 { SHADES } else { 0 };
@@ -47,13 +47,17 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         out.text("<path stroke-opacity=\"").units(strength).text("\" fill=\"none\"");
         line(out, palette.coast, RING_WIDTH, &level(shown, -distance, 1));
     }
-    out.text("</g>\n<g id=\"land\" fill=\"").colour(palette.lowland).text("\">\n<path id=\"coast\" d=\"");
+    out.text("</g>\n<g id=\"land\" fill=\"")
+        .colour(palette.lowland)
+        .text("\">\n<path class=\"coast\" id=\"")
+        .own("coast")
+        .text("\" d=\"");
     out.path(&level(shown, 0.0, 1)).text("\"/>\n");
     for step in 1..=steps {
         area(out, shown, palette.fade * way_to(share(step)), mix(palette.lowland, palette.inland, share(step)));
     }
     if relief.is_some() {
-        out.text("<g clip-path=\"url(#shore)\">\n");
+        out.text("<g clip-path=\"").url("shore").text("\">\n");
         tints(out, relief, palette);
         out.text("</g>\n");
     }
@@ -71,7 +75,11 @@ pub(super) fn water(palette: &Palette) -> Colour {
 
 /// Draws the line of the coast over the rivers that end there.
 pub(super) fn coast(out: &mut Text, palette: &Palette) {
-    out.text("<use href=\"#coast\" fill=\"none\" stroke=\"").colour(palette.coast).text("\" stroke-width=\"");
+    out.text("<use href=\"#")
+        .own("coast")
+        .text("\" fill=\"none\" stroke=\"")
+        .colour(palette.coast)
+        .text("\" stroke-width=\"");
     out.units(COAST_WIDTH).text("\" stroke-linejoin=\"round\"/>\n");
 }
 

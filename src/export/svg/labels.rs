@@ -3,10 +3,10 @@
 
 use glam::Vec2;
 
-use super::AnnotationText;
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
+use super::{AnnotationText, file_number};
 use crate::annotate::glyph::{Face, Typeface};
 use crate::annotate::labels::labels;
 use crate::annotate::place::{Kind, Label, Placed, Stroke};
@@ -20,7 +20,7 @@ use crate::paint::{LabelLook, label_look, scenery_look};
 pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
     let size = map.domain().size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
-    let [mut halo, mut letters] = [Text::default(), Text::default()];
+    let [mut halo, mut letters] = [Text::of(file_number(map)), Text::of(file_number(map))];
     draw_halo(&mut halo, size, &placed);
     if let Some(look) = scenery_look(map.recipe().get()) {
         scenery::draw(&mut letters, size, &crate::annotate::scenery::scenery(map, &placed), look);
@@ -39,9 +39,13 @@ fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     if labels.is_empty() {
         return;
     }
-    out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
-    out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n<filter id=\"feather\"><feGaussianBlur stdDeviation=\"");
-    out.units(FEATHER).text("\"/></filter>\n<g filter=\"url(#feather)\">\n");
+    out.text("<mask id=\"").own("halo").text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
+    out.text(">\n<rect fill=\"#fff\"")
+        .sized(size)
+        .text("/>\n<filter id=\"")
+        .own("feather")
+        .text("\"><feGaussianBlur stdDeviation=\"");
+    out.units(FEATHER).text("\"/></filter>\n<g filter=\"").url("feather").text("\">\n");
     for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
         out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
             .units(2.0 * label.kind.halo() * label.em);
@@ -124,12 +128,17 @@ fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
     let square = |out: &mut Text| {
         out.text(" x=\"").units(least.x).text("\" y=\"").units(least.y).text("\"").sized(most - least);
     };
-    out.text("<mask id=\"left-out\" maskUnits=\"userSpaceOnUse\"");
+    out.text("<mask id=\"").own("left-out").text("\" maskUnits=\"userSpaceOnUse\"");
     square(out);
     out.text(">\n");
     draw_lines(out, &label.strokes, [0xff; 3]);
     out.text("<path d=\"").path(&outlines(label)).text("\"/>\n</mask>\n<g id=\"seal\" role=\"img\"><title>");
-    out.escaped(&label.text).text("</title><rect mask=\"url(#left-out)\" fill=\"").colour(look.mark).text("\"");
+    out.escaped(&label.text)
+        .text("</title><rect mask=\"")
+        .url("left-out")
+        .text("\" fill=\"")
+        .colour(look.mark)
+        .text("\"");
     square(out);
     out.text("/></g>\n");
 }
@@ -161,12 +170,12 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
         out.text("><title>").escaped(&label.text).text("</title>");
         let lines = if is_text { lines(label) } else { Vec::new() };
         for (text, letters) in &lines {
-            out.text("<defs><path id=\"").text(id).text("-").whole(next).text("\" d=\"");
+            out.text("<defs><path id=\"").own(id).text("-").whole(next).text("\" d=\"");
             out.path(&baseline(letters, label.em)).text("\"/></defs><text");
             halo(out, label, look);
             let style = if label.kind.face() == Face::Italic { " font-style=\"italic\"" } else { "" };
             out.text(" font-family=\"EB Garamond, Garamond, serif\"").text(style).text(" font-size=\"").units(label.em);
-            out.text("\"><textPath href=\"#").text(id).text("-").whole(next).text("\" textLength=\"");
+            out.text("\"><textPath href=\"#").own(id).text("-").whole(next).text("\" textLength=\"");
             out.units(length(letters, label.em)).text("\">").escaped(text).text("</textPath></text>");
             next += 1;
         }

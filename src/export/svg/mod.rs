@@ -4,7 +4,9 @@
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
 //! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
 //! The line of the coast lies over the rivers, and in `mouths` the sea lies over both.
-//! The link of the recipe is in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
+//! The link of the recipe is in the file's metadata.
+//!
+//! Several files can stand in one page: ids that a file refers to, such as those of masks, end in a number that is made of its link.
 
 mod beds;
 mod ground;
@@ -26,6 +28,7 @@ use self::path::Path;
 use self::text::Text;
 use super::banks::Width;
 use super::{ExportError, rivers};
+use crate::base::hash::Fnv1a;
 use crate::map::Map;
 use crate::network::Banks;
 use crate::network::{NONE, Network, River};
@@ -69,13 +72,18 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let (size, settings) = (map.domain().size, PaintSettings::of(recipe));
     let (courses, palette) = (settings.courses, palette_of(settings.style));
     let past = palette.beds.map(|look| (map.past(), look));
-    let mut out = Text::default();
+    let mut out = Text::of(file_number(map));
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
     out.text("\" viewBox=\"0 0 ").units(size.x).text(" ").units(size.y);
     out.text("\">\n<title>").escaped(recipe.seed());
     out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write_for_file(recipe));
-    out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
-    out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
+    out.text("</metadata>\n<clipPath id=\"")
+        .own("map")
+        .text("\"><path d=\"M0 0H")
+        .units(size.x)
+        .text("V")
+        .units(size.y);
+    out.text("H0z\"/></clipPath>\n<g clip-path=\"").url("map").text("\">\n");
     let basins = basins(map, network, palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
@@ -84,18 +92,23 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     });
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);
     // Rivers end at the shore; on land without a sea nothing is clipped.
-    let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
+    let (has_shore, has_halo) = (land.is_some(), !annotation.halo.is_empty());
     if let Some((past, look)) = past {
-        out.text("<g id=\"past").text(clip).text("\">\n");
+        out.text("<g id=\"past");
+        cut(&mut out, has_shore, false);
+        out.text("\">\n");
         beds::draw_past(&mut out, network, past, look, courses);
         out.text("</g>\n");
     }
     out.written(&annotation.halo);
-    let clip = if annotation.halo.is_empty() { clip } else { masked(clip) };
-    out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
+    out.text("<g id=\"rivers");
+    cut(&mut out, has_shore, has_halo);
+    out.text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
     if let Some((past, look)) = past {
-        out.text("</g>\n<g id=\"great").text(clip).text("\">\n");
+        out.text("</g>\n<g id=\"great");
+        cut(&mut out, has_shore, has_halo);
+        out.text("\">\n");
         beds::draw_great(&mut out, network, past, look, courses);
     }
     if palette.lines == Lines::Wide {
@@ -113,7 +126,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
             hairline: 0.0,
             coast_width: COAST_WIDTH,
         };
-        mouths::draw(&mut out, &drawn, network, land, !annotation.halo.is_empty(), courses);
+        mouths::draw(&mut out, &drawn, network, land, has_halo, courses);
     }
     neatline::draw(&mut out, size, land.map(Arc::as_ref), recipe.get());
     out.written(&annotation.labels);
@@ -121,9 +134,23 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     Ok(out.into_string())
 }
 
-/// Writes the end of the attributes of a group that the halo masks and, if there is a shore, the shore clips.
-fn masked(clip: &str) -> &'static str {
-    if clip.is_empty() { "\" mask=\"url(#halo)" } else { "\" clip-path=\"url(#shore)\" mask=\"url(#halo)" }
+/// Writes the end of the attributes of a group that the shore clips and the halo masks, if there are any.
+fn cut(out: &mut Text, has_shore: bool, has_halo: bool) {
+    if has_shore {
+        out.text("\" clip-path=\"").url("shore");
+    }
+    if has_halo {
+        out.text("\" mask=\"").url("halo");
+    }
+}
+
+/// Returns the number of a map's file among those in a page, which its link decides.
+fn file_number(map: &Map) -> u32 {
+    /// As many as are hardly ever the same in one page, with few digits.
+    const NUMBERS: u32 = 10_000_000;
+    let mut hash = Fnv1a::new();
+    hash.bytes(link::write_for_file(map.recipe()).as_bytes());
+    hash.folded() % NUMBERS
 }
 
 /// The margin of each bank, in units, which keeps brooks visible: as in a picture with one pixel per unit.

@@ -29,24 +29,26 @@ pub(super) fn draw(
     if tongues.is_empty() {
         return;
     }
-    out.text("<clipPath id=\"coastal\"><path d=\"").path(&level(&shown, -COAST_WIDTH * 0.5 - BEYOND, 1));
-    out.text("\"/></clipPath>\n<g id=\"mouths\" clip-path=\"url(#coastal)");
-    out.text(if is_masked { "\" mask=\"url(#halo)" } else { "" });
-    out.text("\">\n<radialGradient id=\"fading\">");
+    out.text("<clipPath id=\"").own("coastal").text("\"><path d=\"").path(&level(
+        &shown,
+        -COAST_WIDTH * 0.5 - BEYOND,
+        1,
+    ));
+    out.text("\"/></clipPath>\n<g id=\"mouths\" clip-path=\"").url("coastal");
+    if is_masked {
+        out.text("\" mask=\"").url("halo");
+    }
+    out.text("\">\n<radialGradient id=\"").own("fading").text("\">");
     for away in (0..=STOPS).map(|stop| stop as f32 / STOPS as f32) {
         out.text("<stop offset=\"").units(away).text("\" stop-color=\"").colour(sea);
         out.text("\" stop-opacity=\"").units(Tongue::share(away)).text("\"/>");
     }
     out.text("</radialGradient>\n");
     for (number, tongue) in (0..).zip(&tongues) {
-        out.text("<radialGradient id=\"mouth-").whole(number);
-        out.text("\" href=\"#fading\" gradientUnits=\"userSpaceOnUse\" cx=\"").units(tongue.at().x);
-        out.text("\" cy=\"")
-            .units(tongue.at().y)
-            .text("\" r=\"")
-            .units(tongue.reach)
-            .text("\"/>\n<path fill=\"url(#mouth-");
-        out.whole(number).text(")\" d=\"").path(&outline(tongue, courses)).text("\"/>\n");
+        out.text("<radialGradient id=\"").own("mouth").text("-").whole(number);
+        out.text("\" href=\"#").own("fading").text("\" gradientUnits=\"userSpaceOnUse\" cx=\"").units(tongue.at().x);
+        out.text("\" cy=\"").units(tongue.at().y).text("\" r=\"").units(tongue.reach).text("\"/>\n<path fill=\"url(#");
+        out.own("mouth").text("-").whole(number).text(")\" d=\"").path(&outline(tongue, courses)).text("\"/>\n");
     }
     out.text("</g>\n");
 }

@@ -28,9 +28,9 @@ pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLo
     let has_crowns = has(|one| one.feature().is_leafy());
     mask(out, "strokes", size, "#000");
     if has_woods {
-        out.text("<g id=\"woods\">\n<g stroke=\"#fff\" fill=\"none\">");
+        out.text("<g class=\"woods\" id=\"").own("woods").text("\">\n<g stroke=\"#fff\" fill=\"none\">");
         group(out, "crowns", all.iter().filter(|one| one.feature().is_leafy()));
-        out.text("</g>\n<use href=\"#crowns\" fill=\"#000\" color=\"#fff\"/>\n");
+        out.text("</g>\n<use href=\"#").own("crowns").text("\" fill=\"#000\" color=\"#fff\"/>\n");
         group(out, "others", all.iter().filter(|one| one.is_plant() && !one.feature().is_leafy()));
         out.text("</g>\n");
     }
@@ -38,23 +38,36 @@ pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLo
     out.text("</mask>\n");
     if let Some((colour, covers)) = look.body {
         mask(out, "bodies", size, "#fff");
-        out.text(if has_hills { "<use href=\"#hills\"/>" } else { "" });
-        out.text(if has_woods { "<use href=\"#woods\" fill=\"#fff\"/>" } else { "" }).text("</mask>\n<rect");
+        if has_hills {
+            out.text("<use href=\"#").own("hills").text("\"/>");
+        }
+        if has_woods {
+            out.text("<use href=\"#").own("woods").text("\" fill=\"#fff\"/>");
+        }
+        out.text("</mask>\n<rect");
         out.sized(size).text(" fill=\"").colour(colour).text("\" fill-opacity=\"").units(covers);
-        out.text("\" mask=\"url(#bodies)\"/>\n");
+        out.text("\" mask=\"").url("bodies").text("\"/>\n");
     }
     if has_crowns {
         mask(out, "washes", size, "#fff");
-        out.text("<use href=\"#crowns\" fill=\"#fff\"/>\n<use href=\"#crowns\" fill=\"#000\" color=\"#000\" x=\"");
+        out.text("<use href=\"#").own("crowns").text("\" fill=\"#fff\"/>\n<use href=\"#").own("crowns");
+        out.text("\" fill=\"#000\" color=\"#000\" x=\"");
         let [x, y] = LIT.to_array().map(hundredths);
         out.hundredths(x).text("\" y=\"").hundredths(y).text("\"/>\n</mask>\n<rect").sized(size).text(" fill=\"");
-        out.colour(look.ink).text("\" fill-opacity=\"").units(WASH * look.shade).text("\" mask=\"url(#washes)\"/>\n");
+        out.colour(look.ink)
+            .text("\" fill-opacity=\"")
+            .units(WASH * look.shade)
+            .text("\" mask=\"")
+            .url("washes")
+            .text("\"/>\n");
     }
     out.text("<rect id=\"scenery\"")
         .sized(size)
         .text(" fill=\"")
         .colour(look.ink)
-        .text("\" mask=\"url(#strokes)\"/>\n");
+        .text("\" mask=\"")
+        .url("strokes")
+        .text("\"/>\n");
 }
 
 fn hundredths(units: f32) -> i32 {
@@ -63,14 +76,14 @@ fn hundredths(units: f32) -> i32 {
 
 /// Begins a mask in which silhouettes have a colour.
 fn mask(out: &mut Text, id: &'static str, size: Vec2, silhouettes: &'static str) {
-    out.text("<mask id=\"").text(id).text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
+    out.text("<mask id=\"").own(id).text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(" color=\"").text(silhouettes).text("\">\n");
 }
 
 fn name(out: &mut Text, number: u8) {
     let shape = &SHAPES[usize::from(number)];
-    let kind = if shape.feature.is_plant() { "tree-" } else { "hill-" };
-    out.text(kind).whole(number.into());
+    let kind = if shape.feature.is_plant() { "tree" } else { "hill" };
+    out.own(kind).text("-").whole(number.into());
 }
 
 /// Writes a glyph. The silhouette of a round crown has the colour of fills, its outline that of strokes, both as its group
@@ -131,7 +144,7 @@ fn group<'a>(out: &mut Text, id: &'static str, all: impl Iterator<Item = &'a Sta
     if all.peek().is_none() && id == "hills" {
         return;
     }
-    out.text("<g id=\"").text(id).text("\">\n");
+    out.text("<g class=\"").text(id).text("\" id=\"").own(id).text("\">\n");
     for one in all {
         out.text("<use href=\"#");
         name(out, one.shape);

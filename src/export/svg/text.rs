@@ -9,17 +9,37 @@ use crate::paint::palette::Colour;
 
 /// A text while it is written.
 #[derive(Debug, Default)]
-pub(super) struct Text(String);
+pub(super) struct Text {
+    text: String,
+    /// The number of the file that it belongs to.
+    file: u32,
+}
 
 impl Text {
+    /// Begins a text of a file. The number tells the file from others that stand in the same page.
+    pub fn of(file: u32) -> Self {
+        Self { text: String::new(), file }
+    }
+
     /// Returns the text written so far.
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.text
     }
 
     /// Returns the finished text.
     pub fn into_string(self) -> String {
-        self.0
+        self.text
+    }
+
+    /// Appends the id of a part that the file refers to, which no other file in the page has.
+    pub fn own(&mut self, name: &'static str) -> &mut Self {
+        let file = self.file;
+        self.text(name).text("-").whole(file)
+    }
+
+    /// Appends a reference to a part, as the value of an attribute.
+    pub fn url(&mut self, name: &'static str) -> &mut Self {
+        self.text("url(#").own(name).text(")")
     }
 
     /// Appends markup.
@@ -30,7 +50,7 @@ impl Text {
     /// Appends the output of another `Text`, written here or in another module of the page.
     #[inline(never)]
     pub fn written(&mut self, markup: &str) -> &mut Self {
-        self.0.push_str(markup);
+        self.text.push_str(markup);
         self
     }
 
@@ -45,7 +65,7 @@ impl Text {
             digits[first] = b'0' + (rest % 10) as u8;
             rest /= 10;
         }
-        digits[first..].iter().for_each(|&digit| self.0.push(char::from(digit)));
+        digits[first..].iter().for_each(|&digit| self.text.push(char::from(digit)));
         self
     }
 
@@ -81,7 +101,7 @@ impl Text {
     pub fn colour(&mut self, colour: Colour) -> &mut Self {
         self.text("#");
         for half in colour.into_iter().flat_map(|channel| [channel >> 4, channel & 15]) {
-            self.0.push(char::from(b"0123456789abcdef"[usize::from(half)]));
+            self.text.push(char::from(b"0123456789abcdef"[usize::from(half)]));
         }
         self
     }
@@ -97,12 +117,12 @@ impl Text {
     pub fn escaped(&mut self, text: &str) -> &mut Self {
         for c in text.chars() {
             match c {
-                '&' => self.0.push_str("&amp;"),
-                '<' => self.0.push_str("&lt;"),
-                '>' => self.0.push_str("&gt;"),
-                '"' => self.0.push_str("&quot;"),
-                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => self.0.push('\u{fffd}'),
-                c => self.0.push(c),
+                '&' => self.text.push_str("&amp;"),
+                '<' => self.text.push_str("&lt;"),
+                '>' => self.text.push_str("&gt;"),
+                '"' => self.text.push_str("&quot;"),
+                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => self.text.push('\u{fffd}'),
+                c => self.text.push(c),
             }
         }
         self
@@ -117,28 +137,28 @@ mod tests {
     fn numbers_are_as_short_as_they_go() {
         for (hundredths, text) in [(0, "0"), (5, "0.05"), (-5, "-0.05"), (120, "1.2"), (-12345, "-123.45"), (700, "7")]
         {
-            assert_eq!(Text::default().hundredths(hundredths).0, text);
+            assert_eq!(Text::default().hundredths(hundredths).text, text);
         }
-        assert_eq!(Text::default().whole(u32::MAX).text(" ").whole(0).0, format!("{} 0", u32::MAX));
+        assert_eq!(Text::default().whole(u32::MAX).text(" ").whole(0).text, format!("{} 0", u32::MAX));
     }
 
     #[test]
     fn a_text_neither_begins_an_element_nor_ends_an_attribute() {
         let word = "a\" b='c' <d>&e;]]>\n\t\0\u{85}\u{fffe}\u{ffff}\u{202e}";
         let escaped = "a&quot; b='c' &lt;d&gt;&amp;e;]]&gt;\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{202e}";
-        assert_eq!(Text::default().escaped(word).0, escaped);
+        assert_eq!(Text::default().escaped(word).text, escaped);
     }
 
     #[test]
     fn an_attribute_ends_where_its_value_ends() {
         assert_eq!(
-            Text::default().attribute("aria-label", "\" onfocus=\"x").0,
+            Text::default().attribute("aria-label", "\" onfocus=\"x").text,
             " aria-label=\"&quot; onfocus=&quot;x\""
         );
     }
 
     #[test]
     fn colours_are_as_css_has_them() {
-        assert_eq!(Text::default().colour([0, 0x1f, 0xff]).0, "#001fff");
+        assert_eq!(Text::default().colour([0, 0x1f, 0xff]).text, "#001fff");
     }
 }

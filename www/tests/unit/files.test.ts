@@ -76,7 +76,7 @@ test("files of data have names, labels or not, and a shape has labels if they ar
   const shape = async (link: string): Promise<string> => (await fileOf(new engine.River(link), core, "svg")).text();
   expect(await shape(LINK)).not.toContain('id="labels"');
   const labelled = await shape(LABELLED);
-  expect(labelled).toMatch(/<mask id="halo"[\s\S]*mask="url\(#halo\)[\s\S]*<g id="labels"[\s\S]*<title>\w/);
+  expect(labelled).toMatch(/<mask id="(halo-\d+)"[\s\S]*mask="url\(#\1\)[\s\S]*<g id="labels"[\s\S]*<title>\w/);
 });
 
 test("a picture for a file has its labels", async () => {
