@@ -155,6 +155,28 @@ fn what_is_missing_cut_short_or_of_another_recipe_is_made_and_the_rest_left_alon
 }
 
 #[test]
+fn file_whose_beginning_is_cut_off_or_written_over_is_made_again_in_every_form() {
+    let folder = folder("beginnings");
+    // Bare heights are made again in any case.
+    let forms = || FORMS.into_iter().filter(|form| *form != "r16");
+    let patterns: Vec<String> = forms().map(|form| format!("{{seed}}.{form}")).collect();
+    let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
+    let call = || said(&folder, &[&[LINK, "--seeds", "1..1"], &OPTIONS[..], &outputs[..]].concat());
+    assert!(call().ends_with("riverseed: maps: 1 made\n"));
+    let whole = files(&folder);
+    for is_cut in [true, false] {
+        for (name, bytes) in &whole {
+            let spoilt = if is_cut { bytes[100..].to_vec() } else { [&[0; 8], &bytes[8..]].concat() };
+            fs::write(folder.join(name), spoilt).unwrap();
+        }
+        assert!(call().ends_with("riverseed: maps: 1 replaced\n"));
+        for ((name, bytes), (_, before)) in files(&folder).iter().zip(&whole) {
+            assert!(bytes == before, "{name}, cut off: {is_cut}");
+        }
+    }
+}
+
+#[test]
 fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let folder = folder("options");
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());

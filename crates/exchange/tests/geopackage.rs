@@ -1,10 +1,14 @@
 //! SQLite reads a GeoPackage, and finds in it what GeoJSON has.
 
 use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::mpsc;
+use std::time::Duration;
+use std::{fs, thread};
 
 use riverseed::export::geojson;
-use riverseed_exchange::Form;
 use riverseed_exchange::gis::{crs, geopackage};
+use riverseed_exchange::{Form, Found, Options};
 use rusqlite::types::Value;
 use rusqlite::{Connection, MAIN_DB};
 use serde_json::Value as Json;
@@ -268,4 +272,34 @@ fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
     let items: Vec<&str> =
         document.descendants().filter(|node| node.has_tag_name("MDI")).filter_map(|node| node.text()).collect();
     assert!(items[0].starts_with("seed=%3Cb%3E"), "{items:?}");
+}
+
+/// Says what is in the place of a map's file. A call that computes for ever fails its test.
+fn found(path: &Path, link: &str) -> Found {
+    const LONG_ENOUGH: Duration = Duration::from_secs(120);
+    let (path, recipe) = (path.to_owned(), riverseed::recipe::link::read(link).unwrap());
+    let (tell, told) = mpsc::channel();
+    thread::spawn(move || tell.send(Found::at(&path, Form::GeoPackage, &recipe, &Options::default())));
+    told.recv_timeout(LONG_ENOUGH).unwrap_or_else(|_| panic!("a foreign file holds up who looks for {link}"))
+}
+
+#[test]
+fn view_in_the_place_of_metadata_is_not_read() {
+    let link = LINKS[0];
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("geopackage");
+    fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("view.gpkg");
+    fs::write(&path, file(Form::GeoPackage, &map(link), None, None)).unwrap();
+    assert_eq!(found(&path, link), Found::Whole);
+    for view in [
+        "SELECT metadata FROM kept",
+        "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i FROM n) SELECT count(*) AS metadata FROM n",
+    ] {
+        fs::write(&path, file(Form::GeoPackage, &map(link), None, None)).unwrap();
+        let renamed =
+            "PRAGMA foreign_keys = OFF; CREATE TABLE kept AS SELECT * FROM gpkg_metadata; DROP TABLE gpkg_metadata;";
+        let change = format!("{renamed} CREATE VIEW gpkg_metadata AS {view}");
+        Connection::open(&path).unwrap().execute_batch(&change).unwrap();
+        assert_eq!(found(&path, link), Found::Other, "{view}");
+    }
 }

@@ -51,6 +51,11 @@ impl Found {
     }
 }
 
+/// The beginning of every SVG.
+const SVG_HEAD: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+/// The beginning of every style of QGIS.
+const QGIS_HEAD: &str = "<!DOCTYPE qgis ";
+
 /// The contents that a file has to have.
 struct Asked {
     /// The link of the recipe.
@@ -88,7 +93,7 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
     let escaped = || asked.link.replace('&', "&amp;");
     match form {
         Form::Png => Png::picture(asked).is_in(file),
-        Form::Svg => is_marked(file, &format!(">{}</metadata>", escaped()), "</svg>\n"),
+        Form::Svg => is_marked(file, SVG_HEAD, &format!(">{}</metadata>", escaped()), "</svg>\n"),
         Form::GeoJson => {
             is_between(file, &format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{},", link()), "]}\n")
         }
@@ -111,7 +116,7 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
         Form::GeoPackage => is_geopackage(file, asked),
         Form::GeoTiff => is_geotiff(file, asked.picture, geotiff::PICTURE, asked),
         Form::RasterTiff(layer) => is_geotiff(file, asked.rasters, geotiff::subject(layer), asked),
-        Form::HeightStyle => is_marked(file, &format!("value=\"{}\"", escaped()), "</qgis>\n"),
+        Form::HeightStyle => is_marked(file, QGIS_HEAD, &format!("value=\"{}\"", escaped()), "</qgis>\n"),
     }
 }
 

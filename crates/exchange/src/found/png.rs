@@ -21,6 +21,8 @@ pub struct Png {
 }
 
 impl Png {
+    /// The signature of every PNG, and the beginning of its first chunk, up to the sides.
+    const HEAD: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR";
     /// The last chunk of every PNG.
     const END: &[u8] = b"\0\0\0\0IEND\xae\x42\x60\x82";
 
@@ -46,7 +48,7 @@ impl Png {
             Some(meaning) => contains(start, meaning),
             None => !contains(start, MEANING),
         };
-        start.get(16..24) == Some(&[width, height].concat()) && contains(start, &self.chunk) && has_meaning
+        start.starts_with(&[Self::HEAD, &width, &height].concat()) && contains(start, &self.chunk) && has_meaning
     }
 }
 
@@ -67,13 +69,14 @@ pub fn is_pack(file: &File, asked: &Asked) -> Result<bool> {
     let mut entries = archive.entries(&mut buffer);
     let mut found = 0;
     while let Some(entry) = entries.next_entry().map_err(Error::other)? {
+        // A damaged entry fails here, whichever it is.
+        let content = archive.get_entry(entry.wayfinder()).map_err(Error::other)?;
         let name = entry.file_path();
         let png = match name.as_ref() {
             name if name == PICTURE.as_bytes() => &picture,
             name if name == format!("{}.png", Layer::Heights.name()).as_bytes() => &raster,
             _ => continue,
         };
-        let content = archive.get_entry(entry.wayfinder()).map_err(Error::other)?;
         let mut start = Vec::new();
         DeflateDecoder::new(content.reader()).take((png.chunk.len() + NEAR) as u64).read_to_end(&mut start)?;
         found += u32::from(png.begins(&start));

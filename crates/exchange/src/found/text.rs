@@ -12,9 +12,10 @@ pub fn is_between(file: &mut File, head: &str, tail: &str) -> Result<bool> {
     Ok(ends_with(file, tail.as_bytes())? && start(file, head.len())? == head.as_bytes())
 }
 
-/// Returns `true` if a file of markup has a text near its beginning, and ends with another.
-pub fn is_marked(file: &mut File, part: &str, tail: &str) -> Result<bool> {
-    Ok(ends_with(file, tail.as_bytes())? && contains(&start(file, part.len() + NEAR)?, part.as_bytes()))
+/// Returns `true` if a file of markup begins and ends with these texts, and has a part near its beginning.
+pub fn is_marked(file: &mut File, head: &str, part: &str, tail: &str) -> Result<bool> {
+    let start = start(file, part.len() + NEAR)?;
+    Ok(ends_with(file, tail.as_bytes())? && start.starts_with(head.as_bytes()) && contains(&start, part.as_bytes()))
 }
 
 /// Returns `true` if a file ends with these bytes.

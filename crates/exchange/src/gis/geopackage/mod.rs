@@ -34,8 +34,16 @@ pub fn write(mut out: impl Write, map: &Map) -> Result<()> {
 
 /// Returns `true` if a database is the GeoPackage of the map with this link.
 pub fn is_of(database: &Connection, link: &str) -> bool {
-    let read: rusqlite::Result<String> = database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get(0));
-    read.is_ok_and(|metadata| metadata.contains(&item("riverseed", link)))
+    let read = || database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get::<_, String>(0));
+    has_own_metadata(database) && read().is_ok_and(|metadata| metadata.contains(&item("riverseed", link)))
+}
+
+/// Returns `true` if metadata are in a table that was made as ours are. A view or a virtual table of somebody else may compute
+/// for ever when it is read.
+fn has_own_metadata(database: &Connection) -> bool {
+    const MADE_BY: &str = "SELECT sql FROM sqlite_schema WHERE type = 'table' AND name = 'gpkg_metadata'";
+    let made_by: rusqlite::Result<String> = database.query_row(MADE_BY, [], |row| row.get(0));
+    made_by.is_ok_and(|statement| schema::TABLES.contains(&format!("\n{statement};\n")))
 }
 
 /// Writes an item of metadata as GDAL writes it.
