@@ -38,10 +38,12 @@ use thiserror::Error;
 
 /// Memory for reading a call, including the table of parameters and small lists.
 const START: usize = 3_000_000;
+/// Memory of the stack, four times what any map has needed.
+const STACK: usize = 1 << 20;
 
 fn main() -> ExitCode {
-    take_stack();
-    match memory::ask(START).map_err(Failure::from).and_then(|()| run()) {
+    // Asked for first: an allocation that fails can be named, a stack that can't grow can't.
+    match memory::ask(STACK + START).map_err(Failure::from).and_then(|()| with_stack(run)) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of a pipe has read enough.
         Err(Failure::Output(error) | Failure::File { error, .. }) if error.kind() == io::ErrorKind::BrokenPipe => {
@@ -54,12 +56,16 @@ fn main() -> ExitCode {
     }
 }
 
-/// Takes the memory of the stack while there is some, four times what any map has needed: where the stack can't grow later, the system
-/// ends the program without a word. In a frame of its own, since later calls take the same memory then, not memory below it.
+/// Calls a function once the stack has its memory: where it can't grow later, the system ends the program without a word.
+fn with_stack<T>(call: impl FnOnce() -> T) -> T {
+    take_stack();
+    call()
+}
+
+/// Takes the memory of the stack. In a frame of its own, since later calls take the same memory then, not memory below it.
 #[inline(never)]
 fn take_stack() {
-    const BYTES: usize = 1 << 20;
-    let room = [0_u8; BYTES];
+    let room = [0_u8; STACK];
     black_box(&room);
 }
 
