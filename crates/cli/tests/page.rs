@@ -136,6 +136,29 @@ fn frame_of_jpeg(bytes: &[u8]) -> (u16, u16) {
     (number(7), number(5))
 }
 
+/// Writes the sign that turns text as pages show it.
+fn in_order(text: &str) -> String {
+    text.replace('\u{202e}', r"\u{202e}")
+}
+
+#[test]
+fn no_sign_that_turns_text_stands_in_a_page_and_the_element_has_the_seed_whole() {
+    const SEED: &str = "\u{202e}a\u{2066}b\u{200d}c";
+    let words = ["--seed", SEED, "--title", SEED, "--description", SEED, "--address", "https://example.org/"];
+    let folder = page("page-turned", "attractors=300", &words);
+    for file in ["index.html", "embed.html", "oembed.json"] {
+        let text = text(&folder, file);
+        assert!(!text.contains(['\u{202e}', '\u{2066}']) && text.contains(r"\u{202e}a"), "{file}: {text}");
+        assert!(text.contains("\u{200d}"), "{file}: letters are joined");
+    }
+    with_nodes(&text(&folder, "index.html"), |html| {
+        let element = html.descendants().find(|node| node.has_tag_name("river-seed")).unwrap();
+        assert_eq!(element.attribute("seed"), Some(SEED));
+        let pasted = html.descendants().filter(|node| node.has_tag_name("code")).nth(1).unwrap().text().unwrap();
+        assert!(pasted.contains("seed=\"&#x202e;a&#x2066;b"), "{pasted}");
+    });
+}
+
 #[test]
 fn hostile_seeds_are_text_on_the_page_and_no_path() {
     for (i, seed) in [
@@ -160,14 +183,14 @@ fn hostile_seeds_are_text_on_the_page_and_no_path() {
         let [made] = &made[..] else { panic!("{seed}: {made:?}") };
         with_nodes(&text(made, "index.html"), |html| {
             let heading = html.descendants().find(|node| node.has_tag_name("h1")).unwrap();
-            assert_eq!(heading.text(), Some(seed));
+            assert_eq!(heading.text(), Some(&*in_order(seed)));
             assert!(html.descendants().all(|node| !node.has_tag_name("script")), "{seed}");
             let is_handler = |node: roxmltree::Node<'_, '_>| node.attributes().any(|one| one.name().starts_with("on"));
             assert!(!html.descendants().any(is_handler), "{seed}");
         });
         let response: Value = serde_json::from_str(&text(made, "oembed.json")).unwrap();
         with_nodes(response["html"].as_str().unwrap(), |frame| {
-            assert_eq!(frame.root_element().attribute("title"), Some(seed));
+            assert_eq!(frame.root_element().attribute("title"), Some(&*in_order(seed)));
             assert_eq!(frame.root_element().children().count(), 0);
         });
     }

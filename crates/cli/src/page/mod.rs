@@ -23,6 +23,7 @@ use riverseed::recipe::{Key, link};
 use self::address::Address;
 use self::element::Element;
 use self::folder::Folder;
+use self::markup::in_order;
 use self::shots::Shots;
 use self::templates::{Content, Shot};
 use super::batch::{PLACE, with_seed};
@@ -78,14 +79,14 @@ impl Asked {
     /// Collects all that the page of a finished map says.
     fn content(self, map: &Map, shots: &Shots) -> Result<Content, Failure> {
         let (recipe, names) = (map.recipe(), Names::of(map));
-        let name = self.title.unwrap_or_else(|| words::name(&names, recipe));
+        let name = in_order(&self.title.unwrap_or_else(|| words::name(&names, recipe)));
         let link = link::write_for_file(recipe);
         let letters = self.element.script().and_then(|_| attributes::letters(map));
         let (width, height) = shots.size();
         Ok(Content {
             title: name.clone(),
-            description: self.description.unwrap_or_else(|| words::description(map, &names)),
-            alternative: words::alternative(&names, &name),
+            description: in_order(&self.description.unwrap_or_else(|| words::description(map, &names))),
+            alternative: in_order(&words::alternative(&names, &name)),
             settings: words::settings(&link)?,
             aspect: Key::Aspect.parameter().text_of(recipe.value(Key::Aspect)),
             ratio: map.domain().size,

@@ -13,7 +13,7 @@ use super::attributes::attribute;
 use super::card;
 use super::element::Element;
 use super::file_names::{CARD, JPEG, OEMBED, PNG, SHAPE, SHEET};
-use super::markup::escaped;
+use super::markup::{escaped, referenced};
 
 /// All that a page says.
 pub struct Content {
@@ -64,6 +64,7 @@ pub fn embed(content: &Content) -> Result<String, Failure> {
 fn filled(name: &str, data: &Value) -> Result<String, Failure> {
     let mut templates = Handlebars::new();
     templates.set_strict_mode(false);
+    templates.register_escape_fn(|text| referenced(&handlebars::html_escape(text)));
     for (name, text) in [
         ("head", include_str!("templates/head.hbs")),
         ("page", include_str!("templates/page.hbs")),

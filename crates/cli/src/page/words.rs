@@ -9,6 +9,7 @@ use riverseed::recipe::{Kind, Parameter, Recipe, link, shown};
 use serde_json::{Value, json};
 
 use super::super::Failure;
+use super::markup::in_order;
 
 /// The most characters of a title and of a description.
 const LONGEST: usize = 300;
@@ -65,8 +66,8 @@ pub fn alternative(names: &Names, name: &str) -> String {
 /// Fails if the link cannot be read.
 pub fn settings(link: &str) -> Result<Vec<Value>, Failure> {
     let row = |(key, text): (String, String)| match TABLE.iter().find(|row| row.name == key) {
-        Some(row) => json!({ "label": row.label, "value": worded(row, &text) }),
-        None => json!({ "label": key, "value": text }),
+        Some(row) => json!({ "label": row.label, "value": in_order(&worded(row, &text)) }),
+        None => json!({ "label": key, "value": in_order(&text) }),
     };
     Ok(link::pairs(link)?.into_iter().map(row).collect())
 }
