@@ -110,7 +110,7 @@ fn page_arguments() -> [Arg; 9] {
         Arg::new("replace")
             .long("replace")
             .action(ArgAction::SetTrue)
-            .help("Overwrite an index.html that this command did not write"),
+            .help("Replace files in the way that this command did not write, or that were changed since"),
     ]
 }
 

@@ -8,6 +8,7 @@ mod batch;
 mod commands;
 mod form;
 mod grow;
+mod hash;
 mod map;
 mod mask;
 mod measure;
@@ -140,8 +141,13 @@ enum Failure {
     Words { option: &'static str, reason: &'static str },
     #[error("{}: this is a file, not a folder", path.display())]
     NoFolder { path: PathBuf },
-    #[error("{}: this file was not written by 'riverseed page'; --replace overwrites it", path.display())]
+    #[error(
+        "{}: this is not what 'riverseed page' wrote there, by its list riverseed-page.json; --replace replaces it",
+        path.display()
+    )]
     OtherPage { path: PathBuf },
+    #[error("{failure}: stopped half-way; what was there before is in {}", path.display())]
+    HalfWay { failure: Box<Self>, path: PathBuf },
     #[error("{failed} of {all} maps were not made")]
     Maps { failed: u64, all: u64 },
     #[error("{failure}: stopped before all {all} maps were there{advice}")]
@@ -177,6 +183,7 @@ impl Failure {
             | Self::File { .. }
             | Self::Picture { .. }
             | Self::OtherPage { .. }
+            | Self::HalfWay { .. }
             | Self::Differs { .. }
             | Self::Maps { .. }
             | Self::Stopped { .. }

@@ -4,6 +4,8 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
+#[cfg(unix)]
+use crate::command::ended;
 use crate::maps::{self, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 #[test]
@@ -55,23 +57,6 @@ fn it_is_no_failure_if_nobody_reads_all_lines() {
     let output = running.wait_with_output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && !said.contains("Broken pipe"), "{said}");
-}
-
-/// Returns the exit code and the standard error of a call. A call that hangs is ended, and its test fails.
-#[cfg(unix)]
-fn ended(call: &mut Command) -> (i32, String) {
-    const LONG_ENOUGH: u32 = 12_000;
-    let mut running = call.stderr(Stdio::piped()).spawn().unwrap();
-    let ends = (0..LONG_ENOUGH).any(|_| {
-        std::thread::sleep(std::time::Duration::from_millis(10));
-        running.try_wait().unwrap().is_some()
-    });
-    if !ends {
-        running.kill().unwrap();
-        panic!("{call:?} hangs");
-    }
-    let output = running.wait_with_output().unwrap();
-    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 
 #[cfg(unix)]

@@ -13,3 +13,4 @@ mod maps;
 #[cfg(target_os = "linux")]
 mod output;
 mod page;
+mod page_owns;

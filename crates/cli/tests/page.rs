@@ -46,6 +46,13 @@ fn names(folder: &Path) -> BTreeSet<String> {
     fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
+/// Returns the names of all that is in a page's folder, with others.
+fn whole(others: &[&str]) -> BTreeSet<String> {
+    const ALL: [&str; 8] =
+        ["card.jpg", "embed.html", "index.html", "map.jpg", "map.png", "page.css", "riverseed-page.json", "shape.css"];
+    ALL.iter().chain(others).map(|name| (*name).into()).collect()
+}
+
 /// Reads the page as a tree of nodes. The template is well-formed XML, but for its first line.
 fn with_nodes<T>(html: &str, read: impl FnOnce(&roxmltree::Document<'_>) -> T) -> T {
     let html = html.replace("<!doctype html>", "");
@@ -56,8 +63,7 @@ fn with_nodes<T>(html: &str, read: impl FnOnce(&roxmltree::Document<'_>) -> T) -
 #[test]
 fn folder_has_all_that_its_page_shows_and_all_addresses_in_it_are_relative() {
     let folder = page("page-whole", &format!("{FEW}kauri"), &[]);
-    let there = ["card.jpg", "element", "embed.html", "index.html", "map.jpg", "map.png", "page.css", "shape.css"];
-    assert_eq!(names(&folder), there.map(String::from).into());
+    assert_eq!(names(&folder), whole(&["element"]));
     assert_eq!(
         names(&folder.join("element")),
         ["river-seed.js", "riverseed_bg.wasm"].map(String::from).into(),
@@ -214,38 +220,6 @@ fn maps_that_the_element_would_not_grow_whole_are_pictures() {
 
 fn out_of(name: &str) -> PathBuf {
     scratch(name).join("out")
-}
-
-#[test]
-fn files_of_others_are_kept_unless_they_are_to_be_replaced() {
-    // The page of the gallery is none of this command, either.
-    for (i, name) in ["index.html", "map.png", "element", "page.css"].into_iter().enumerate() {
-        let test = format!("page-other-{i}");
-        let (folder, files) = (out(&test), element(&test));
-        fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join(name), "<meta name=\"generator\" content=\"Riverseed\" />").unwrap();
-        let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--element", &files, "--size", "256"];
-        let (code, said) = refusal(&call);
-        assert!(code == 1 && said.contains(name) && said.contains("--replace"), "{code}: {said}");
-        assert_eq!(names(&folder), [name.to_owned()].into(), "nothing else is written");
-        if name != "element" {
-            assert!(riverseed(&[&call[..], &["--replace"]].concat()).status.success());
-            assert!(riverseed(&call).status.success(), "its own page is replaced");
-        }
-    }
-}
-
-#[test]
-fn nothing_of_an_earlier_page_stays_that_the_new_one_does_not_have() {
-    let folder = page("page-again", &format!("{FEW}kauri"), &["--address", "https://example.org/"]);
-    fs::write(folder.join("element/mine.txt"), "mine").unwrap();
-    fs::write(folder.join("mine.txt"), "mine").unwrap();
-    let call = ["page", "attractors=300", "-o", folder.to_str().unwrap(), "--no-element", "--size", "256"];
-    assert!(riverseed(&call).status.success());
-    let there =
-        ["card.jpg", "element", "embed.html", "index.html", "map.jpg", "map.png", "mine.txt", "page.css", "shape.css"];
-    assert_eq!(names(&folder), there.map(String::from).into());
-    assert_eq!(names(&folder.join("element")), ["mine.txt".to_owned()].into());
 }
 
 #[test]

@@ -12,13 +12,12 @@ use riverseed::recipe::reading::{ReadOptions, read};
 use super::super::order::Order;
 use super::super::{Failure, say};
 use super::address::Address;
+use super::file_names::{ELEMENT, is_of_a_page, of_element};
 
 /// The element's script, which must be in the folder.
 const SCRIPT: &str = "river-seed.js";
 /// Scripts beside it that no page of a server loads: the variant for pages opened from disk, and the one for Node.
 const UNUSED: [&str; 2] = ["river-seed.classic.js", "node.js"];
-/// The folder of the element in that of the page.
-pub const FOLDER: &str = "element";
 /// Names the folder of the element's files where `--element` does not.
 const VARIABLE: &str = "RIVERSEED_ELEMENT";
 
@@ -71,7 +70,7 @@ impl Element {
     pub fn script(&self) -> Option<String> {
         match self {
             Self::None => None,
-            Self::Files(_) => Some(format!("{FOLDER}/{SCRIPT}")),
+            Self::Files(_) => Some(of_element(SCRIPT)),
             Self::Elsewhere(address) => Some(address.of(SCRIPT)),
         }
     }
@@ -88,7 +87,7 @@ impl Element {
 /// Finds the folder `share/riverseed/element` of the installation that the program belongs to, if there is one.
 fn beside_the_program() -> Option<OsString> {
     let program = env::current_exe().ok()?;
-    let folder = program.parent()?.parent()?.join("share/riverseed").join(FOLDER);
+    let folder = program.parent()?.parent()?.join("share/riverseed").join(ELEMENT);
     folder.join(SCRIPT).is_file().then(|| folder.into())
 }
 
@@ -100,17 +99,21 @@ fn files(named_by: &'static str, folder: &Path) -> Result<Vec<PathBuf>, Failure>
     if !folder.join(SCRIPT).is_file() {
         return Err(Failure::NotElement { named_by, path: folder.into() });
     }
-    let mut paths = code_in(folder)?;
-    paths.retain(|path| !UNUSED.iter().any(|name| path.ends_with(name)));
-    Ok(paths)
-}
-
-/// Lists all scripts and wasm files of a folder, in the order of their names.
-pub fn code_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(Failure::file(folder))?;
     let paths = entries.map(|entry| Ok(entry.map_err(Failure::file(folder))?.path()));
     let mut paths = paths.collect::<Result<Vec<_>, Failure>>()?;
-    paths.retain(|path| path.extension().is_some_and(|ending| ending == "js" || ending == "wasm") && path.is_file());
+    paths.retain(|path| is_loaded(path));
     paths.sort_unstable();
     Ok(paths)
+}
+
+/// Returns `true` for a script or a wasm file that pages load.
+fn is_loaded(path: &Path) -> bool {
+    let is_code = path.extension().is_some_and(|ending| ending == "js" || ending == "wasm") && path.is_file();
+    is_code && !UNUSED.iter().any(|name| path.ends_with(name)) && name_in_page(path).is_some()
+}
+
+/// Returns the name of an element's file in the folder of the page; `None` for a name that no address can have.
+pub fn name_in_page(path: &Path) -> Option<String> {
+    path.file_name().and_then(|name| name.to_str()).map(of_element).filter(|name| is_of_a_page(name))
 }

@@ -5,11 +5,16 @@ mod address;
 mod attributes;
 mod card;
 mod element;
+mod exchange;
 mod file_names;
+mod files;
 mod folder;
+mod list;
 mod markup;
 mod oembed;
+mod place;
 mod shots;
+mod stage;
 mod templates;
 mod words;
 
@@ -37,7 +42,8 @@ use super::{Failure, say};
 pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
     let asked = Asked::of(matches, &order)?;
-    let folder = Folder::open(&folder_of(matches, order.recipe.seed())?, matches.get_flag("replace"))?;
+    let names = files::names(&asked.element, asked.address.as_ref());
+    let folder = Folder::open(&folder_of(matches, order.recipe.seed())?, &names, matches.get_flag("replace"))?;
     order.say_what_is_idle(&[true]);
     say_what_has_no_letters(&order.recipe, &say);
     if asked.address.is_none() {
@@ -49,7 +55,7 @@ pub fn page(matches: &ArgMatches) -> Result<(), Failure> {
     let shots = Shots::take(&mut session, size, asked.title.as_deref(), &progress)?;
     let map = session.finish()?;
     say_what_is_unused(&map, &say);
-    folder.write(&asked.content(&map, &shots)?, &shots)?;
+    folder.write(&files::all(&asked.content(&map, &shots)?, shots)?)?;
     progress.finish_and_clear();
     Ok(())
 }
