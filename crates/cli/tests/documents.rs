@@ -74,6 +74,8 @@ fn draw_land(path: &Path) {
 fn commands_of_readme_and_the_page_about_the_command_line_work() {
     for page in ["README.md", "docs/command-line.md", "docs/batch.md", "docs/gis.md", "docs/engines.md"] {
         let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents").join(page);
+        // What an earlier run left may be of an earlier program.
+        let _ = fs::remove_dir_all(&folder);
         fs::create_dir_all(&folder).unwrap();
         draw_land(&folder.join("coast.png"));
         fs::create_dir_all(folder.join("out")).unwrap();

@@ -14,10 +14,7 @@ const RUNGS: [u32; 14] = [0, 1, 2, 3, 5, 8, 12, 18, 26, 36, 50, 70, 100, 2000];
 
 /// Calls the program with a limit on its address space, in megabytes.
 fn call_within(megabytes: u32, arguments: &[&str]) -> Output {
-    call_within_kilobytes(megabytes * 1000, arguments)
-}
-
-fn call_within_kilobytes(kilobytes: u32, arguments: &[&str]) -> Output {
+    let kilobytes = megabytes * 1000;
     let limited = format!("ulimit -v {kilobytes} && exec \"$@\"");
     Command::new("sh").args([&["-c", &limited, "sh", RIVERSEED], arguments].concat()).output().unwrap()
 }
@@ -90,18 +87,4 @@ fn too_little_memory_is_exit_code_1_with_a_picture_as_the_land() {
     land(&picture, (1500, 1000));
     let picture = picture.to_str().unwrap();
     check("land.png", &["seed=kea&attractors=600", "--land", picture]);
-}
-
-#[test]
-fn stack_that_cannot_be_had_is_refused_with_a_word() {
-    /// The steps between limits, and the room in which the language starts, which nobody can refuse for it. A stack is larger.
-    const STEP: u32 = 50;
-    const START: u32 = 500;
-    /// The exit code of the system's loader.
-    const NOT_LOADED: Option<i32> = Some(127);
-    let most = least_to_start() * 1000;
-    let limits = (0..).map(|i| most - i * STEP).take_while(|limit| *limit > 4000);
-    let codes = limits.map(|limit| call_within_kilobytes(limit, &["table"]).status.code());
-    let silent = codes.take_while(|code| *code != NOT_LOADED).filter(Option::is_none).count();
-    assert!(silent as u32 * STEP < START, "{silent} limits end the program without a word");
 }
