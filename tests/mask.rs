@@ -154,7 +154,7 @@ fn picture_and_files_are_made_of_the_land_given() {
         let mut picture = Picture::new(900, 600).unwrap();
         picture.paint(&session);
         let svg = export::svg::svg(&session.map().unwrap()).unwrap();
-        assert!(svg.contains("id=\"coast\"") && svg.contains("id=\"river-0\""), "{style}");
+        assert!(svg.contains("class=\"coast\"") && svg.contains("id=\"river-0\""), "{style}");
         if style == "atlas" {
             let of = |is_land: bool| {
                 let pixels = picture.pixmap().pixels().iter().zip(&mask.is_land);
