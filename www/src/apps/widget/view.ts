@@ -39,7 +39,7 @@ export class View {
   /** `pressed` is called for the button, `recoloured` when the page's colour scheme has changed. */
   constructor(root: ShadowRoot, pressed: () => void, recoloured: () => void) {
     root.adoptedStyleSheets = [sharedSheet(), this.#own];
-    root.append(svg("svg", { class: "strut" }), this.#box, this.#status);
+    root.append(svg("svg", { class: "strut", "aria-hidden": "true" }), this.#box, this.#status);
     this.#button.addEventListener("click", pressed);
     this.#caption.addEventListener("slotchange", () => this.#applyRules());
     // There is no event for it, but the system's colours change, and this one has a transition.
