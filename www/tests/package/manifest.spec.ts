@@ -85,7 +85,10 @@ test("events are those that are heard", async ({ page }) => {
     element.events.map(({ name }) => name),
   );
   await expect.poll(() => [...heard].sort()).toEqual(["complete", "progress", "ready"]);
-  await page.locator("river-seed").evaluate((river) => river.setAttribute("aspect", "none"));
+  await page
+    .locator("river-seed")
+    .last()
+    .evaluate((river) => river.setAttribute("aspect", "none"));
   await expect.poll(() => [...heard].sort()).toEqual(["complete", "corrected", "progress", "ready"]);
   await page.route("**/*.wasm", (route) => route.abort());
   await page.reload();
