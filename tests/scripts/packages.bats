@@ -141,7 +141,15 @@ demo() {
 }
 
 @test "a widget above its limit stops the check of weights, and no build" {
-  mkdir "$checkout/www/dist-widget"
+  mkdir -p "$checkout/www/dist-widget" "$checkout/www/pkg-engine"
+  cat >"$checkout/www/pkg-engine/riverseed_engine.js" <<'ENGINE'
+export const initSync = () => {};
+export class River {
+  advance() { return false; }
+  lettersFor() { return "letters"; }
+}
+ENGINE
+  echo 1 >"$checkout/www/pkg-engine/riverseed_engine_bg.wasm"
   local name
   for name in core.js worker.js tag-page-backend.js river-seed.classic.js riverseed_bg.wasm riverseed_label_bg.wasm; do echo 1 >"$checkout/www/dist-widget/$name"; done
   head -c 20000 /dev/urandom >"$checkout/www/dist-widget/river-seed.js"
