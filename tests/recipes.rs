@@ -4,8 +4,8 @@
 use crate::common::property::{cases, large};
 use crate::common::random_link;
 use proptest::prelude::*;
-use riverseed::recipe::reading::{ReadOptions, read};
-use riverseed::recipe::{Recipe, RecipeError, json, link, preset, table::TABLE};
+use riverseed::recipe::reading::{ReadOptions, Reading, read, read_given};
+use riverseed::recipe::{Key, Recipe, RecipeError, given, json, link, preset, table::TABLE};
 
 fn assert_in_range(recipe: &Recipe) {
     for parameter in &TABLE {
@@ -83,6 +83,105 @@ proptest! {
         prop_assert_eq!(&again.recipe, &reading.recipe);
         prop_assert_eq!(&again.notices, &vec![]);
         prop_assert_eq!(again.shared_link(), reading.shared_link());
+    }
+}
+
+/// What may stand before a link, and behind it.
+const BEFORE: &[&str] = &[
+    "",
+    "",
+    "https://example.org/?",
+    "a://b#c?",
+    "?",
+    "<",
+    "[a](https://example.org/#",
+    "x=y&",
+    "\n> ",
+    "amp;",
+    "#38;",
+];
+const BEHIND: &[&str] = &[
+    "",
+    "",
+    ")",
+    ").",
+    ",",
+    "%20",
+    "+",
+    "\r\n",
+    "&amp;land=valley",
+    "#seed=rimu",
+    "\">a</a>",
+    " and more",
+    "://?seed=a",
+];
+
+/// Text that almost looks like what people paste: a link in an address, encoded, or with signs around it.
+fn pasted() -> impl Strategy<Value = String> {
+    let link = prop_oneof![mangled_link(), random_link(1_000_000), ".{0,40}"];
+    let (before, after) = (proptest::sample::select(BEFORE), proptest::sample::select(BEHIND));
+    (before, link, after, 0..3).prop_map(|(before, link, after, codings)| {
+        let encoded = |text: String| form_urlencoded::byte_serialize(text.as_bytes()).collect::<String>();
+        (0..codings).fold(format!("{before}{link}{after}"), |text, _| encoded(text))
+    })
+}
+
+/// Reads what was handed over to a page.
+fn on_page(text: &str) -> Reading {
+    read_given(text, "", ReadOptions::default())
+}
+
+/// A recipe with any seed.
+fn random_recipe() -> impl Strategy<Value = Recipe> {
+    let seed = prop_oneof!["[^\\p{C}\u{fffd}]{0,64}", "[ -~]{0,64}", "[?#&=%:/;.)a]{0,20}"];
+    (random_link(1_000_000), seed).prop_map(|(text, seed)| {
+        let mut recipe = link::read(&text).unwrap();
+        recipe.set(Key::Seed, &seed).unwrap();
+        recipe
+    })
+}
+
+/// Writes names and values as a link.
+fn written(pairs: &[(String, String)]) -> String {
+    form_urlencoded::Serializer::new(String::new()).extend_pairs(pairs).finish()
+}
+
+proptest! {
+    #![proptest_config(large(20_000))]
+
+    #[test]
+    fn a_link_that_the_program_wrote_is_handed_over_unchanged(recipe in random_recipe()) {
+        for text in [link::write(&recipe), link::write_for_file(&recipe)] {
+            prop_assert_eq!(given::pairs(&text), Ok((link::pairs(&text).unwrap(), vec![])));
+            prop_assert!(!given::is_address(&text));
+            prop_assert_eq!(on_page(&text).recipe, recipe.clone());
+        }
+    }
+
+    #[test]
+    fn a_pasted_address_of_a_recipe_is_that_recipe(recipe in random_recipe(), host in "[a-z]{1,9}://[a-z./-]{1,20}[?#]|[?#]") {
+        let address = format!("{host}{recipe}");
+        prop_assert!(given::is_address(&address));
+        let (pairs, notices) = given::pairs(&address).unwrap();
+        prop_assert_eq!(link::apply(Recipe::default(), &pairs), Ok(recipe.clone()));
+        prop_assert_eq!(notices, vec![]);
+        let encoded = form_urlencoded::byte_serialize(address.as_bytes()).collect::<String>();
+        // What stands around an address is known by its beginning.
+        let around = ["<[]>", "([]),", "\"[]\"", "[a]([])", "<a href='[]'>a</a>"].map(|around| around.replace("[]", &address));
+        let around = around.into_iter().filter(|_| host.contains("://"));
+        for damaged in [encoded].into_iter().chain(around) {
+            let reading = on_page(&damaged);
+            prop_assert_eq!(&reading.recipe, &recipe);
+            prop_assert_eq!(reading.notices.len(), 1);
+        }
+    }
+
+    #[test]
+    fn any_pasted_text_is_read_and_what_was_read_is_read_again_as_it_is(text in pasted()) {
+        let reading = on_page(&text);
+        assert_in_range(&reading.recipe);
+        let (pairs, _) = given::pairs(&text).unwrap();
+        prop_assert_eq!(given::pairs(&written(&pairs)), Ok((pairs, vec![])));
     }
 }
 

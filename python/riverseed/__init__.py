@@ -57,7 +57,7 @@ def grow(link: str = "", /, **parameters: str | float) -> Map:
     """Grow a map.
 
     Args:
-        link: Link text, such as ``"seed=kauri&curl=0.6"``.
+        link: Link text, such as ``"seed=kauri&curl=0.6"``, the address of a map, or a word.
         parameters: Values over those of the link, by their names with underscores for dashes: ``meander_rounds=20``.
 
     Raises:

@@ -95,7 +95,7 @@ class Widget(AnyWidget):
         """Make a widget of a map.
 
         Args:
-            link: Link text, such as ``"seed=kauri&curl=0.6"``, or a map.
+            link: Link text, such as ``"seed=kauri&curl=0.6"``, the address of a map, a word, or a map.
             options: Values of parameters, as for `riverseed.grow`; ``still``, ``controls``, ``speed``, ``theme``,
                 ``alt`` and ``paused``; ``layout``, as for all widgets.
 

@@ -20,7 +20,7 @@ pub struct Map {
 impl Map {
     /// Grows a map to its end.
     pub fn grow(py: Python<'_>, link: &str, parameters: Parameters) -> PyResult<Self> {
-        let recipe = order::recipe(link, parameters)?;
+        let recipe = order::recipe(py, link, parameters)?;
         let mut session = py.detach(|| Session::new(recipe)).map_err(Failure::from)?;
         steps::run(py, || Ok(session.advance(1)?))?;
         let summary = session.summary();

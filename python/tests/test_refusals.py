@@ -35,13 +35,26 @@ def test_parameters_are_refused_in_words_that_help(parameters: dict[str, Any], m
         riverseed.grow("seed=kauri", **parameters)
 
 
+def test_addresses_and_words_are_read_and_damage_is_told() -> None:
+    wanted = riverseed.grow("seed=rimu", attractors=100).link
+    address = "https://rivers.example/?seed=rimu&attractors=100"
+    assert [riverseed.grow(text).link for text in (address, "?seed=rimu&attractors=100")] == [wanted] * 2
+    assert riverseed.grow("rimu", attractors=100).link == wanted
+    assert riverseed.grow("curl=1", seed=address).link == wanted
+    with pytest.warns(UserWarning, match="damaged on its way, and has been mended"):
+        assert riverseed.grow("seed=rimu&amp;attractors=100").link == wanted
+    with pytest.warns(UserWarning, match="there is no parameter 'utm_source': it is left out"):
+        assert riverseed.grow(f"{address}&utm_source=mail").link == wanted
+
+
 def test_links_are_refused_in_words_that_help() -> None:
     links = {
         "curl=3": "curl: 3 is not between 0 and 2",
         "curl=1&curl=1": "'curl' is given more than once",
         "seed=%FF": "seed: the text holds a character that cannot be shown",
         "seed=" + "x" * 21_000: "link: the text has 21005 characters, at most 20480 are allowed",
-        "\0": "there is no parameter",
+        "\0": "seed: the text holds a character that cannot be shown",
+        "frog=1": "there is no parameter 'frog'",
         "outline=~~~&land=drawn": "outline: ",
         "seed=\ud800": "surrogates not allowed",
     }

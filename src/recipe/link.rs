@@ -22,11 +22,14 @@ pub const LONGEST: usize = 20_480;
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";
 
+/// Names of parameters and the texts of their values, as they follow each other in a link.
+pub type Pairs = Vec<(String, String)>;
+
 /// A correction that lenient reading made.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Notice {
-    /// The corrected key; empty for the link as a whole.
+    /// The corrected key; `link` if damage to the link was mended, and empty for the link as a whole.
     pub key: String,
     /// A sentence that names the fault and the value used instead.
     pub message: String,
@@ -72,7 +75,7 @@ impl FromStr for Recipe {
     }
 }
 
-/// Reads link text strictly. A leading `?` or `#` is allowed.
+/// Reads link text strictly. What people hand over goes through [`given`](super::given) first.
 ///
 /// # Errors
 /// Refuses unknown and repeated keys, values that are not of their kind or out of range, and text that is too long.
@@ -84,11 +87,15 @@ pub fn read(link: &str) -> Result<Recipe, RecipeError> {
 ///
 /// # Errors
 /// If the link is too long.
-pub fn pairs(link: &str) -> Result<Vec<(String, String)>, RecipeError> {
-    if link.len() > LONGEST {
-        return Err(RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST });
-    }
+pub fn pairs(link: &str) -> Result<Pairs, RecipeError> {
+    refuse_if_long(link)?;
     Ok(split(link))
+}
+
+/// Refuses a link that is too long.
+pub(super) fn refuse_if_long(link: &str) -> Result<(), RecipeError> {
+    let length = link.len();
+    if length > LONGEST { Err(RecipeError::TooLong { key: "link", length, max: LONGEST }) } else { Ok(()) }
 }
 
 /// Applies names and values to a recipe: a preset first, then everything else. All strict reading goes through here.
@@ -117,16 +124,14 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
 /// Reads link text as well as possible: values out of range are clamped, unreadable values and unknown keys are
 /// ignored, and each correction is reported. Never fails.
 pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
-    let (recipe, notices, _) = read_and_tell_keys(link);
-    (recipe, notices)
+    let mut notices = Vec::new();
+    let pairs = split(shorten(link, &mut notices));
+    (apply_leniently(&pairs, &mut notices).0, notices)
 }
 
-/// Reads as [`read_leniently`] does; also returns for each parameter whether the link names it.
-pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TABLE.len()]) {
+/// Applies names and values to the default recipe as [`read_leniently`] does; also returns for each parameter whether it is named.
+pub(super) fn apply_leniently(pairs: &[(String, String)], notices: &mut Vec<Notice>) -> (Recipe, [bool; TABLE.len()]) {
     let mut recipe = Recipe::default();
-    let mut notices = Vec::new();
-    let link = shorten(link, &mut notices);
-    let pairs = split(link);
     let mut presets = pairs.iter().filter(|(key, _)| key == PRESET);
     if let Some(Err(error)) = presets.next().map(|(_, name)| apply_preset(&mut recipe, name)) {
         notices.push(Notice { key: PRESET.into(), message: error.to_string() });
@@ -137,8 +142,7 @@ pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TAB
     let mut seen = [false; TABLE.len()];
     for (name, text) in pairs.iter().filter(|(key, _)| key != PRESET) {
         let Some(key) = Key::from_name(name) else {
-            let error = RecipeError::UnknownKey { key: shown(name) };
-            notices.push(Notice { key: shown(name), message: format!("{error}: it is left out") });
+            notices.push(unknown(name));
             continue;
         };
         if std::mem::replace(&mut seen[key as usize], true) {
@@ -147,7 +151,13 @@ pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TAB
             notices.push(correct(&mut recipe, key, text, &error));
         }
     }
-    (recipe, notices, seen)
+    (recipe, seen)
+}
+
+/// Returns the notice that there is no parameter of a name.
+pub(super) fn unknown(name: &str) -> Notice {
+    let error = RecipeError::UnknownKey { key: shown(name) };
+    Notice { key: shown(name), message: format!("{error}: it is left out") }
 }
 
 fn repeated(name: &str) -> Notice {
@@ -193,19 +203,16 @@ fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {
 }
 
 /// Cuts a link that is too long, and adds a notice if it did.
-fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
-    if link.len() <= LONGEST {
-        return link;
-    }
-    let error = RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST };
+pub(super) fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
+    let Err(error) = refuse_if_long(link) else { return link };
     notices.push(Notice { key: String::new(), message: format!("{error}: the rest is left out") });
     (0..=LONGEST).rev().find_map(|end| link.get(..end)).unwrap_or("")
 }
 
 /// Splits link text into names and values. Accepts any bytes.
-fn split(link: &str) -> Vec<(String, String)> {
-    let query = link.trim().trim_start_matches(['?', '#']);
-    form_urlencoded::parse(query.as_bytes())
+#[inline(never)] // each copy weighs a thousand bytes
+pub(super) fn split(link: &str) -> Pairs {
+    form_urlencoded::parse(link.as_bytes())
         .into_owned()
         .filter(|(key, value)| !(key.is_empty() && value.is_empty()))
         .collect()
@@ -245,7 +252,7 @@ mod tests {
 
     #[test]
     fn lenient_reading_clamps_and_tells() {
-        let (recipe, notices) = read_leniently("?curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
+        let (recipe, notices) = read_leniently("curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
         assert_eq!(recipe.number(NumberKey::Curl), 2.0);
         assert_eq!(recipe.integer(IntegerKey::Mouths), 3);
         assert_eq!(recipe.value(Key::Trim), &Key::Trim.parameter().default_value());

@@ -9,6 +9,7 @@
 mod annotation;
 pub mod choice;
 mod error;
+pub mod given;
 mod hidden;
 mod inactive;
 #[cfg(feature = "json")]

@@ -1,12 +1,12 @@
-//! Lenient reading of links for pages and widgets: on dark pages in a dark style unless the link names one, in widgets
-//! within their limits.
+//! Lenient reading of links, and of what people hand over, for pages and widgets: on dark pages in a dark style unless the link names
+//! one, in widgets within their limits.
 
-use super::Recipe;
 use super::choice::{GrowthMethod, LandKind};
 use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
 use super::style::Style;
 use super::value::Value;
+use super::{Recipe, given};
 
 /// The place where a link's rivers are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,7 +31,27 @@ pub struct Reading {
 
 /// Reads link text as [`link::read_leniently`] does, then applies the options. Never fails.
 pub fn read(text: &str, options: ReadOptions) -> Reading {
-    let (mut recipe, mut notices, is_given) = link::read_and_tell_keys(text);
+    let mut notices = Vec::new();
+    let pairs = link::split(link::shorten(text, &mut notices));
+    reading_of(&pairs, notices, options)
+}
+
+/// Reads what was [handed over](given) as a link, then applies the options; also takes link text with values that take precedence,
+/// as the attributes of an element do. If its seed is an address, that is read instead of the text. Never fails.
+pub fn read_given(text: &str, values: &str, options: ReadOptions) -> Reading {
+    let mut notices = Vec::new();
+    let mut values = link::split(link::shorten(values, &mut notices));
+    let address = values.iter().position(|(name, value)| name == SEED && given::is_address(value));
+    let address = address.map(|at| values.remove(at).1);
+    let mut given = given::read(link::shorten(address.as_deref().unwrap_or(text), &mut notices));
+    notices.extend(given.notice());
+    given.pairs.retain(|(name, _)| values.iter().all(|(other, _)| other != name));
+    given.pairs.append(&mut values);
+    reading_of(&given.pairs, notices, options)
+}
+
+fn reading_of(pairs: &[(String, String)], mut notices: Vec<Notice>, options: ReadOptions) -> Reading {
+    let (mut recipe, is_given) = link::apply_leniently(pairs, &mut notices);
     let names_style = is_given[Key::Style as usize];
     if options.dark && !names_style {
         recipe.put(Key::Style, Value::Choice(DARK_PAGES.word().name));
@@ -52,6 +72,9 @@ impl Reading {
         })
     }
 }
+
+/// The parameter whose value people may hand over as an address.
+const SEED: &str = "seed";
 
 /// The style on dark pages of links that name none.
 const DARK_PAGES: Style = Style::Night;

@@ -168,7 +168,7 @@ const MIXED: &str = "Link, file and options may be mixed. If a value is given tw
 
 fn recipe_arguments() -> [Arg; 3] {
     [
-        Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""),
+        Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\", a whole address, or a word"),
         Arg::new("recipe")
             .long("recipe")
             .value_name("FILE")

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use clap::ArgMatches;
 use riverseed::land::Land;
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, json, link};
+use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, given, json, link};
 
 use super::{Failure, mask, say};
 
@@ -57,7 +57,7 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
         parts.extend(matches.index_of(id).map(|index| (index, pairs)));
     };
     if let Some(text) = matches.get_one::<String>("link") {
-        part("link", link::pairs(text)?);
+        part("link", handed_over(text)?);
     }
     if let Some(path) = matches.get_one::<PathBuf>("recipe") {
         part("recipe", json::pairs(&read_recipe(path)?)?);
@@ -70,7 +70,7 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
         if let [value] = values[..]
             && !(name == Key::Land.parameter().name && mask::is_picture(value))
         {
-            part(name, vec![(name.into(), value.clone())]);
+            part(name, option(name, value)?);
         }
     }
     // A preset is read first, wherever it occurs.
@@ -85,6 +85,19 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
         given.extend(names.filter(|name| !given.contains(name)).collect::<Vec<_>>());
     }
     Ok((recipe, given))
+}
+
+/// Reads what was handed over as a link, and says what had to be mended or left out.
+fn handed_over(text: &str) -> Result<Vec<(String, String)>, Failure> {
+    let (pairs, notices) = given::pairs(text)?;
+    notices.iter().for_each(|notice| say(&notice.message));
+    Ok(pairs)
+}
+
+/// Reads the value of an option. An address in place of the seed is a whole link.
+fn option(name: &str, value: &str) -> Result<Vec<(String, String)>, Failure> {
+    let is_link = name == Key::Seed.parameter().name && given::is_address(value);
+    if is_link { handed_over(value) } else { Ok(vec![(name.into(), value.into())]) }
 }
 
 /// Returns `true` if a recipe's value of a parameter is not the default.

@@ -336,6 +336,35 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
 }
 
 #[test]
+fn addresses_words_and_damaged_links_are_the_maps_they_are_of() {
+    let drawn = |arguments: &[&str]| {
+        let output = riverseed(&[&["names", "--attractors", "100"], arguments].concat());
+        assert!(output.status.success(), "{arguments:?}: {output:?}");
+        (output.stdout, String::from_utf8(output.stderr).unwrap())
+    };
+    let (wanted, _) = drawn(&["seed=kauri&land=valley"]);
+    let mended = "riverseed: the link was damaged on its way, and has been mended\n";
+    for (text, said) in [
+        ("https://rivers.example/?seed=kauri&land=valley", ""),
+        ("seed=kauri&amp;land=valley", mended),
+        ("seed%3Dkauri%26land%3Dvalley", mended),
+        ("[our map](https://rivers.example/?land=valley&seed=kauri).", mended),
+        (
+            "https://rivers.example/?seed=kauri&land=valley&utm_source=mail",
+            "riverseed: there is no parameter 'utm_source': it is left out\n",
+        ),
+    ] {
+        assert_eq!(drawn(&[text]), (wanted.clone(), said.into()), "{text}");
+        let is_address = text.contains("://");
+        if is_address {
+            assert_eq!(drawn(&["land=island", "--seed", text]).0, wanted, "{text}");
+        }
+    }
+    assert_eq!(drawn(&["kauri", "--land", "valley"]), (wanted, String::new()));
+    assert_eq!(drawn(&["Why?"]).0, drawn(&["seed=Why%3F"]).0);
+}
+
+#[test]
 fn what_is_given_and_does_nothing_is_said() {
     let file = scratch("idle-recipe.json");
     fs::write(&file, r#"{"land": "rectangle", "sea": 0.4, "aspect": 2}"#).unwrap();

@@ -16,7 +16,7 @@ use std::thread;
 
 use clap::ArgMatches;
 use indicatif::ProgressBar;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::recipe::{Key, Recipe, given};
 use riverseed_exchange::{Form, Found, Options};
 
 use self::file_name::Pattern;
@@ -71,8 +71,8 @@ pub fn render(
 /// Refuses a seed in the recipe, because each map has its own.
 fn refuse_a_seed(matches: &ArgMatches) -> Result<(), Failure> {
     let seed = Key::Seed.parameter().name;
-    let link = matches.get_one::<String>("link").map(|text| link::pairs(text)).transpose()?;
-    let is_linked = link.into_iter().flatten().any(|(name, _)| name == seed);
+    let link = matches.get_one::<String>("link").map(|text| given::pairs(text)).transpose()?;
+    let is_linked = link.into_iter().flat_map(|(pairs, _)| pairs).any(|(name, _)| name == seed);
     if is_linked || matches.contains_id(seed) { Err(Failure::SeedBesides) } else { Ok(()) }
 }
 
