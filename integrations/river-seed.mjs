@@ -27,7 +27,7 @@ export class RiverSeedError extends Error {
 }
 
 /**
- * Reads a map that is named by a word, or by a link such as `seed=kauri&land=valley`. Returns the canonical link, whose edition keeps
+ * Reads a map that is named by a word, by a link such as `seed=kauri&land=valley`, or by a page's address. Returns the canonical link, whose edition keeps
  * the picture and the element alike after an upgrade, the seed, and true if the map is more than the element draws.
  */
 export function readMap(map) {
@@ -36,17 +36,14 @@ export function readMap(map) {
       `a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`,
     );
   try {
-    const { link, seed, beyondElement } = readLink(isLink(map) ? map : `seed=${encodeURIComponent(map)}`);
+    const { link, seed, isMended, beyondElement } = readLink(map);
+    if (isMended) tellOnce(`the link was damaged on its way, and is read as ${link}: ${JSON.stringify(map)}`);
     if (beyondElement.length > 0)
       tellOnce(`a picture without the element for ${JSON.stringify(map)}: ${beyondElement}`);
     return { link, seed, isPictureAlone: beyondElement.length > 0 };
   } catch (error) {
     throw error instanceof PageError ? new RiverSeedError(`no map of ${JSON.stringify(map)}: ${error.message}`) : error;
   }
-}
-
-function isLink(map) {
-  return /^\??[a-z][a-z-]*=/.test(map);
 }
 
 const told = new Set();

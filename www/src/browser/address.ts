@@ -13,9 +13,14 @@ interface Place {
 /** The part of an address that is about the page and not the picture: it shows six variants side by side. */
 const SIX = "view=six";
 
-/** Returns the link text in an address: its fragment if that contains a “=”, or else its query. */
+/** Returns the link text in an address: its fragment if that contains a “=”, as it is or encoded, or else its query. */
 export function linkOf(place: Place): string {
   return without(textOf(place), SIX);
+}
+
+/** Returns link text from an address as the core takes it: as a query, so that it mends what was typed behind the address. */
+export function asQuery(link: string): string {
+  return link.includes("=") ? `?${link}` : link;
 }
 
 /** Returns whether an address asks for the six variants. */
@@ -30,7 +35,7 @@ export function withSix(link: string): string {
 
 function textOf({ search, hash }: Place): string {
   const fragment = withoutTrackers(hash.slice(1));
-  return fragment.includes("=") ? fragment : withoutTrackers(search.slice(1));
+  return /=|%3D/i.test(fragment) ? fragment : withoutTrackers(search.slice(1));
 }
 
 function without(text: string, part: string): string {

@@ -27,6 +27,7 @@ export function withoutTrackers(text: string): string {
 }
 
 function isTracker(part: string): boolean {
-  const [name] = new URLSearchParams(part).keys();
+  // HTML's ampersand may have come with the name.
+  const [name] = new URLSearchParams(part.replace(/^(?:amp;)+/, "")).keys();
   return name !== undefined && (NAMES.includes(name) || PREFIXES.some((prefix) => name.startsWith(prefix)));
 }

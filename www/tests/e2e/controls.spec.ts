@@ -387,6 +387,23 @@ test("typing a seed grows it, Enter at once, an empty box nothing @core", async 
   await expect(field).toHaveValue("Clutha");
 });
 
+test("an address pasted in place of a seed opens its map, and tells that it was mended", async ({ page }) => {
+  await openUnfolded(page, SMALL);
+  const field = page.getByLabel("Seed", { exact: true });
+  const link = "seed=Waikato&growth=colonize&attractors=300&curl=1&style=ink&labels=none";
+  await field.fill(`<https://rivers.example/?${link.replaceAll("&", "&amp;")}>`);
+  await expect.poll(() => new URL(page.url()).search).toBe(`?${engine.readLink(link).link}`);
+  await expect(field).toHaveValue("Waikato");
+  await expect(page.locator("#notices")).toContainText("has been mended");
+  await expectPictureOfAddress(page);
+  await field.fill("Why? a=b & 100%");
+  await expectAddress(page, "seed", "Why? a=b & 100%");
+  await expectAddress(page, "curl", "1");
+  await field.fill("word ".repeat(20));
+  await expectAddress(page, "seed", "word ".repeat(13).slice(0, 64).trim());
+  await expect(page.locator("#notices")).toContainText("at most 64 are allowed");
+});
+
 test("Reset all goes back to the defaults and keeps the seed", async ({ page }) => {
   await openUnfolded(page, "seed=kea&curl=1&trim=63&style=skeleton&aspect=2");
   await page.getByRole("button", { name: "Reset all" }).click();

@@ -7,6 +7,7 @@ import { CONSUMERS } from "./installed.ts";
 interface Heard {
   link?: string;
   seed?: string;
+  isMended?: boolean;
   beyondElement?: string[];
   error?: string;
 }
@@ -29,10 +30,19 @@ function read(...links: string[]): Heard[] {
 
 test("a link is read in its canonical form, with the edition and with a style that it names", () => {
   expect(read("?curl=0.60&seed=caf%C3%A9+noir", "seed=a&style=atlas", "")).toEqual([
-    { link: "seed=caf%C3%A9+noir&edition=1&curl=0.6", seed: "café noir", beyondElement: [] },
-    { link: "seed=a&edition=1&style=atlas", seed: "a", beyondElement: [] },
-    { link: "seed=kauri&edition=1", seed: "kauri", beyondElement: [] },
+    { link: "seed=caf%C3%A9+noir&edition=1&curl=0.6", seed: "café noir", isMended: false, beyondElement: [] },
+    { link: "seed=a&edition=1&style=atlas", seed: "a", isMended: false, beyondElement: [] },
+    { link: "seed=kauri&edition=1", seed: "kauri", isMended: false, beyondElement: [] },
   ]);
+});
+
+test("an address, a word and a damaged link are the maps that they are of", () => {
+  const rimu = { link: "seed=rimu&edition=1&land=valley", seed: "rimu", beyondElement: [] };
+  expect(read("https://rivers.example/?seed=rimu&land=valley", "seed%3Drimu%26land%3Dvalley")).toEqual([
+    { ...rimu, isMended: false },
+    { ...rimu, isMended: true },
+  ]);
+  expect(read("Why?")[0]?.seed).toBe("Why?");
 });
 
 test("what the element would draw smaller is told with its limit, and the link stays as it is", () => {
@@ -44,6 +54,7 @@ test("what the element would draw smaller is told with its limit, and the link s
   expect(large).toEqual({
     link: "seed=kauri&edition=1&attractors=30000",
     seed: "kauri",
+    isMended: false,
     beyondElement: ["attractors: 30000 exceeds the element's limit of 20000"],
   });
   expect(brownian?.beyondElement).toEqual(["sensitivity: 8 is below the element's limit of 16"]);

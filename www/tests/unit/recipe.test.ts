@@ -15,6 +15,26 @@ test("an empty link is the defaults, without a note", () => {
   for (const { key, default: value } of parameters) expect(recipe.values.get(key)).toBe(value);
 });
 
+test("a damaged link is opened mended, with a note that stays until it is dismissed", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu&amp;curl=0.6");
+  recipe.set([["trim", "9"]]);
+  expect(recipe.link).toBe("seed=rimu&edition=1&curl=0.6&trim=9");
+  expect([...recipe.notices]).toEqual([["link", "the link was damaged on its way, and has been mended"]]);
+  recipe.dismissNotices();
+  expect(recipe.notices.size).toBe(0);
+});
+
+test("a word keeps its signs when it is typed", () => {
+  const recipe = fresh();
+  for (const word of ["Why?", "a=b&c#d", "100%25", "seed=rimu&land=valley", "x://y?land=valley"]) {
+    recipe.set([["seed", word]]);
+    expect(recipe.seed).toBe(word);
+    recipe.open(recipe.link);
+    expect([recipe.seed, recipe.notices.size]).toEqual([word, 0]);
+  }
+});
+
 test("changing one value leaves the others", () => {
   const recipe = fresh();
   recipe.open("seed=two%20words%20%26%20more&curl=0.6");

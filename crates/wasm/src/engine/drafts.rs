@@ -2,10 +2,9 @@
 
 use wasm_bindgen::prelude::*;
 
-use crate::make::link::read_options;
+use crate::make::link::read;
 use crate::make::river::River;
 use riverseed::paint::Painted;
-use riverseed::recipe::reading;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -22,7 +21,7 @@ impl River {
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
     ) {
-        self.drafted = Some(reading::read(text, read_options(options)));
+        self.drafted = Some(read(text, options));
     }
 
     /// Paints a part of a preview of the recipe given to `draft`, without changing to it. A preview is possible if the

@@ -16,6 +16,7 @@ const TYPES: &str = r#"
 export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
 /** Something in a link that had to be corrected. */
 export interface Notice {
+  /** The parameter; `link` if damage to the link was mended. */
   readonly key: string;
   readonly message: string;
 }
@@ -25,6 +26,8 @@ export interface ReadOptions {
   readonly widget?: boolean;
   /** On a dark page: if the link names no style, it is the one for dark pages. */
   readonly dark?: boolean;
+  /** Link text with values that take precedence. If the seed in it is an address, that is read instead of the text. */
+  readonly values?: string;
 }
 /** A link as it was understood. */
 export interface Reading {
@@ -42,13 +45,13 @@ export interface Reading {
 }
 "#;
 
-/// Reads a link leniently. It never throws, whatever the text.
+/// Reads a link leniently, in the larger engines also an address or a word. It never throws, whatever the text.
 #[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
 pub fn read_link(
     text: &str,
     #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
 ) -> Object {
-    let reading = reading::read(text, read_options(options));
+    let reading = read(text, options);
     let Reading { recipe, .. } = &reading;
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
     let land = Land::kind_of(recipe);
@@ -63,10 +66,17 @@ pub fn read_link(
     ])
 }
 
-/// Reads a page's options; options that are left out are off.
-pub(crate) fn read_options(given: &JsValue) -> ReadOptions {
-    let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
-    ReadOptions { widget: is("widget"), dark: is("dark") }
+/// Reads a text with a page's options; options that are left out are off. The smallest engine reads link text alone: an
+/// element hands whatever else it was given to the others, so that most readers load nothing that understands it.
+pub(crate) fn read(text: &str, options: &JsValue) -> Reading {
+    let option = |name: &str| Reflect::get(options, &JsValue::from_str(name)).unwrap_or_default();
+    let is = |name: &str| option(name).is_truthy();
+    let options = ReadOptions { widget: is("widget"), dark: is("dark") };
+    if cfg!(feature = "label") {
+        reading::read_given(text, &option("values").as_string().unwrap_or_default(), options)
+    } else {
+        reading::read(text, options)
+    }
 }
 
 pub(crate) fn list(notices: &[Notice]) -> Array {

@@ -3,14 +3,14 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::link::{list, read_options};
+use super::link::{list, read};
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
 use riverseed::paint::{PaintError, Painted, Rect, View};
 use riverseed::picture::Picture;
 use riverseed::picture::carried::{Carried, Lettering};
 use riverseed::recipe::link::{self, Notice};
-use riverseed::recipe::reading::{self, Reading};
+use riverseed::recipe::reading::Reading;
 use riverseed::recipe::{IntegerKey, Key, Stage, Value};
 use riverseed::session::{Session, SessionError, Shortfall};
 
@@ -81,7 +81,7 @@ impl River {
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
     ) -> Result<Self, JsValue> {
-        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
+        let Reading { recipe, notices, .. } = read(text, options);
         let session = Session::new(recipe).map_err(|error| session_error(&error))?;
         Ok(Self::of(session, notices))
     }
@@ -94,7 +94,7 @@ impl River {
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
     ) -> Result<String, JsValue> {
-        self.change_to(reading::read(text, read_options(options)))
+        self.change_to(read(text, options))
     }
 
     /// Returns the canonical link of the recipe, with defaults left out.

@@ -33,11 +33,13 @@ export interface GeoJson {
   }[];
 }
 
-/** A link as `readLink()` understands it. */
+/** A link, an address or a word as `readLink()` understands it. */
 export interface ReadLink {
   /** The canonical link: it has the edition, so it names the same picture for ever, and a style if the text names one. */
   link: string;
   seed: string;
+  /** True if the text was damaged on its way, by a chat or by HTML, and has been mended. */
+  isMended: boolean;
   /** What is beyond the element's limits, in words. If anything is, the element draws a smaller map than `grow()`. */
   beyondElement: string[];
 }
@@ -48,7 +50,7 @@ export function parameters(): Parameter[] {
 }
 
 /**
- * Grows the map of a link, such as `seed=kauri`. The call blocks meanwhile. Links are read strictly: a
+ * Grows the map of a link, such as `seed=kauri`, of a page's address or of a word. The call blocks meanwhile. Links are read strictly: a
  * `PageError` names any value that is unknown or out of range.
  */
 export function grow(link: string): GrownMap {
@@ -65,7 +67,8 @@ export function readLink(link: string): ReadLink {
     const { sharedLink, values, notices } = readAs(link);
     refuse(notices, values);
     const seed = new Map(values).get("seed") ?? "";
-    return { link: sharedLink, seed, beyondElement: readAs(link, { widget: true }).notices.map(limitOf) };
+    const beyond = readAs(link, { widget: true }).notices.filter(isFault);
+    return { link: sharedLink, seed, isMended: !notices.every(isFault), beyondElement: beyond.map(limitOf) };
   } catch (error) {
     throw named(error);
   }
@@ -82,9 +85,15 @@ function planted(link: string): WholeRiver {
 }
 
 function refuse(notices: readonly Notice[], values: Reading["values"]): void {
-  if (notices.length === 0) return;
+  const faults = notices.filter(isFault);
+  if (faults.length === 0) return;
   const used = new Map(values);
-  throw new PageError("bad-params", notices.map((notice) => faultOf(notice, used)).join("; "));
+  throw new PageError("bad-params", faults.map((notice) => faultOf(notice, used)).join("; "));
+}
+
+/** Returns whether a notice is of a fault in a recipe, and not of damage to a link that could be mended. */
+function isFault({ key }: Notice): boolean {
+  return key !== "link";
 }
 
 /**

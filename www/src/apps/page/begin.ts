@@ -1,7 +1,7 @@
 /** Begins the page: the engine after the poster, then the first river, then all else. */
 
 import "../../style/page.css";
-import { linkOf } from "../../browser/address.ts";
+import { asQuery, linkOf } from "../../browser/address.ts";
 import { turn } from "../../browser/turn.ts";
 import { Recipe } from "../../engine/recipe.ts";
 import { loadTable } from "../../engine/table.ts";
@@ -35,7 +35,7 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const linked = linkOf(location);
   const recipe = new Recipe(
     (text, options) => own.engine.readLink(text, options),
-    linked || firstLink(),
+    asQuery(linked) || firstLink(),
     () => prefersDark.matches,
   );
   const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);

@@ -1,6 +1,6 @@
 /** Puts the parts of the page together. The recipe decides what is shown, and everything else follows it. */
 
-import { AddressBar, addressOf, linkOf } from "../../browser/address.ts";
+import { AddressBar, addressOf, asQuery, linkOf } from "../../browser/address.ts";
 import { copy } from "../../browser/clipboard.ts";
 import { el } from "../../browser/dom.ts";
 import { answerEscape } from "../../browser/keys.ts";
@@ -44,6 +44,7 @@ import { Welcome } from "./welcome.ts";
 
 export class Page {
   readonly #recipe: Recipe;
+  readonly #isAddress: (word: string) => boolean;
   readonly #choices: Choices;
   readonly #viewport: RiverViewport;
   readonly #transport: Transport;
@@ -74,6 +75,7 @@ export class Page {
     renderHost: PageRenderHost,
   ) {
     this.#recipe = recipe;
+    this.#isAddress = (word) => engine.isAddress(word);
     this.#viewport = viewport;
     this.#country = new CountryName(recipe);
     this.#presetNote = new PresetNote(table.parameters, (link) => this.#undoPresets(link));
@@ -132,6 +134,7 @@ export class Page {
   #makeChoices(engine: WholeCore["engine"], disclosures: Disclosures): Choices {
     return new Choices(engine, this.table, disclosures, this.#names.list.element, {
       set: (values, how, isGradual) => this.#set(values, how, isGradual),
+      type: (word) => this.#type(word, true),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
       failed: (error) => this.#failBeside(error),
@@ -250,10 +253,18 @@ export class Page {
     });
   }
 
+  /** Grows the country of a typed word, or opens the map whose address was pasted in place of one. */
+  #type(word: string, isGradual: boolean): void {
+    if (this.#isAddress(word)) {
+      this.#welcome.leave();
+      this.#open(word);
+    } else this.#set([["seed", word]], "still", isGradual);
+  }
+
   /** Grows a country from a word that was not typed into the seed's own box. */
   #grow(word: string): void {
     this.#choices.replaceSeed(word);
-    this.#set([["seed", word]], "still");
+    this.#type(word, false);
   }
 
   /**
@@ -285,7 +296,7 @@ export class Page {
     this.#undo.arrived();
     this.#address.drop();
     if (!areAskedFor) this.#six.close();
-    if (link !== this.#recipe.link) this.#open(link, false);
+    if (link !== this.#recipe.link) this.#open(asQuery(link), false);
     if (areAskedFor) this.#six.open();
     this.#address.show(this.#recipe.link);
   }

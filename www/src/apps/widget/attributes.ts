@@ -27,19 +27,45 @@ export const OBSERVED = [
   "lang",
 ];
 
-/** Returns the link that an element asks for: its recipe, with its attributes taking precedence. */
+/** Returns the link that an element asks for, as far as it can be told before the core has read it. */
 export function linkOf(element: Element): string {
-  const link = new URLSearchParams(element.getAttribute("recipe")?.replace(/^[?#]/, ""));
-  for (const key of [...NUMBERS, ...TEXTS]) {
-    const text = element.getAttribute(attributeOf(key));
-    if (text !== null) link.set(key, text);
-  }
+  const link = new URLSearchParams(recipeOf(element));
+  for (const [key, text] of valuesOf(element)) link.set(key, text);
   return linkText(link);
+}
+
+/** Returns what an author gave as a whole recipe: the core makes a link of it. */
+function recipeOf(element: Element): string {
+  return element.getAttribute("recipe") ?? "";
+}
+
+/** Returns the values that attributes give. They take precedence over the recipe. */
+function valuesOf(element: Element): [key: string, text: string][] {
+  return [...NUMBERS, ...TEXTS].flatMap((key): [string, string][] => {
+    const text = element.getAttribute(attributeOf(key));
+    return text === null ? [] : [[key, text]];
+  });
+}
+
+/** A part of what is link text for certain, as the core writes it: values of few signs, and those of words encoded. */
+const LINK_PART = /^(?:(?:seed|names)=[\w.*+%-]*|[a-z-]+=[\w.*-]*)$/;
+
+/**
+ * Returns whether a recipe may be an address, a word or a damaged link, or a seed an address: then only the larger engines
+ * understand it.
+ */
+function needsReader(recipe: string, seed: string | null): boolean {
+  const isLink = recipe === "" || recipe.split("&").every((part) => LINK_PART.test(part));
+  // A full stop, or emphasis of Markdown, may have come from the text around.
+  return !isLink || /[._*]$/.test(recipe) || /[?#]/.test(seed ?? "");
 }
 
 /** Returns the link that an element asks for on a page of these colours. */
 export function linkToReadOf(element: Element) {
-  return linkToRead(linkOf(element), isDark(element), element.getAttribute("letters") ?? "");
+  const letters = element.getAttribute("letters") ?? "";
+  const recipe = recipeOf(element);
+  if (!needsReader(recipe, element.getAttribute("seed"))) return linkToRead(linkOf(element), isDark(element), letters);
+  return linkToRead(recipe, isDark(element), letters, linkText(valuesOf(element)));
 }
 
 /** Returns the aspect that a link asks for, for use until the core has read it. */

@@ -230,12 +230,15 @@ export class RiverSeed extends Base {
   #follow(isArriving = false): void {
     const before = this.#link;
     const link = linkToReadOf(this);
-    const isNew = link.text !== before?.text || link.options.dark !== before.options.dark;
+    const isNew =
+      link.text !== before?.text ||
+      link.options.values !== before.options.values ||
+      link.options.dark !== before.options.dark;
     this.#link = link;
     if (isNew && !isArriving) this.#requested.renew("the attributes ask for other rivers");
     // Another recipe may succeed after a failure.
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
-    if (isNew) this.#shape(aspectOf(link.text));
+    if (isNew) this.#shape(aspectOf(linkOf(this)));
     this.#describe();
     if (isNew && this.#river.isThere) this.#river.show({ link, how: this.#how, size: this.#view.fit() });
     // The old status belongs to another river.

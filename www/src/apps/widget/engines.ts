@@ -58,9 +58,9 @@ export class Engines {
   }
 }
 
-/** Returns whether the smallest engine will do for a map: it has no names, or carries its letters. */
-function needsNoNames({ text, letters }: LinkToRead): boolean {
-  return Boolean(letters) || isBare(text);
+/** Returns whether the smallest engine will do for a map: it is asked for by a link, and has no names, or carries its letters. */
+function needsNoNames({ text, options, letters }: LinkToRead): boolean {
+  return options?.values === undefined && (Boolean(letters) || isBare(text));
 }
 
 /**
@@ -68,7 +68,7 @@ function needsNoNames({ text, letters }: LinkToRead): boolean {
  * taken for one that does: a preset, for example, or a word that there is none of.
  */
 export function isBare(link: string): boolean {
-  const values = new URLSearchParams(link.replace(/^[?#]/, ""));
+  const values = new URLSearchParams(link);
   const isOff = (key: string, off: readonly string[]): boolean =>
     values.getAll(key).every((text) => off.includes(text));
   return (

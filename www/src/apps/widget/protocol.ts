@@ -5,10 +5,11 @@ import type { LinkToRead } from "../../player/river-player.ts";
 
 /**
  * Returns the link that a widget asks for. `text` and `letters` are the author's and may be anything; `dark` is true on a
- * dark page.
+ * dark page. `values` are link text that takes precedence; with them, `text` need not be a link.
  */
-export function linkToRead(text: string, dark: boolean, letters = "") {
-  return { text, options: { widget: true, dark }, letters } satisfies LinkToRead;
+export function linkToRead(text: string, dark: boolean, letters = "", values?: string) {
+  const options = { widget: true, dark, ...(values !== undefined && { values }) };
+  return { text, options, letters } satisfies LinkToRead;
 }
 
 /** A request for a file of a river. */

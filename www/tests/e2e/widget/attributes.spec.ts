@@ -41,6 +41,22 @@ test("attributes win over what the recipe says", async ({ page, blog }) => {
   expect((await heard(events, "ready")).detail).toEqual({ link, notices: [] });
 });
 
+test("an address as the recipe or the seed is its map, and damage is told", async ({ page, blog }) => {
+  const link = "seed=rimu&attractors=300&labels=none&style=ink";
+  const address = `https://rivers.example/?${link.replaceAll("&", "&amp;")}`;
+  const events = await open(page, blog, `<river-seed recipe="${address}"></river-seed>`);
+  expect((await heard(events, "ready")).detail).toEqual({ link: canonical(link), notices: [] });
+  await expectPicture(page, canonical(link));
+  const told = await open(
+    page,
+    blog,
+    `<river-seed curl="1" seed="(${address.replaceAll("&amp;", "&amp;amp;")})"></river-seed>`,
+  );
+  const { detail } = await heard(told, "ready");
+  expect(detail["link"]).toBe(canonical(`${link}&curl=1`));
+  expect(detail["notices"]).toEqual([{ key: "link", message: expect.stringContaining("has been mended") }]);
+});
+
 test("properties set before the class is known count, and are attributes afterwards", async ({ page, blog }) => {
   const events = await listen(page);
   blog.answer("/", { body: post("<river-seed></river-seed>").replace(/<script type="module".*?<\/script>/, "") });

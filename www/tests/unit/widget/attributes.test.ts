@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
-import { ASPECT, aspectOf, linkOf, OBSERVED, speedOf } from "../../../src/apps/widget/attributes.ts";
+import { ASPECT, aspectOf, linkOf, linkToReadOf, OBSERVED, speedOf } from "../../../src/apps/widget/attributes.ts";
 import { RiverSeed } from "../../../src/apps/widget/element.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
 import { engine, parameter } from "../../core.ts";
+import { MANGLED } from "../../mangled.ts";
 import { table } from "../../table.ts";
 
 /** As much of an element as is asked for its attributes. */
@@ -39,7 +40,49 @@ test("what an element asks for is its recipe, with its attributes in place of wh
   expect(linkOf(element({ recipe: "?seed=x&seed=y&curl=1&preset=curl", seed: "z", curl: "" }))).toBe(
     "seed=z&curl=&preset=curl",
   );
-  expect(linkOf(element({ recipe: "#seed=x" }))).toBe("seed=x");
+});
+
+/** The link of what the core makes of an element. */
+function read(attributes: Record<string, string>): string {
+  const { text, options } = linkToReadOf(element({ theme: "light", ...attributes }));
+  return engine.readLink(text, options).link;
+}
+
+test("a recipe or a seed that is an address is its map, with the other attributes in place of what it says", () => {
+  const address = "https://rivers.example/?seed=rimu&land=valley";
+  const rimu = "seed=rimu&edition=1&land=valley";
+  expect([read({ recipe: address }), read({ seed: address }), read({ seed: `<${address}>` })]).toEqual([
+    rimu,
+    rimu,
+    rimu,
+  ]);
+  expect([read({ recipe: "#seed=rimu&amp;land=valley" }), read({ recipe: "curl=1", seed: address })]).toEqual([
+    rimu,
+    rimu,
+  ]);
+  expect(read({ recipe: address, seed: "a?b", land: "island" })).toBe(read({ seed: "a?b", land: "island" }));
+  expect(read({ recipe: "kauri" })).toBe("seed=kauri&edition=1");
+  expect(read({ seed: "seed=a&land=valley" })).toBe("seed=seed%3Da%26land%3Dvalley&edition=1");
+  expect(read({ recipe: "seed=x&seed=y&curl=1", seed: "z", curl: "" })).toBe(read({ seed: "z" }));
+});
+
+test("what is a link for certain is handed over as a link, which all engines read, and all else with its attributes apart", () => {
+  const isApart = (attributes: Record<string, string>): boolean =>
+    "values" in linkToReadOf(element({ theme: "light", ...attributes })).options;
+  for (const recipe of [
+    "",
+    "seed=kauri&edition=1",
+    "seed=a%26b&names=12.Silver+Water&curl=0.5",
+    "land=drawn&outline=.AA_A",
+  ])
+    for (const seed of [{}, { seed: "a & b = c" }]) expect(isApart({ recipe, ...seed }), recipe).toBe(false);
+  for (const [text] of MANGLED.filter(([, isDamaged]) => isDamaged)) {
+    expect(isApart({ recipe: text }), text).toBe(true);
+    expect(read({ recipe: text }), text).toBe("seed=rimu&edition=1&land=valley");
+  }
+  for (const recipe of ["kauri", "?seed=a", "land=valley+", "land=valley."])
+    expect(isApart({ recipe }), recipe).toBe(true);
+  expect([isApart({ seed: "https://a.example/?seed=b" }), isApart({ seed: "Why?" })]).toEqual([true, true]);
 });
 
 for (const text of ["aspect=2.5", "aspect=-3", "aspect=99", "aspect=wide", "aspect=", "aspect=%202", ""]) {

@@ -58,6 +58,12 @@ test("a map with labels never loads the smallest engine, and once all of it is t
   expect(loads).toEqual([`label ${beside("label")}`, `whole ${beside("engine")}`]);
 });
 
+test("only the larger engines read what may be no link", async () => {
+  loads.length = 0;
+  const engines = await Engines.open({ wasmUrl: undefined, link: { ...CARRIED, options: { values: "" } } });
+  expect([engines.makerFor(PLAIN), loads]).toEqual([LABELLING, ["label"]]);
+});
+
 test("a map that carries its letters has the smallest engine, and the next one if they do not hold", async () => {
   loads.length = 0;
   const engines = await Engines.open({ wasmUrl: undefined, link: CARRIED });

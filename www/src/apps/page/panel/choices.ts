@@ -23,6 +23,8 @@ export interface ChoicesEvents {
    * gradual.
    */
   set(values: Values, how: ShowMode, isGradual?: boolean): void;
+  /** Takes what was typed or pasted as a word. */
+  type(word: string): void;
   /** Called when a preset is pressed. */
   press(preset: Preset): void;
   /** Opens the tool for drawing a land. */
@@ -67,9 +69,7 @@ export class Choices {
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
       FIRST_COUNTRIES,
     );
-    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
-      events.set([["seed", seed]], "still", true),
-    );
+    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (word) => events.type(word));
     describeSeed(parameter("seed"));
     this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
     this.strip = new StyleStrip(elements.styles, parameter("style"), table.countries, {
@@ -168,6 +168,6 @@ function foldedNames(names: HTMLElement, disclosures: Disclosures): HTMLElement 
 /** Gives the seed box of index.html the length and help text from the table. */
 function describeSeed(seed: Parameter | undefined): void {
   if (!seed) return;
-  if (seed.maxLength !== undefined) elements.seed.maxLength = seed.maxLength;
+  // Its box takes more than a seed: an address may be pasted. The core cuts what is too long, and says so.
   elements.seedHelp.textContent = seed.help;
 }
