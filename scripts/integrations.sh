@@ -40,7 +40,8 @@ case ${1-} in
     get_packages
     unpack_element
     RIVERSEED_PROGRAM=$(realpath "$2")
-    export RIVERSEED_PROGRAM
+    RIVERSEED_WORDPRESS=$RIVERSEED_CACHE/wordpress
+    export RIVERSEED_PROGRAM RIVERSEED_WORDPRESS
     shift 2
     (($#)) || set -- integrations/tests/*.test.mjs
     # Two files at a time: a generator uses one core most of the time.

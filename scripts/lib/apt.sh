@@ -16,6 +16,17 @@ apt_get() {
   apt_install "${@:2}" || { refresh_lists && apt_install "${@:2}"; } || { tail -n 3 $apt_log >&2; return 1; }
 }
 
+# apt_download "HOW LONG" PACKAGE FOLDER   A package as a file, which is not installed. False when it cannot be done.
+apt_download() {
+  if ! have apt-get || ! have apt-cache || ! have dpkg-deb; then return 1; fi
+  offers "$2" || { refresh_lists && offers "$2"; } || { tell_offers "$2"; return 1; }
+  say "downloading $2 ($1)"
+  mkdir -p target
+  local log=$PWD/$apt_log
+  download() { (cd "$2" && apt-get download -qq "$1" >"$log" 2>&1); }
+  download "$2" "$3" || { refresh_lists && download "$2" "$3"; } || { tail -n 3 "$log" >&2; return 1; }
+}
+
 # Never by removing what somebody else installed.
 apt_install() {
   mkdir -p target

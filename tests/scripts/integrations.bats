@@ -31,6 +31,22 @@ put_npm() {
   called 1 "apt-get install pandoc"
 }
 
+@test "WordPress is unpacked once, and not installed" {
+  printf '#!/bin/sh\nmkdir -p "$3/usr/share/wordpress/wp-includes"\n' >"$usr/bin/dpkg-deb"
+  chmod +x "$usr/bin/dpkg-deb"
+  set_up integrations
+  succeeded
+  said "WordPress cannot be had here: its integration is not tested"
+  offer wordpress 6.1.9+dfsg1-0
+  for _ in 1 2; do
+    set_up integrations
+    succeeded
+    [[ -d $machine/cache/riverseed/wordpress/wp-includes ]]
+  done
+  called 1 "apt-get download wordpress"
+  called 0 "apt-get install wordpress"
+}
+
 @test "where the packages cannot be had the tests are left out, with a word, and asked for again the next time" {
   put_npm 1
   for _ in 1 2; do

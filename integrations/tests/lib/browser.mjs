@@ -144,7 +144,7 @@ async function expectTakeover(address, { rivers, picture, hasFonts }) {
 
 /** The address of a picture whose name is a hash. */
 const PICTURE = /^\/blog\/riverseed\/river-seed-[0-9a-f]{16}\.(webp|png)$/;
-const ATTRIBUTES = ["alt", "height", "recipe", "seed", "src", "style", "width"];
+const ATTRIBUTES = ["alt", "edition", "height", "recipe", "seed", "src", "style", "width"];
 
 /**
  * Opens a page of hostile words and expects them as text and nowhere else. `own` and `attributes` are what the system itself
@@ -184,10 +184,11 @@ export async function expectHarmless(
 function contents(own) {
   const all = (selector) => [...document.querySelectorAll(selector)];
   const written = `h1, p, river-seed, river-seed > img, script[src$="/riverseed/river-seed.js"]:empty, ${own}`;
-  const recipe = (map) => new URLSearchParams(map.getAttribute("recipe"));
+  const given = (map) => map.getAttribute("seed") ?? map.getAttribute("recipe");
+  const seed = (map) => new URLSearchParams(map.getAttribute("recipe")).get("seed");
   return {
     isHit: "hit" in globalThis,
-    asked: all("main river-seed").map((map) => map.getAttribute("seed") ?? recipe(map).get("seed")),
+    asked: all("main river-seed").map((map) => seed(map) ?? given(map)),
     strange: all("main *")
       .filter((one) => !one.matches(written))
       .map((one) => one.outerHTML),

@@ -1,88 +1,83 @@
 <?php
 /**
- * A stand-in for WordPress: what the plugin calls, as WordPress 6.5 answers, and nothing else.
+ * WordPress's own hooks, blocks, shortcodes and escaping, with a stand-in for what takes a database, users or WordPress 6.5.
  *
- *   php wordpress.php PLUGIN.php STATE.json   reads { post, address, version, may, media } and prints the page
+ *   php wordpress.php WORDPRESS PLUGIN.php STATE.json   reads { post, address, version, may, media } and prints the page
+ *
+ * A state with `upload` stands for a request of the media library's: it prints what the plugin keeps of that.
  */
 
-define( 'ABSPATH', __DIR__ . '/' );
+list( , $folder, $plugin, $file ) = $argv;
+define( 'ABSPATH', "$folder/" );
+define( 'WPINC', 'wp-includes' );
 
-$state      = json_decode( file_get_contents( $argv[2] ), true );
-$actions    = array();
-$shortcodes = array();
-$blocks     = array();
-$modules    = array();
-$wanted     = array();
+$state   = json_decode( file_get_contents( $file ), true );
+$modules = array();
+$wanted  = array();
 
-function add_action( $name, $call ) { global $actions; $actions[ $name ][] = $call; }
-function do_action( $name ) { global $actions; foreach ( $actions[ $name ] ?? array() as $call ) { $call(); } }
+foreach (
+	array(
+		'compat', 'plugin', 'load', 'class-wp-object-cache', 'cache', 'functions', 'formatting', 'kses', 'shortcodes', 'rest-api', 'pomo/translations', 'l10n', 'class-wp-block-parser', 'class-wp-block-type',
+		'class-wp-block-type-registry', 'class-wp-block-supports', 'block-supports/generated-classname', 'class-wp-block', 'class-wp-block-list', 'blocks',
+	) as $part
+) {
+	require_once ABSPATH . WPINC . "/$part.php";
+}
+add_filter( 'the_content', 'do_blocks', 9 );
+add_filter( 'the_content', 'wptexturize' );
+add_filter( 'the_content', 'wpautop' );
+add_filter( 'the_content', 'shortcode_unautop' );
+add_filter( 'the_content', 'do_shortcode', 11 );
+// Of a plugin that shows its readers what no reader should see.
+add_shortcode( 'members', function () { return 'MEMBERS ONLY'; } );
+
+wp_cache_init();
+wp_cache_set( 'alloptions', array( 'blog_charset' => 'UTF-8' ), 'options' );
+add_filter( 'pre_option', function ( $pre, $name ) { return $name === 'blog_charset' ? 'UTF-8' : ''; }, 10, 2 );
 function get_bloginfo( $what ) { global $state; return $what === 'version' ? $state['version'] : ''; }
-function current_user_can( $what ) { global $state; return in_array( $what, $state['may'], true ); }
+function current_user_can( $what, $post = null ) { global $state; return in_array( $post === null ? $what : "$what $post", $state['may'], true ); }
 function plugins_url( $path, $plugin ) { global $state; return $state['address'] . 'wp-content/plugins/' . basename( dirname( $plugin ) ) . '/' . $path; }
-function rest_url( $path ) { global $state; return $state['address'] . 'wp-json/' . $path; }
+add_filter( 'rest_url', function ( $url, $path ) { global $state; return $state['address'] . 'wp-json' . $path; }, 10, 2 );
+function get_home_url() { global $state; return $state['address']; }
 function wp_create_nonce( $for ) { return 'nonce-' . $for; }
-
-// As in WordPress, what looks escaped is not escaped again.
-function esc_attr( $text ) { return htmlspecialchars( $text, ENT_QUOTES, 'UTF-8', false ); }
-function esc_html( $text ) { return htmlspecialchars( $text, ENT_QUOTES, 'UTF-8', false ); }
-function esc_url( $text ) { return esc_attr( $text ); }
-function wp_specialchars_decode( $text, $quotes ) { return htmlspecialchars_decode( $text, $quotes ); }
-
-function add_shortcode( $name, $call ) { global $shortcodes; $shortcodes[ $name ] = $call; }
-function shortcode_atts( $known, $given, $name ) { return array_merge( $known, array_intersect_key( (array) $given, $known ) ); }
-function has_shortcode( $text, $name ) { return strpos( $text, "[$name" ) !== false; }
-function do_shortcode( $text ) {
-	$one = '/\[river-seed((?:\s+[a-z]+=(?:"[^"]*"|\'[^\']*\'))*)\s*\/?\](?:(.*?)\[\/river-seed\])?/s';
-	return preg_replace_callback( $one, function ( $found ) {
-		global $shortcodes;
-		preg_match_all( '/([a-z]+)=(?:"([^"]*)"|\'([^\']*)\')/', $found[1], $all, PREG_SET_ORDER );
-		$given = array();
-		// As in WordPress, backslashes are lost.
-		foreach ( $all as $each ) { $given[ $each[1] ] = stripcslashes( $each[3] ?? $each[2] ); }
-		return $shortcodes['river-seed']( $given, $found[2] ?? null );
-	}, $text );
-}
-
-function register_block_type( $folder, $more ) {
-	global $blocks;
-	$block = json_decode( file_get_contents( "$folder/block.json" ), true );
-	$blocks[ $block['name'] ] = $more + $block;
-}
-function get_block_wrapper_attributes() { return 'class="wp-block-river-seed-map"'; }
-function do_blocks( $text ) {
-	return preg_replace_callback( '/<!-- wp:river-seed\/map (\{.*?\}) \/-->/', function ( $found ) {
-		global $blocks;
-		$block  = $blocks['river-seed/map'];
-		$values = array_map( function ( $one ) { return $one['default']; }, $block['attributes'] );
-		return $block['render_callback']( array_merge( $values, json_decode( $found[1], true ) ) );
-	}, $text );
-}
+function wp_register_script() { return true; }
+function get_theme_file_path() { return '/none'; }
 
 if ( version_compare( $state['version'], '6.5', '>=' ) ) {
 	function wp_register_script_module( $id, $source, $needs, $version ) { global $modules; $modules[ $id ] = array( "$source?ver=$version", $needs ); }
 	function wp_enqueue_script_module( $id ) { global $wanted; $wanted[ $id ] = true; }
 }
 
-function get_posts( $query ) {
+/** The post that is shown has the number 7; pictures have numbers from 100, in the order of `media`. */
+function get_the_ID() { return 7; }
+function get_post_meta( $post, $key, $single ) {
 	global $state;
-	$is_asked = $query['post_type'] === 'attachment' && $query['post_status'] === 'inherit' && $query['fields'] === 'ids';
-	return $is_asked && isset( $state['media'][ $query['name'] ] ) ? array( $query['name'] ) : array();
+	$number = array_search( $key, array_keys( $state['media'] ), true );
+	return $post === 7 && $number !== false ? (string) ( 100 + $number ) : '';
 }
+function update_post_meta( $post, $key, $value ) { echo json_encode( array( $post, $key, $value ) ); }
+/** A picture that has been deleted is null. */
+function wp_attachment_is_image( $id ) { global $state; return array_values( $state['media'] )[ $id - 100 ] !== null; }
 function wp_get_attachment_image( $id, $size, $icon, $more ) {
 	global $state;
-	list( $address, $width, $height ) = $state['media'][ $id ];
+	list( $address, $width, $height, $alt ) = array_values( $state['media'] )[ $id - 100 ];
 	$html = sprintf( '<img width="%d" height="%d" src="%s" class="attachment-large"', $width, $height, esc_url( $address ) );
-	foreach ( $more as $name => $value ) { $html .= sprintf( ' %s="%s"', $name, esc_attr( $value ) ); }
+	foreach ( $more + array( 'alt' => $alt ) as $name => $value ) { $html .= sprintf( ' %s="%s"', $name, esc_attr( $value ) ); }
 	return "$html />";
 }
 
-require $argv[1];
+require $plugin;
 
+if ( isset( $state['upload'] ) ) {
+	list( $id, $parent, $request ) = $state['upload'];
+	do_action( 'rest_insert_attachment', (object) array( 'ID' => $id, 'post_parent' => $parent ), $request, true );
+	exit;
+}
 do_action( 'init' );
 ob_start();
 do_action( 'admin_notices' );
 $notices = ob_get_clean();
-$post    = do_shortcode( do_blocks( $state['post'] ) );
+$post    = apply_filters( 'the_content', $state['post'] );
 ?>
 <!doctype html>
 <html lang="en">

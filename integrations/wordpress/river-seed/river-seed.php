@@ -8,7 +8,7 @@
  * License: MIT or Apache-2.0
  *
  * The element is written on the server, so no filter of what authors save takes it away. Its picture is drawn by the browser of the
- * first author who sees the page (poster.js), and kept in the media library under a name that is a hash of the map.
+ * first author who sees the page (poster.js), and kept in the media library; the post knows its number.
  */
 
 defined( 'ABSPATH' ) || exit;
@@ -22,6 +22,7 @@ const RIVER_SEED_SIZE    = 1200;
 
 add_action( 'init', 'river_seed_register' );
 add_action( 'admin_notices', 'river_seed_tell_version' );
+add_action( 'rest_insert_attachment', 'river_seed_keep', 10, 2 );
 
 function river_seed_register() {
 	add_shortcode( 'river-seed', 'river_seed_shortcode' );
@@ -47,7 +48,7 @@ function river_seed_block( $attributes ) {
 	return sprintf( '<div %s>%s</div>', get_block_wrapper_attributes(), river_seed_html( $attributes['map'] ?? '', $attributes['alt'] ?? '' ) );
 }
 
-/** Returns the HTML of a map, named by a word or by a link such as `seed=kauri&land=valley`. */
+/** Returns the HTML of a map, named by a word, by a link such as `seed=kauri&land=valley`, or by the address of a map: the element reads it. */
 function river_seed_html( $map, $alt ) {
 	if ( trim( $map ) === '' ) {
 		return river_seed_error( 'a word or a link is wanted, as map="kauri" or map="seed=kauri&land=valley"' );
@@ -55,24 +56,24 @@ function river_seed_html( $map, $alt ) {
 	if ( preg_match( '/[\x00-\x1f\x7f]/', $map ) ) {
 		return river_seed_error( 'the map holds a character that cannot be shown' );
 	}
-	$is_link = preg_match( '/^\??[a-z][a-z-]*=/', $map );
-	parse_str( $is_link ? ltrim( $map, '?' ) : '', $values );
-	$seed    = $is_link ? $values['seed'] ?? 'kauri' : $map;
-	$picture = river_seed_picture( $map, $alt === '' ? sprintf( 'Rivers grown from “%s”', is_string( $seed ) ? $seed : 'kauri' ) : $alt );
-	return sprintf(
-		'<river-seed recipe="%s"%s%s style="display:block;aspect-ratio:%s;min-height:0;overflow:hidden">%s</river-seed>',
-		river_seed_attr( river_seed_link( $map, $is_link ) ),
+	$html = sprintf(
+		'<river-seed %s="%s"%s%s%s style="display:block;aspect-ratio:%s;min-height:0;overflow:hidden">%s</river-seed>',
+		strpos( $map, '=' ) === false ? 'seed' : 'recipe',
+		river_seed_attr( $map ),
+		// So that the element draws what the picture shows after an upgrade too.
+		strpos( $map, 'edition=' ) === false ? sprintf( ' edition="%d"', RIVER_SEED_EDITION ) : '',
 		$alt === '' ? '' : sprintf( ' alt="%s"', river_seed_attr( $alt ) ),
 		river_seed_scripts( $map ),
-		min( 4, max( 0.25, is_numeric( $values['aspect'] ?? null ) ? (float) $values['aspect'] : 1.6 ) ),
-		$picture
+		river_seed_aspect( $map ),
+		river_seed_picture( $map, $alt )
 	);
+	// Shortcodes run after blocks, in attributes too. This is how WordPress itself writes brackets that begin none.
+	return strtr( $html, array( '[' => '&#091;', ']' => '&#093;' ) );
 }
 
-/** Returns a map's link with the edition, so that the element draws what the picture shows after an upgrade too. */
-function river_seed_link( $map, $is_link ) {
-	$link = $is_link ? $map : 'seed=' . rawurlencode( $map );
-	return preg_match( '/(^\??|&)edition=/', $link ) ? $link : $link . '&edition=' . RIVER_SEED_EDITION;
+/** Returns the aspect of the space for a map: that in its link, within the element's range. */
+function river_seed_aspect( $map ) {
+	return preg_match( '/\baspect=(\d+(?:\.\d+)?)(?![^&#])/', $map, $found ) ? min( 4, max( 0.25, (float) $found[1] ) ) : 1.6;
 }
 
 /** Escapes a text for an attribute. `esc_attr` by itself takes `&amp;` for one that is escaped already. */
@@ -86,40 +87,47 @@ function river_seed_scripts( $map ) {
 		return '';
 	}
 	wp_enqueue_script_module( 'river-seed' );
-	if ( river_seed_attachment( $map ) || ! current_user_can( 'upload_files' ) ) {
+	$post = get_the_ID();
+	if ( ! $post || river_seed_attachment( $map ) || ! current_user_can( 'upload_files' ) || ! current_user_can( 'edit_post', $post ) ) {
 		return '';
 	}
 	wp_enqueue_script_module( 'river-seed-poster' );
 	return sprintf(
-		' data-poster="%s" data-size="%d" data-media="%s" data-nonce="%s"',
+		' data-poster="%s" data-size="%d" data-media="%s" data-post="%d" data-nonce="%s"',
 		esc_attr( river_seed_name( $map ) ),
 		RIVER_SEED_SIZE,
 		esc_url( rest_url( 'wp/v2/media' ) ),
+		$post,
 		esc_attr( wp_create_nonce( 'wp_rest' ) )
 	);
 }
 
-/** Returns the picture, or until there is one the words in its place. */
+/** Returns the picture, or until there is one the words in its place. A picture's own text alternative names the seed. */
 function river_seed_picture( $map, $alt ) {
 	$attachment = river_seed_attachment( $map );
+	$looks      = array( 'style' => 'display:block;width:100%;height:auto' ) + ( $alt === '' ? array() : array( 'alt' => $alt ) );
 	if ( ! $attachment ) {
-		return sprintf( '<p style="margin:0">%s</p>', esc_html( $alt ) );
+		return sprintf( '<p style="margin:0">%s</p>', esc_html( $alt === '' ? 'A map of rivers' : $alt ) );
 	}
-	return wp_get_attachment_image( $attachment, 'large', false, array( 'alt' => $alt, 'style' => 'display:block;width:100%;height:auto' ) );
+	return wp_get_attachment_image( $attachment, 'large', false, $looks );
 }
 
-/** Returns the number of a map's picture in the media library; 0 if there is none. */
+/** Returns the number of a map's picture in the media library, as this post keeps it; 0 if there is none. */
 function river_seed_attachment( $map ) {
-	$found = get_posts(
-		array(
-			'post_type'   => 'attachment',
-			'post_status' => 'inherit',
-			'name'        => river_seed_name( $map ),
-			'numberposts' => 1,
-			'fields'      => 'ids',
-		)
-	);
-	return $found ? $found[0] : 0;
+	$post       = get_the_ID();
+	$attachment = $post ? (int) get_post_meta( $post, '_' . river_seed_name( $map ), true ) : 0;
+	return $attachment && wp_attachment_is_image( $attachment ) ? $attachment : 0;
+}
+
+/**
+ * Keeps the number of a picture that an author's browser has sent, with the post it was sent for. The media library takes it only from those
+ * who may edit that post, so nobody chooses the pictures in another's posts.
+ */
+function river_seed_keep( $attachment, $request ) {
+	$name = (string) $request['river_seed'];
+	if ( $attachment->post_parent && preg_match( '/^river-seed-[0-9a-f]{16}$/D', $name ) ) {
+		update_post_meta( $attachment->post_parent, "_$name", $attachment->ID );
+	}
 }
 
 /** Returns the name of a map's picture. It is a hash, since words may be any text, also `../`, and of all that decides the pixels. */

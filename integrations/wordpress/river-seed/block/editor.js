@@ -18,15 +18,10 @@
     const fields = el(
       components.PanelBody,
       { title: "Map" },
-      field(
-        "Word or link",
-        "map",
-        map,
-        "Such as kauri, or what the page's Share button gives behind the question mark.",
-      ),
+      field("Word or link", "map", map, "Such as kauri, or the address that the page's Share button gives."),
       field("Text alternative", "alt", alt, "What the map shows, for readers who do not see it."),
     );
-    const name = /^\??[a-z][a-z-]*=/.test(map) ? "recipe" : "seed";
+    const name = map.includes("=") ? "recipe" : "seed";
     return el(
       "div",
       blockEditor.useBlockProps(),
