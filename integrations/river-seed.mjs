@@ -28,7 +28,7 @@ export class RiverSeedError extends Error {
 
 /**
  * Reads a map that is named by a word, by a link such as `seed=kauri&land=valley`, or by a page's address. Returns the canonical link, whose edition keeps
- * the picture and the element alike after an upgrade, the seed, and true if the map is more than the element draws.
+ * the picture and the element alike after an upgrade, a text alternative, and true if the map is more than the element draws.
  */
 export function readMap(map) {
   if (typeof map !== "string" || map.trim() === "")
@@ -36,11 +36,11 @@ export function readMap(map) {
       `a word or a link is wanted, as "kauri" or "seed=kauri&land=valley", not ${JSON.stringify(map)}`,
     );
   try {
-    const { link, seed, isMended, beyondElement } = readLink(map);
+    const { link, alternative, isMended, beyondElement } = readLink(map);
     if (isMended) tellOnce(`the link was damaged on its way, and is read as ${link}: ${JSON.stringify(map)}`);
     if (beyondElement.length > 0)
       tellOnce(`a picture without the element for ${JSON.stringify(map)}: ${beyondElement}`);
-    return { link, seed, isPictureAlone: beyondElement.length > 0 };
+    return { link, alternative, isPictureAlone: beyondElement.length > 0 };
   } catch (error) {
     throw error instanceof PageError ? new RiverSeedError(`no map of ${JSON.stringify(map)}: ${error.message}`) : error;
   }
@@ -65,11 +65,11 @@ export function fileOf(link) {
  * more than the element draws has the picture alone. `base` is the address of the folder, and `alt` a text alternative of the author's own.
  */
 export async function embed(map, { folder, base, alt }) {
-  const { link, seed, isPictureAlone } = readMap(map);
+  const { link, alternative, isPictureAlone } = readMap(map);
   const { width, height } = await drawOnce(link, folder);
   const picture = {
     src: base + fileOf(link),
-    alt: alt || `Rivers grown from “${seed}”`,
+    alt: alt || alternative,
     width,
     height,
     style: "display:block;width:100%;height:auto",

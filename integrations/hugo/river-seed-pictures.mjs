@@ -59,10 +59,10 @@ function mapOf(parameters) {
 }
 
 async function drawMap(map) {
-  const { link, seed, isPictureAlone } = readMap(map);
+  const { link, alternative, isPictureAlone } = readMap(map);
   const folder = join(assets, "riverseed");
   await drawOnce(link, folder);
-  maps[createHash("sha256").update(map).digest("hex")] = { link, seed, picture: fileOf(link), isPictureAlone };
+  maps[createHash("sha256").update(map).digest("hex")] = { link, alternative, picture: fileOf(link), isPictureAlone };
 }
 
 function tell(error, where = "") {

@@ -4,7 +4,6 @@ require "cgi"
 require "digest"
 require "json"
 require "open3"
-require "uri"
 
 module RiverSeed
   # An error that the site's author can mend; it says how.
@@ -33,34 +32,44 @@ module RiverSeed
     raise Error, "the text holds a character that cannot be shown"
   end
 
-  # Names the edition of the algorithms in a link that names none, so that the element draws what the picture shows after an upgrade too.
-  def self.pinned(link) = link.match?(/(\A\??|&)edition=/) ? link : "#{link}&edition=#{edition}"
+  # Reads a map as the command does: the canonical link, whose edition keeps the picture and the element alike after an upgrade, a text
+  # alternative, and what the element cannot draw.
+  def self.read(map)
+    said = riverseed("embed", "--json", "--", map)
+    notices, json = said.partition(/^\{$/).then { |before, brace, rest| [before.strip, brace + rest] }
+    facts = JSON.parse(json)
+    tell(notices.delete_prefix("riverseed: ")) unless notices.empty?
+    tell("a picture without the element for #{map.inspect}: #{facts["beyond_element"].join("; ")}") unless facts["beyond_element"].empty?
+    facts
+  end
 
-  # Returns the edition that the command draws.
-  def self.edition
-    @edition ||= JSON.parse(riverseed("table", "--json"))["parameters"].find { |one| one["key"] == "edition" }["default"]
+  # Tells the author something that stops no build.
+  def self.tell(message)
+    Jekyll.logger.warn("river-seed:", message)
   end
 
   class Tag < Liquid::Tag
     def render(context)
       map, alt = @markup.scan(Liquid::QuotedFragment).map { |word| context.evaluate(Liquid::Expression.parse(word)) }
       raise Error, "a word or a link is wanted, as \"kauri\" or \"seed=kauri&land=valley\"" if map.to_s.strip.empty?
-      map = map.to_s
-      link = RiverSeed.pinned(map.match?(/\A\??[a-z][a-z-]*=/) ? map : "seed=#{URI.encode_www_form_component(map)}")
+      facts = RiverSeed.read(map.to_s)
+      link = facts["link"]
       site = context.registers[:site]
-      name, width, height = picture(site, map, link)
+      name, width, height = picture(site, link)
       base = File.join("/", site.baseurl.to_s, "riverseed/")
-      alt_or_own = alt || "Rivers grown from “#{URI.decode_www_form(link.delete_prefix("?")).assoc("seed")&.last || "kauri"}”"
+      alt_or_own = alt || facts["alternative"]
       escape = ->(text) { CGI.escapeHTML(text.to_s) }
-      %(<script type="module" src="#{base}river-seed.js"></script><river-seed recipe="#{escape[link]}"#{%( alt="#{escape[alt]}") if alt} style="display:block"><img src="#{base}#{name}" alt="#{escape[alt_or_own]}" width="#{width}" height="#{height}" style="display:block;width:100%;height:auto" /></river-seed>)
+      img = %(<img src="#{base}#{name}" alt="#{escape[alt_or_own]}" width="#{width}" height="#{height}" style="display:block;width:100%;height:auto" />)
+      return img unless facts["beyond_element"].empty?
+      %(<script type="module" src="#{base}river-seed.js"></script><river-seed recipe="#{escape[link]}"#{%( alt="#{escape[alt]}") if alt} style="display:block">#{img}</river-seed>)
     end
 
     private
 
     # Returns the file name and the size of a map's picture, which Jekyll will write with the site's other files. The name is a hash of all
     # that decides the pixels.
-    def picture(site, map, link)
-      name = "river-seed-#{Digest::SHA256.hexdigest("#{map} edition #{RiverSeed.edition}, #{SIZE} at #{RATIO}")[0, 16]}.png"
+    def picture(site, link)
+      name = "river-seed-#{Digest::SHA256.hexdigest("#{link}, #{SIZE} at #{RATIO}")[0, 16]}.png"
       cache = File.join(site.cache_dir, "river-seed")
       path = File.join(cache, "riverseed", name)
       FileUtils.mkdir_p(File.dirname(path))

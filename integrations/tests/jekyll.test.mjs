@@ -76,6 +76,26 @@ test("Jekyll: a link's text alternative names its seed", { skip }, async () => {
   expectAlternatives(readFileSync(join(source, "_site/index.html"), "utf8"));
 });
 
+test("Jekyll: an address and a damaged link are read, and a map beyond the element's limits is a picture alone", {
+  skip,
+}, async () => {
+  const source = site("given");
+  const maps = ["https://rivers.example/?seed=rimu&land=valley", "seed=rimu&amp;land=valley", "attractors=20001"];
+  write(source, "index.md", `---\n---\n${maps.map((map) => `{% river_seed "${map}" %}`).join("\n\n")}\n`);
+  await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), maps.map(pngOf("sha256")));
+  const { code, said } = await run(source, "jekyll", ["build"]);
+  assert.equal(code, 0, said);
+  const page = readFileSync(join(source, "_site/index.html"), "utf8");
+  const recipe = "seed=rimu&amp;edition=1&amp;land=valley";
+  assert.deepEqual(
+    [...page.matchAll(/ recipe="([^"]*)"/g)].map(([, recipe]) => recipe),
+    [recipe, recipe],
+  );
+  assert.equal(page.match(/<img /g).length, 3);
+  assert.match(said, /river-seed: the link was damaged on its way, and has been mended/);
+  assert.match(said, /river-seed: a picture without the element for "attractors=20001": attractors: 20001 exceeds/);
+});
+
 test("Jekyll: the element and the picture are of one edition, and a tag in a comment is no element", {
   skip,
 }, async () => {
@@ -88,7 +108,7 @@ test("Jekyll: the element and the picture are of one edition, and a tag in a com
   const page = readFileSync(join(source, "_site/index.html"), "utf8");
   assert.deepEqual(
     [...page.matchAll(/ recipe="([^"]*)"/g)].map(([, recipe]) => recipe),
-    ["seed=kauri&amp;edition=1", "?seed=a&amp;sea=0.8&amp;edition=1", "edition=1&amp;seed=b"],
+    ["seed=kauri&amp;edition=1", "seed=a&amp;edition=1&amp;sea=0.8", "seed=b&amp;edition=1"],
   );
   assert.match(page, /width="16"/, "the pictures that are there are used");
 });

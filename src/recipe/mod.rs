@@ -72,6 +72,22 @@ impl Recipe {
         }
     }
 
+    /// Writes the words for readers who do not see the picture, where its author gives none. They hold the seed as it is.
+    ///
+    /// ```
+    /// use riverseed::recipe::link;
+    ///
+    /// assert_eq!(link::read("seed=rimu")?.alternative(), "Rivers grown from “rimu”");
+    /// assert_eq!(link::read("seed=")?.alternative(), "Rivers");
+    /// # Ok::<(), riverseed::recipe::RecipeError>(())
+    /// ```
+    pub fn alternative(&self) -> String {
+        match self.seed() {
+            "" => "Rivers".into(),
+            seed => format!("Rivers grown from “{seed}”"),
+        }
+    }
+
     /// Returns a number, in the parameter's unit.
     ///
     /// ```

@@ -21,6 +21,7 @@ pub fn command() -> Command {
         .arg_required_else_help(true)
         .subcommand(render_command())
         .subcommand(page_command())
+        .subcommand(embed_command())
         .subcommand(outline_command())
         .subcommand(measure_command())
         .subcommand(names_command())
@@ -80,6 +81,14 @@ fn page_command() -> Command {
         .args(recipe_arguments())
         .args(page_arguments())
         .args(TABLE.iter().map(option))
+}
+
+fn embed_command() -> Command {
+    let json = Arg::new("json").long("json").action(ArgAction::SetTrue);
+    Command::new("embed")
+        .about("Prints the element <river-seed> for a map, to be put into a page")
+        .arg(link_argument().required(true))
+        .arg(json.help("Print what a program needs to embed the map and its picture, as JSON"))
 }
 
 fn page_arguments() -> [Arg; 9] {
@@ -168,7 +177,7 @@ const MIXED: &str = "Link, file and options may be mixed. If a value is given tw
 
 fn recipe_arguments() -> [Arg; 3] {
     [
-        Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\", a whole address, or a word"),
+        link_argument(),
         Arg::new("recipe")
             .long("recipe")
             .value_name("FILE")
@@ -176,6 +185,10 @@ fn recipe_arguments() -> [Arg; 3] {
             .value_parser(value_parser!(PathBuf)),
         Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"),
     ]
+}
+
+fn link_argument() -> Arg {
+    Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\", a whole address, or a word")
 }
 
 fn outline_command() -> Command {

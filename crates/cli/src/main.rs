@@ -1,11 +1,12 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed page` writes a map's page as a folder for any host, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
+//! land, `riverseed page` writes a map's page as a folder for any host, `riverseed embed` writes the element for a page, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
 //! table` explains recipes, and `riverseed verify` checks that this machine draws like all others.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
 mod batch;
 mod commands;
+mod embed;
 mod form;
 mod grow;
 mod hash;
@@ -75,6 +76,7 @@ fn run() -> Result<(), Failure> {
     match commands::command().get_matches().subcommand() {
         Some(("render", matches)) => render::render(matches),
         Some(("page", matches)) => page::page(matches),
+        Some(("embed", matches)) => embed::embed(matches),
         Some(("outline", matches)) => outline::outline(matches),
         Some(("measure", matches)) => measure::measure(matches),
         Some(("names", matches)) => names::names(matches),

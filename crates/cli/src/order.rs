@@ -88,7 +88,7 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
 }
 
 /// Reads what was handed over as a link, and says what had to be mended or left out.
-fn handed_over(text: &str) -> Result<Vec<(String, String)>, Failure> {
+pub fn handed_over(text: &str) -> Result<Vec<(String, String)>, Failure> {
     let (pairs, notices) = given::pairs(text)?;
     notices.iter().for_each(|notice| say(&notice.message));
     Ok(pairs)

@@ -488,3 +488,33 @@ fn path_of_a_folder_is_no_output() {
         assert_eq!((code, message), (2, format!("riverseed: {path}: this is the path of a folder, not of a file\n")));
     }
 }
+
+#[test]
+fn embed_prints_the_element_or_what_a_generator_of_pages_needs() {
+    let printed = |words: &[&str]| {
+        let output = riverseed(&[&["embed"], words].concat());
+        assert!(output.status.success(), "{output:?}");
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap())
+    };
+    let facts = |map: &str| serde_json::from_str::<serde_json::Value>(&printed(&[map, "--json"])[0]).unwrap();
+    let link = "seed=rimu&edition=1&land=valley";
+    assert_eq!(
+        facts("https://rivers.example/?seed=rimu&amp;land=valley"),
+        serde_json::json!({
+            "link": link,
+            "seed": "rimu",
+            "edition": 1,
+            "alternative": "Rivers grown from “rimu”",
+            "aspect": 1.6,
+            "beyond_element": [],
+        })
+    );
+    assert_eq!(facts("seed=rimu&style=atlas")["link"], "seed=rimu&edition=1&style=atlas", "with its style");
+    assert_eq!(facts("attractors=30000")["beyond_element"].as_array().unwrap().len(), 1);
+    assert_eq!(facts("a \"b\" & c")["link"], "seed=a+%22b%22+%26+c&edition=1");
+    let [element, said] = printed(&["seed=rimu&amp;land=valley"]);
+    let escaped = link.replace('&', "&amp;");
+    assert_eq!(element, format!("<river-seed recipe=\"{escaped}\" style=\"display:block\"></river-seed>\n"));
+    assert_eq!(said, "riverseed: the link was damaged on its way, and has been mended\n");
+    assert_eq!(refusal(&["embed", "sea=7"]), (2, "riverseed: sea: 7 is not between 0 and 0.8\n".into()));
+}

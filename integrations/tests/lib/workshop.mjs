@@ -51,13 +51,12 @@ export function copyElement(folder) {
 
 /** Returns the file name of the picture that the npm package draws of a map. */
 export function webpOf(map) {
-  const { link } = readLink(/^\??[a-z][a-z-]*=/.test(map) ? map : `seed=${encodeURIComponent(map)}`);
-  return `river-seed-${hashOf("sha256", `${link} 1200 webp 80`)}.webp`;
+  return `river-seed-${hashOf("sha256", `${readLink(map).link} 1200 webp 80`)}.webp`;
 }
 
-/** Returns a function that gives the file name of the picture that the command draws of a map in edition 1. */
+/** Returns a function that gives the file name of the picture that the command draws of a map. */
 export function pngOf(algorithm) {
-  return (map) => `river-seed-${hashOf(algorithm, `${map} edition 1, 960 at 1.5`)}.png`;
+  return (map) => `river-seed-${hashOf(algorithm, `${readLink(map).link}, 960 at 1.5`)}.png`;
 }
 
 function hashOf(algorithm, text) {

@@ -7,6 +7,7 @@ import { CONSUMERS } from "./installed.ts";
 interface Heard {
   link?: string;
   seed?: string;
+  alternative?: string;
   isMended?: boolean;
   beyondElement?: string[];
   error?: string;
@@ -30,14 +31,37 @@ function read(...links: string[]): Heard[] {
 
 test("a link is read in its canonical form, with the edition and with a style that it names", () => {
   expect(read("?curl=0.60&seed=caf%C3%A9+noir", "seed=a&style=atlas", "")).toEqual([
-    { link: "seed=caf%C3%A9+noir&edition=1&curl=0.6", seed: "café noir", isMended: false, beyondElement: [] },
-    { link: "seed=a&edition=1&style=atlas", seed: "a", isMended: false, beyondElement: [] },
-    { link: "seed=kauri&edition=1", seed: "kauri", isMended: false, beyondElement: [] },
+    {
+      link: "seed=caf%C3%A9+noir&edition=1&curl=0.6",
+      seed: "café noir",
+      alternative: "Rivers grown from “café noir”",
+      isMended: false,
+      beyondElement: [],
+    },
+    {
+      link: "seed=a&edition=1&style=atlas",
+      seed: "a",
+      alternative: "Rivers grown from “a”",
+      isMended: false,
+      beyondElement: [],
+    },
+    {
+      link: "seed=kauri&edition=1",
+      seed: "kauri",
+      alternative: "Rivers grown from “kauri”",
+      isMended: false,
+      beyondElement: [],
+    },
   ]);
 });
 
 test("an address, a word and a damaged link are the maps that they are of", () => {
-  const rimu = { link: "seed=rimu&edition=1&land=valley", seed: "rimu", beyondElement: [] };
+  const rimu = {
+    link: "seed=rimu&edition=1&land=valley",
+    seed: "rimu",
+    alternative: "Rivers grown from “rimu”",
+    beyondElement: [],
+  };
   expect(read("https://rivers.example/?seed=rimu&land=valley", "seed%3Drimu%26land%3Dvalley")).toEqual([
     { ...rimu, isMended: false },
     { ...rimu, isMended: true },

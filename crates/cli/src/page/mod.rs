@@ -10,7 +10,7 @@ mod file_names;
 mod files;
 mod folder;
 mod list;
-mod markup;
+pub mod markup;
 mod oembed;
 mod place;
 mod shots;

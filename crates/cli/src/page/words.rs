@@ -5,7 +5,7 @@ use riverseed::Map;
 use riverseed::annotate::names::Names;
 use riverseed::annotate::place::KILOMETRE;
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Kind, Parameter, Recipe, link, shown};
+use riverseed::recipe::{Kind, Parameter, Recipe, link, visible};
 use serde_json::{Value, json};
 
 use super::super::Failure;
@@ -31,11 +31,7 @@ pub fn given(matches: &ArgMatches, option: &'static str) -> Result<Option<String
 
 /// Returns the map's name, or what it grew from if the recipe takes its name away.
 pub fn name(names: &Names, recipe: &Recipe) -> String {
-    match (names.title.as_str(), recipe.seed()) {
-        ("", "") => "Rivers".into(),
-        ("", seed) => format!("Rivers grown from “{}”", shown(seed)),
-        (title, _) => title.into(),
-    }
+    if names.title.is_empty() { visible(&recipe.alternative()) } else { names.title.clone() }
 }
 
 /// Writes a sentence or two on the rivers.

@@ -42,6 +42,8 @@ export interface Reading {
   /** The keys that do nothing in this recipe, and why. */
   readonly idle: readonly (readonly [key: string, reason: string])[];
   readonly notices: readonly Notice[];
+  /** Words for readers who do not see the picture; of the largest engine only. */
+  readonly alternative?: string;
 }
 "#;
 
@@ -63,6 +65,8 @@ pub fn read_link(
         ("values", TABLE.iter().map(value).collect::<Array>().into()),
         ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
         ("notices", list(&reading.notices).into()),
+        #[cfg(feature = "engine")]
+        ("alternative", recipe.alternative().into()),
     ])
 }
 

@@ -14,10 +14,10 @@ local function escaped(text)
   return (text:gsub("[&<>\"']", function(sign) return "&#" .. sign:byte() .. ";" end))
 end
 
--- Draws a link with the command, without a shell, so that no word is read as one. What is wrong with a link the command says itself.
-local function draw(map, link, path)
-  local is_done, why = pcall(pandoc.pipe, "riverseed", { "render", link, "-o", path, "--size", SIZE, "--ratio", RATIO }, "")
-  if is_done then return end
+-- Asks the command, without a shell, so that no word is read as one. What is wrong with a map the command says itself.
+local function asked(map, words)
+  local is_done, why = pcall(pandoc.pipe, "riverseed", words, "")
+  if is_done then return why end
   if type(why) == "table" and why.error_code ~= 127 then fail('no map of "' .. map .. '": see above') end
   fail("the command `riverseed` cannot be run: " .. tostring(why))
 end
@@ -31,39 +31,19 @@ local function size_of(path)
   return string.unpack(">I4I4", head, 17)
 end
 
--- Returns the seed of a link, as text.
-local function seed_of(link)
-  local seed = ("&" .. link:gsub("^%?", "")):match("&seed=([^&]*)") or "kauri"
-  return (seed:gsub("+", " "):gsub("%%(%x%x)", function(code) return string.char(tonumber(code, 16)) end))
-end
-
-local function link_of(map)
-  if map:match("^%??[a-z][a-z-]*=") then return map end
-  return "seed=" .. map:gsub("[^%w]", function(sign) return ("%%%02X"):format(sign:byte()) end)
-end
-
-local edition
-
--- Returns the edition of the algorithms that the command draws.
-local function edition_of_command()
-  if edition then return edition end
-  local is_done, said = pcall(pandoc.pipe, "riverseed", { "table", "--json" }, "")
-  if not is_done then fail("the command `riverseed` cannot be run: " .. tostring(said)) end
-  edition = said:match('"key": "edition".-"default": "(%d+)"') or fail("the command `riverseed` names no edition: another version is needed")
-  return edition
-end
-
--- Names the edition in a link that names none, so that the element draws what the picture shows after an upgrade too.
-local function pinned(link)
-  if ("&" .. link:gsub("^%?", "")):match("&edition=") then return link end
-  return link .. "&edition=" .. edition_of_command()
+-- Reads a map as the command does: the canonical link, whose edition keeps the picture and the element alike after an upgrade, a text
+-- alternative, and what the element cannot draw.
+local function read(map)
+  return quarto.json.decode(asked(map, { "embed", "--json", "--", map }))
 end
 
 -- Returns the file name and the size of a map's picture in a folder. The name is a hash of all that decides the pixels.
 local function picture(map, link, folder)
-  local pixels = ("%s edition %s, %s at %s"):format(map, edition_of_command(), SIZE, RATIO)
+  local pixels = ("%s, %s at %s"):format(link, SIZE, RATIO)
   local name = "river-seed-" .. pandoc.utils.sha1(pixels):sub(1, 16) .. ".png"
-  if not size_of(folder .. name) then draw(map, link, folder .. name) end
+  if not size_of(folder .. name) then
+    asked(map, { "render", link, "-o", folder .. name, "--size", SIZE, "--ratio", RATIO })
+  end
   return name, size_of(folder .. name)
 end
 
@@ -75,16 +55,22 @@ local function river_seed(args, kwargs)
   local folder = (quarto.project.directory or ".") .. "/riverseed/"
   if not io.open(folder .. "river-seed.js") then fail("the element's files are not in the folder riverseed of the project") end
 
-  local link = pinned(link_of(map))
+  local facts = read(map)
+  local link = facts.link
   local name, width, height = picture(map, link, folder)
   local base = (quarto.project.offset or ".") .. "/riverseed/"
-  local alt = own_alt ~= "" and own_alt or "Rivers grown from “" .. seed_of(link) .. "”"
+  local alt = own_alt ~= "" and own_alt or facts.alternative
+  local beyond = table.concat(facts.beyond_element, "; ")
+  if beyond ~= "" then io.stderr:write('river-seed: a picture without the element for "', map, '": ', beyond, "\n") end
   if not quarto.doc.is_format("html") then return pandoc.Image({ pandoc.Str(alt) }, base .. name) end
+  local img = table.concat({
+    '<img src="', base, name, '" alt="', escaped(alt), '" width="', width, '" height="', height, '" style="display:block;width:100%;height:auto">',
+  })
+  if beyond ~= "" then return pandoc.RawInline("html", img) end
   return pandoc.RawInline("html", table.concat({
     '<script type="module" src="', base, 'river-seed.js"></script>',
     '<river-seed recipe="', escaped(link), '"', own_alt ~= "" and ' alt="' .. escaped(alt) .. '"' or "", ' style="display:block">',
-    '<img src="', base, name, '" alt="', escaped(alt), '" width="', width, '" height="', height,
-    '" style="display:block;width:100%;height:auto"></river-seed>',
+    img, '</river-seed>',
   }))
 end
 

@@ -38,6 +38,8 @@ export interface ReadLink {
   /** The canonical link: it has the edition, so it names the same picture for ever, and a style if the text names one. */
   link: string;
   seed: string;
+  /** Words for readers who do not see the picture, where its author gives none. */
+  alternative: string;
   /** True if the text was damaged on its way, by a chat or by HTML, and has been mended. */
   isMended: boolean;
   /** What is beyond the element's limits, in words. If anything is, the element draws a smaller map than `grow()`. */
@@ -64,11 +66,11 @@ export function grow(link: string): GrownMap {
 /** Reads a link as strictly as `grow()`, without growing its map. */
 export function readLink(link: string): ReadLink {
   try {
-    const { sharedLink, values, notices } = readAs(link);
+    const { sharedLink, values, notices, alternative = "" } = readAs(link);
     refuse(notices, values);
     const seed = new Map(values).get("seed") ?? "";
-    const beyond = readAs(link, { widget: true }).notices.filter(isFault);
-    return { link: sharedLink, seed, isMended: !notices.every(isFault), beyondElement: beyond.map(limitOf) };
+    const beyondElement = readAs(link, { widget: true }).notices.filter(isFault).map(limitOf);
+    return { link: sharedLink, seed, alternative, isMended: !notices.every(isFault), beyondElement };
   } catch (error) {
     throw named(error);
   }
