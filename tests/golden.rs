@@ -133,8 +133,8 @@ fn readme_s_picture_is_what_its_link_draws() {
         write(File::create(&path).unwrap(), &picture, &carried).unwrap();
         panic!("the README's picture is drawn again: look at it, then run without RIVERSEED_REFRESH");
     }
-    let (_, command) = include_str!("../README.md").split_once("`riverseed render \"").unwrap();
-    let recipe = link::read(command.split_once('"').unwrap().0).unwrap();
+    let (_, named) = include_str!("../README.md").split_once("This one is `").unwrap();
+    let recipe = link::read(named.split_once('`').unwrap().0).unwrap();
     assert_eq!(link::read(&carried).unwrap(), recipe, "the README's picture carries another link");
-    assert!(rgb(&picture(recipe, 1000)) == expected, "draw it again: the command stands below it in the README");
+    assert!(rgb(&picture(recipe, 1000)) == expected, "the README names the link below its picture");
 }

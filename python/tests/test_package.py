@@ -85,3 +85,15 @@ def test_examples_of_the_readme_run(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     for example in examples:
         exec(compile(example, str(README), "exec"), known)
     assert any(tmp_path.iterdir()), "no example has written its file"
+
+
+@pytest.mark.parametrize("guide", ["python.md", "scientists.md"])
+def test_programs_of_the_guides_run(guide: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = (README.parents[1] / "docs" / "for" / guide).read_text()
+    programs = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    assert programs
+    monkeypatch.chdir(tmp_path)
+    known: dict[str, object] = {}
+    for program in programs:
+        # A hundred networks take half a minute.
+        exec(compile(program.replace("range(100)", "range(3)"), guide, "exec"), known)

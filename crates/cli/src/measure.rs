@@ -37,28 +37,63 @@ fn range(nature: Nature) -> Value {
     json!({ "median": nature.median, "least": nature.least, "most": nature.most, "source": nature.source })
 }
 
-/// Writes a line for each measure, and one that names the pattern.
+/// The most columns of the table: those of a terminal or an editor of ordinary width.
+const COLUMNS: usize = 100;
+
+/// Writes each measure beside nature's values, with what it is below; then where those values come from, and the pattern.
 fn table(measures: &Measures) -> String {
+    let sources = sources();
     let row = |measure: &Measure| {
-        let nature = measure.nature.map_or(String::new(), in_words);
+        let nature = measure.nature.map_or(String::new(), |nature| in_words(nature, &sources));
         let unit = (measure.value)(measures).map_or("", |_| measure.unit);
-        [measure.label.into(), value(measure, measures), unit.into(), nature, measure.help.into()]
+        [measure.label.into(), value(measure, measures), unit.into(), nature]
     };
-    let head = ["", "this map", "", "nature", "what it is"].map(String::from);
-    let rows: Vec<[String; 5]> = [head].into_iter().chain(TABLE.iter().map(row)).collect();
+    let head = ["", "this map", "", "nature"].map(String::from);
+    let rows: Vec<[String; 4]> = [head].into_iter().chain(TABLE.iter().map(row)).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let (labels, values, units, natures) = (width(0), width(1), width(2), width(3));
-    let line = |[label, value, unit, nature, help]: &[String; 5]| {
-        format!("{label:labels$}  {value:>values$} {unit:units$}  {nature:natures$}  {help}")
+    let [labels, values, units] = [0, 1, 2].map(width);
+    let line = |[label, value, unit, nature]: &[String; 4]| {
+        let line = format!("{label:labels$}  {value:>values$} {unit:units$}  {nature}");
+        line.trim_end().to_owned()
     };
-    rows.iter().map(line).chain(pattern(measures)).collect::<Vec<_>>().join("\n")
+    let helps = [String::new()].into_iter().chain(TABLE.iter().map(|measure| indented(measure.help)));
+    let rows = rows.iter().map(line).zip(helps).flat_map(|(line, help)| [line, help]).filter(|line| !line.is_empty());
+    let notes = sources.iter().enumerate().map(|(i, source)| format!("[{}] {source}", i + 1));
+    rows.chain(notes).chain(pattern(measures)).collect::<Vec<_>>().join("\n")
 }
 
-/// Names the pattern and how far each is, such as "Pattern: dendritic (dendritic 0.6, deranged 2.1, …)".
+/// Lists where nature's values come from, each once.
+fn sources() -> Vec<&'static str> {
+    let mut sources = Vec::new();
+    for Nature { source, .. } in TABLE.iter().filter_map(|measure| measure.nature) {
+        if !sources.contains(&source) {
+            sources.push(source);
+        }
+    }
+    sources
+}
+
+/// Breaks a text into lines of the table, further in than its rows.
+fn indented(text: &str) -> String {
+    const INDENT: &str = "    ";
+    let mut lines = vec![INDENT.to_owned()];
+    for word in text.split(' ') {
+        let line = lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= COLUMNS);
+        match line {
+            Some(line) if line == INDENT => line.push_str(word),
+            Some(line) => line.extend([" ", word]),
+            None => lines.push(format!("{INDENT}{word}")),
+        }
+    }
+    lines.join("\n")
+}
+
+/// Names the pattern and how far each is, such as "Pattern: dendritic" and "dendritic 0.6, deranged 2.1, …".
 fn pattern(measures: &Measures) -> Option<String> {
     let pattern = measures.pattern()?;
     let distances = pattern.nearest_first().map(|(name, distance)| format!("{name} {distance:.1}"));
-    Some(format!("Pattern: {} (distances: {})", pattern.name(), distances.join(", ")))
+    let distances = indented(&format!("distances: {}", distances.join(", ")));
+    Some(format!("Pattern: {}\n{distances}", pattern.name()))
 }
 
 fn value(measure: &Measure, measures: &Measures) -> String {
@@ -66,11 +101,12 @@ fn value(measure: &Measure, measures: &Measures) -> String {
     (measure.value)(measures).map_or("too small".into(), |value| format!("{value:.places$}"))
 }
 
-/// Nature's values in words, such as "4.1 (3.5 to 5.2), 11 river basins".
-fn in_words(nature: Nature) -> String {
+/// Writes nature's values and the number of their source, such as "4.1 (3.5 to 5.2) [1]".
+fn in_words(nature: Nature, sources: &[&str]) -> String {
     let Nature { median, least, most, source, .. } = nature;
+    let note = sources.iter().position(|other| *other == source).map_or(0, |i| i + 1);
     match median {
-        Some(median) => format!("{median:?} ({least:?} to {most:?}), {source}"),
-        None => format!("{least} to {most}, {source}"),
+        Some(median) => format!("{median:?} ({least:?} to {most:?}) [{note}]"),
+        None => format!("{least} to {most} [{note}]"),
     }
 }

@@ -43,10 +43,35 @@ fn data_of_parameters_are_those_the_program_prints() {
     assert_printed("www/src/engine/parameters.json", &["table", "--json"]);
 }
 
+/// Finds the lines in blocks of shell.
+fn shell(text: &str) -> impl Iterator<Item = &str> {
+    let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
+    blocks.flat_map(str::lines)
+}
+
 /// Finds the commands in blocks of shell, as words.
 fn commands(text: &str) -> Vec<Vec<String>> {
-    let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
-    blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("riverseed ")).map(words).collect()
+    shell(text).filter_map(|line| line.strip_prefix("riverseed ")).map(words).collect()
+}
+
+/// What other programs do is tested where they are at hand.
+#[test]
+fn lines_of_shell_in_readme_and_the_guides_are_commands_or_installations() {
+    const OTHERS: [&str; 4] = ["cargo add riverseed ", "npm install ", "pip install ./python", "mkdir -p out"];
+    for page in guides().into_iter().chain(["README.md".into()]) {
+        for line in shell(&read(&page)) {
+            assert!(["riverseed "].iter().chain(&OTHERS).any(|start| line.starts_with(start)), "{page}: {line}");
+        }
+    }
+}
+
+/// Returns the guides.
+fn guides() -> Vec<String> {
+    let guides = fs::read_dir(root().join("docs/for")).unwrap().map(|guide| guide.unwrap().file_name());
+    let mut guides: Vec<String> = guides.map(|name| format!("docs/for/{}", name.to_str().unwrap())).collect();
+    guides.sort();
+    assert!(guides.len() >= 8, "{guides:?}");
+    guides
 }
 
 /// Splits the words of a command, some of them in double quotes.
@@ -71,17 +96,18 @@ fn draw_land(path: &Path) {
 
 /// The commands run in the order of the page, since one may read the output of another.
 #[test]
-fn commands_of_readme_and_the_page_about_the_command_line_work() {
-    for page in ["README.md", "docs/command-line.md", "docs/batch.md", "docs/gis.md", "docs/engines.md"] {
-        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents").join(page);
+fn commands_of_readme_the_guides_and_the_pages_about_the_command_line_work() {
+    let pages = ["README.md", "docs/command-line.md", "docs/batch.md", "docs/gis.md", "docs/engines.md"];
+    for page in pages.map(String::from).into_iter().chain(guides()) {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents").join(&page);
         // What an earlier run left may be of an earlier program.
         let _ = fs::remove_dir_all(&folder);
         fs::create_dir_all(&folder).unwrap();
         draw_land(&folder.join("coast.png"));
         fs::create_dir_all(folder.join("out")).unwrap();
         // Ten thousand maps take minutes.
-        let commands = commands(&read(page).replace("..10000", "..10"));
-        assert!(commands.len() >= 3, "{page}");
+        let commands = commands(&read(&page).replace("..10000", "..10").replace("..100 ", "..10 "));
+        assert!(page.starts_with("docs/for/") || commands.len() >= 3, "{page}");
         // This takes a minute, and `command_line.rs` has a test for it.
         for words in commands.iter().filter(|words| words[0] != "verify") {
             let output = riverseed(&folder, words);

@@ -148,3 +148,15 @@ test("addresses are those of the site, and nothing is fetched from others", () =
     for (const [address] of text.matchAll(/https?:\/\/[^\s"']+/g))
       expect(address.startsWith(SOME_SITE), `${name}: ${address}`).toBe(true);
 });
+
+test("every block of README and the guides is of a language that a test runs, or an address, which is read", () => {
+  // sh: crates/cli/tests/documents.rs. rust: the tests of the crate. python: python/tests/test_package.py. js:
+  // tests/package/guide.test.ts and tests/e2e/widget/guides.spec.ts, as html. text: addresses, which are read above.
+  const RUN = ["html", "js", "python", "rust", "sh", "text"];
+  const all = [...codesIn(read("README.md")), ...PAGES.flatMap(({ text }) => codesIn(text))];
+  expect(all.length).toBeGreaterThan(15);
+  for (const { lang = "", text } of all) {
+    expect(RUN, text).toContain(lang);
+    if (lang === "text") expect(linksIn(text), text).toHaveLength(1);
+  }
+});
