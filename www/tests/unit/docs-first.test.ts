@@ -149,6 +149,13 @@ test("addresses are those of the site, and nothing is fetched from others", () =
       expect(address.startsWith(SOME_SITE), `${name}: ${address}`).toBe(true);
 });
 
+test("README and the element's page begin with the same snippet", () => {
+  const snippets = ["README.md", "docs/element.md"].map((file) =>
+    codesIn(read(file)).find(({ lang }) => lang === "html"),
+  );
+  expect(snippets[0]?.text).toBe(snippets[1]?.text);
+});
+
 test("every block of README and the guides is of a language that a test runs, or an address, which is read", () => {
   // sh: crates/cli/tests/documents.rs. rust: the tests of the crate. python: python/tests/test_package.py. js:
   // tests/package/guide.test.ts and tests/e2e/widget/guides.spec.ts, as html. text: addresses, which are read above.
