@@ -131,7 +131,14 @@ function layerIsWhole(geopackage, layer, features, folder) {
 function check(name, link, folder) {
   const out = (ending) => join(folder, `${name}.${ending}`);
   const endings = ["gpkg", "tif", "geojson", "json", ...LAYERS.map((layer) => `${layer}.tif`)];
-  execFileSync(program, ["render", link, "--size", "300", "--geojson-segments", ...endings.flatMap((ending) => ["-o", out(ending)])]);
+  execFileSync(program, [
+    "render",
+    link,
+    "--size",
+    "300",
+    "--geojson-segments",
+    ...endings.flatMap((ending) => ["-o", out(ending)]),
+  ]);
   assert.equal(readdirSync(folder).length, endings.length, "nothing is written elsewhere");
   const collection = JSON.parse(readFileSync(out("geojson"), "utf8"));
   const { domain } = JSON.parse(readFileSync(out("json"), "utf8"));

@@ -74,7 +74,9 @@ def pyflwdir_s(names):
     by_heights = pyflwdir.from_dem(np.where(land, heights, -9999), nodata=-9999, transform=transform, latlon=False)
     theirs = (by_heights.to_array("d8") == codes)[land].mean()
     steepest = (np.asarray(names["directions"]) == codes)[land].mean()
-    print(f"pyflwdir: {names['orders'].max()} orders; {theirs:.0%} of from_dem's directions are ours, of pysheds' {steepest:.0%}")
+    print(
+        f"pyflwdir: {names['orders'].max()} orders; {theirs:.0%} of from_dem's directions are ours, of pysheds' {steepest:.0%}"
+    )
     assert theirs < 0.7 < 0.9 < steepest, "from_dem is better now, and the page warns of it"
 
 
@@ -94,7 +96,9 @@ def geopandas_s(names):
 def xarray_s(names):
     heights, shade = names["heights"], np.asarray(names["shade"])
     wider = heights.assign_coords(x=heights.x * 10, y=heights.y * 10)
-    assert np.array_equal(xrspatial.hillshade(heights), xrspatial.hillshade(wider), equal_nan=True), "it knows the cell size"
+    assert np.array_equal(xrspatial.hillshade(heights), xrspatial.hillshade(wider), equal_nan=True), (
+        "it knows the cell size"
+    )
     assert np.nanmax(names["slopes"]) < 10 and 0.2 < np.nanmean(shade) < 0.9 and np.nanstd(shade) > 0.02
 
 
