@@ -119,7 +119,7 @@ program:
 
 # These five are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
 .PHONY: test-hydrology
-test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
+test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them; the recipes of docs/hydrology.md run
 	@scripts/hydrology.sh target/debug/riverseed
 	$(lap) "relief, read by a hydrology library"
 

@@ -7,7 +7,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -29,9 +29,11 @@ const LINKS = {
 const LAYERS = ["heights", "land", "rivers", "flow", "basins"];
 const FEATURES = {
   land: ["land"],
+  lakes: ["water"],
   basins: ["basin"],
   oxbow_lakes: ["oxbow"],
   rivers: ["river"],
+  segments: ["segment"],
   reaches: ["reach"],
   ridges: ["ridge"],
   places: ["sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"],
@@ -98,10 +100,11 @@ const back = (coordinates) =>
     : coordinates.map(back);
 
 /** The properties of a feature of GeoJSON as the layer has them, in metres. */
-function expected({ kind, length, area, ...properties }, layer) {
+function expected({ kind, length, width, area, ...properties }, layer) {
   const measures = {
     ...(length === undefined ? {} : { length_m: length * UNIT }),
-    ...(area === undefined ? {} : { area_m2: area * UNIT * UNIT }),
+    ...(width === undefined ? {} : { width_m: width * UNIT }),
+    ...(area === undefined ? {} : { area_m2: Math.round(area * UNIT * UNIT) }),
   };
   return { ...(layer === "places" ? { kind } : {}), ...properties, ...measures };
 }
@@ -125,28 +128,23 @@ function layerIsWhole(geopackage, layer, features, folder) {
   return own.length;
 }
 
-/** Checks that the lakes are the holes of the land. */
-function lakesAreHoles(geopackage, features, folder) {
-  const copy = join(folder, "lakes.copy.geojson");
-  quiet("ogr2ogr", "-f", "GeoJSON", "-lco", "RFC7946=NO", "-lco", "COORDINATE_PRECISION=9", copy, geopackage, "lakes");
-  const lakes = JSON.parse(readFileSync(copy, "utf8")).features.map(({ geometry }) => back(geometry.coordinates[0]));
-  const land = features.filter(({ properties }) => properties.kind === "land");
-  const holes = land.flatMap(({ geometry }) => geometry.coordinates.slice(1)).map((ring) => ring.toReversed());
-  assert.deepEqual(lakes, holes);
-  lakeCount += lakes.length;
-}
-
 function check(name, link, folder) {
   const out = (ending) => join(folder, `${name}.${ending}`);
   const endings = ["gpkg", "tif", "geojson", "json", ...LAYERS.map((layer) => `${layer}.tif`)];
-  execFileSync(program, ["render", link, "--size", "300", ...endings.flatMap((ending) => ["-o", out(ending)])]);
+  execFileSync(program, [
+    "render",
+    link,
+    "--size",
+    "300",
+    "--geojson-segments",
+    ...endings.flatMap((ending) => ["-o", out(ending)]),
+  ]);
   assert.equal(readdirSync(folder).length, endings.length, "nothing is written elsewhere");
   const collection = JSON.parse(readFileSync(out("geojson"), "utf8"));
   const { domain } = JSON.parse(readFileSync(out("json"), "utf8"));
 
   const report = quiet("ogrinfo", "-al", "-so", out("gpkg"));
-  assert.equal(report.split(`ENGCRS["${NAME}"`).length - 1, 8, "each layer has its system");
-  lakesAreHoles(out("gpkg"), collection.features, folder);
+  assert.equal(report.split(`ENGCRS["${NAME}"`).length - 1, Object.keys(FEATURES).length, "each layer has its system");
   assert.ok(report.includes(`riverseed=${collection.riverseed}`));
   if (collection.title) assert.ok(report.includes(`title=${collection.title}`));
   const counts = Object.keys(FEATURES).map((layer) => layerIsWhole(out("gpkg"), layer, collection.features, folder));
@@ -173,17 +171,45 @@ function check(name, link, folder) {
   return counts;
 }
 
-let lakeCount = 0;
-const seen = new Array(Object.keys(FEATURES).length).fill(0);
-for (const [name, link] of Object.entries(LINKS)) {
+/** Checks that GDAL takes a file's word for its coordinate system, and that the definition in a GeoPackage is that of its own list. */
+function systemsAreKnown(folder) {
+  const link = "seed=kauri&attractors=300";
+  for (const number of [32601, 32633, 32760, 3395, 3857, 6933]) {
+    const [gpkg, tif] = ["gpkg", "land.tif"].map((ending) => join(folder, `${number}.${ending}`));
+    execFileSync(program, ["render", link, "-o", gpkg, "-o", tif, "--crs", `EPSG:${number}`]);
+    assert.ok(quiet("gdalinfo", tif).includes(`ID["EPSG",${number}]`));
+    assert.ok(quiet("ogrinfo", "-al", "-so", gpkg).includes(`ID["EPSG",${number}]`));
+    const definition = `SELECT definition FROM gpkg_spatial_ref_sys WHERE srs_id = ${number}`;
+    const [, own] = quiet("ogrinfo", "-q", gpkg, "-sql", definition).match(/definition \(String\) = (.*)/);
+    const text = join(folder, `${number}.wkt`);
+    writeFileSync(text, own);
+    // Its parameters, without names: what makes a place.
+    const numbers = (words) =>
+      quiet("gdalsrsinfo", "-o", "proj4", words)
+        .trim()
+        .split(" ")
+        .filter((part) => !/datum|ellps|type|wktext|towgs84|no_defs/.test(part));
+    assert.deepEqual(numbers(text), numbers(`EPSG:${number}`));
+  }
+  const bare = join(folder, "bare.land.tif");
+  execFileSync(program, ["render", link, "-o", bare, "--crs", "none"]);
+  assert.doesNotMatch(quiet("gdalinfo", bare), /Coordinate System is:\s*\S+CRS/);
+}
+
+const inFolder = (work) => {
   const folder = mkdtempSync(join(tmpdir(), "riverseed-gis-"));
   try {
-    check(name, link, folder).forEach((count, i) => {
-      seen[i] += count;
-    });
+    return work(folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
+};
+
+const seen = new Array(Object.keys(FEATURES).length).fill(0);
+for (const [name, link] of Object.entries(LINKS)) {
+  inFolder((folder) => check(name, link, folder)).forEach((count, i) => {
+    seen[i] += count;
+  });
 }
-assert.ok(lakeCount > 0, "a map has a lake");
+inFolder(systemsAreKnown);
 assert.ok(seen.every(Boolean), `every layer has a feature somewhere: ${seen}`);

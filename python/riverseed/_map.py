@@ -90,9 +90,14 @@ class Map:
         """
         return self._file("svg", text=text)
 
-    def geojson(self) -> bytes:
-        """Return the rivers, coasts and ridges as a GeoJSON file, for geographic information systems."""
-        return self._file("geojson")
+    def geojson(self, *, segments: bool = False, flat: bool = False) -> bytes:
+        """Return the rivers, coasts and ridges as a GeoJSON file, for geographic information systems.
+
+        Args:
+            segments: Whether rivers are there once more, cut at their confluences: a graph.
+            flat: Whether heights are left out, for readers that want all positions in two dimensions.
+        """
+        return self._file("geojson", segments=segments, flat=flat)
 
     def json(self) -> bytes:
         """Return the network as a JSON file: all that is known of it."""
@@ -135,6 +140,9 @@ class Map:
         ratio: float | None = None,
         raster_size: int | None = None,
         text: bool = False,
+        segments: bool = False,
+        flat: bool = False,
+        crs: str | None = None,
     ) -> bytes:
         """Return a file in any form, also for game engines and geographic information systems.
 
@@ -144,11 +152,17 @@ class Map:
             ratio: As for `png`.
             raster_size: As for `raster`; for an engine one of its own sizes.
             text: As for `svg`.
+            segments: As for `geojson`.
+            flat: As for `geojson`.
+            crs: The coordinate system that GeoTIFF and GeoPackage say they have, such as ``"EPSG:32633"``, or
+                ``"none"``; the map's own, which lies nowhere on Earth, unless given.
 
         Raises:
             ValueError: There is no such form, an option does not go with it or is out of its range.
         """
-        return self._file(form, size=size, ratio=ratio, raster_size=raster_size, text=text)
+        return self._file(
+            form, size=size, ratio=ratio, raster_size=raster_size, text=text, segments=segments, flat=flat, crs=crs
+        )
 
     def save(
         self,
@@ -158,6 +172,9 @@ class Map:
         ratio: float | None = None,
         raster_size: int | None = None,
         text: bool = False,
+        segments: bool = False,
+        flat: bool = False,
+        crs: str | None = None,
     ) -> None:
         """Write a file in the form that the ending of its path names, one of `riverseed.FORMS`.
 
@@ -169,13 +186,20 @@ class Map:
             ratio: As for `png`.
             raster_size: As for `raster`.
             text: As for `svg`.
+            segments: As for `geojson`.
+            flat: As for `geojson`.
+            crs: As for `file`.
 
         Raises:
             ValueError: The path has no known ending, an option does not go with it or is out of its range.
             OSError: The file cannot be written.
         """
         form = _native.form_of_file(Path(path).name)
-        Path(path).write_bytes(self._file(form, size=size, ratio=ratio, raster_size=raster_size, text=text))
+        Path(path).write_bytes(
+            self._file(
+                form, size=size, ratio=ratio, raster_size=raster_size, text=text, segments=segments, flat=flat, crs=crs
+            )
+        )
 
     def _file(
         self,
@@ -185,6 +209,9 @@ class Map:
         ratio: float | None = None,
         raster_size: int | None = None,
         text: bool = False,
+        segments: bool = False,
+        flat: bool = False,
+        crs: str | None = None,
     ) -> bytes:
         return self._grown.file(
             form,
@@ -192,6 +219,8 @@ class Map:
             ratio,
             pixels("raster_size", raster_size, _native.LONGEST_RASTER),
             text,
+            (segments, flat),
+            crs,
         )
 
     @cached_property

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use riverseed::export::rasters::Layer;
 use riverseed::recipe::shown;
+use riverseed_exchange::gis::crs::{Crs, UnknownCrs};
 use riverseed_exchange::{Files, Form, Options, Setting, check_size, is_ratio};
 
 use crate::failure::{Done, Failure};
@@ -29,7 +30,16 @@ fn name(setting: Setting) -> &'static str {
         Setting::RasterSize => "raster_size",
         Setting::SvgText => "text",
         Setting::Attractors => "attractors",
+        Setting::Segments => "segments",
+        Setting::Flat => "flat",
+        Setting::Crs => "crs",
     }
+}
+
+/// Reads a coordinate system; the map's own if none is given.
+pub fn crs(text: Option<&str>) -> Done<Crs> {
+    let refused = |text, error| Failure::Refused(format!("crs: '{}' {error}", shown(text)));
+    text.map_or(Ok(Crs::Own), |text| text.parse().map_err(|error: UnknownCrs| refused(text, error)))
 }
 
 /// Lists the forms of a file, as the endings of their names.

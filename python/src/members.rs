@@ -26,8 +26,20 @@ impl Map {
         ratio: Option<f32>,
         raster_size: Option<u32>,
         svg_text: bool,
+        geojson: (bool, bool),
+        crs: Option<&str>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let options = Options { size, ratio, raster_size, has_svg_text: svg_text, ..Options::default() };
+        let (has_segments, is_flat) = geojson;
+        let options = Options {
+            size,
+            ratio,
+            raster_size,
+            has_svg_text: svg_text,
+            has_segments,
+            is_flat,
+            crs: file::crs(crs)?,
+            ..Options::default()
+        };
         let bytes = file::bytes(py, self, file::read(form, &options)?, options)?;
         Ok(PyBytes::new(py, &bytes))
     }

@@ -67,10 +67,21 @@ def test_options_mean_what_they_mean_on_the_command_line(
     assert small.raster("flow", raster_size=700) == rendered("flow.png", SMALL, "--raster-size", "700")
     labelled = rendered("svg", SMALL, "--svg-text")
     assert small.svg(text=True) == labelled != small.svg()
+    cut = rendered("geojson", SMALL, "--geojson-segments", "--geojson-flat")
+    assert small.geojson(segments=True, flat=True) == small.file("geojson", segments=True, flat=True) == cut
+    placed = rendered("gpkg", SMALL, "--crs", "EPSG:32633")
+    assert small.file("gpkg", crs="EPSG:32633") == placed != small.file("gpkg", crs="none")
     for name, expected in (("a.png", picture), ("a.zip", pack), ("a.svg", labelled)):
         options = {"a.png": {"size": 300, "ratio": 1.5}, "a.zip": {"size": 300, "raster_size": 700}}
         small.save(tmp_path / name, text=name == "a.svg", **options.get(name, {}))  # type: ignore[arg-type]
         assert (tmp_path / name).read_bytes() == expected
+
+
+def test_a_coordinate_system_is_one_in_metres_and_goes_with_files_that_have_one(small: riverseed.Map) -> None:
+    with pytest.raises(ValueError, match=r"crs: 'EPSG:4326' must be none, or EPSG: and the number .* 32601 to 32660"):
+        small.file("gpkg", crs="EPSG:4326")
+    with pytest.raises(ValueError, match="crs does not go with form 'png'"):
+        small.file("png", crs="none")
 
 
 def test_a_path_is_text_or_a_path_and_its_ending_counts_in_capitals_too(small: riverseed.Map, tmp_path: Path) -> None:

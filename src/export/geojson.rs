@@ -1,5 +1,8 @@
 //! GeoJSON (RFC 7946): a line for each river and a polygon for each lake, with their data as properties.
 //!
+//! Every feature has a `key`, its place in the list, counted from 1: a number that no other has, whatever its kind, as vector
+//! tiles keep it. `bbox` is the map's own frame, that of its picture.
+//!
 //! The domain lies around the null meridian and the equator, with north up; a unit is a hundredth of a degree (about
 //! 1.1 km). Degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is
 //! one of its parent's, to the digit. Lakes are valid as written, after rounding: rings run counterclockwise and
@@ -10,7 +13,7 @@ use glam::Vec2;
 
 use super::data::{Json, Members};
 use super::names::{self, Feature as Named};
-use super::polygons::{Polygon, polygons};
+use super::polygons::{Polygon, inside_out, is_in, polygons};
 use super::rings::GridPoint;
 use super::{ExportError, rivers};
 use crate::annotate::names::Names;
@@ -42,29 +45,40 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     // If a river passes another one's bend, its cell may be lower than the cells below it.
     let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
     let features = Features { network, domain: map.domain(), elevations, names };
-    let mut lakes = Vec::new();
+    let ground = Ground::new(map, &features, &relief)?;
+    let mut oxbows = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
         if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {
-            lakes.push((id, ring));
+            oxbows.push((id, ring));
         }
     }
-    let count = network.rivers.len();
-    let ground = Ground::new(map, &features, &relief)?;
-    let (land, ridges) = (count + lakes.len() + ground.basins.len(), map.land().map_or(0, |land| land.ridges().len()));
-    let unnamed = land + ground.land.len() + ridges;
-    let all = unnamed + features.named();
+    let parts = [
+        (Part::River, network.rivers.len()),
+        (Part::Oxbow, oxbows.len()),
+        (Part::Basin, ground.basins.len()),
+        (Part::Land, ground.land.len()),
+        (Part::Water, ground.water.len()),
+        (Part::Ridge, map.land().map_or(0, |land| land.ridges().len())),
+        (Part::Named, features.named()),
+    ];
     let mut collection = Members::default();
     collection.text("type", "FeatureCollection").owned("riverseed", link::write_for_file(map.recipe()));
+    collection.value("bbox", Json::doubles(features.frame()));
     names::title(&mut collection, &features.names);
-    let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
-    {
-        _ if i >= unnamed => features.name(i - unnamed),
-        (_, _, Some(i)) if i < ground.land.len() => ground.land(i),
-        (_, _, Some(i)) => features.ridge(map, i - ground.land.len()),
-        (_, Some(i), _) => ground.basin(i),
-        (Some(i), ..) => features.lake(lakes[i].0, &lakes[i].1),
-        _ => features.river(i as u32),
+    let feature = move |i: usize| {
+        let (part, at) = part(&parts, i);
+        let feature = match part {
+            Part::River => features.river(at as u32),
+            Part::Oxbow => features.oxbow(oxbows[at].0, &oxbows[at].1),
+            Part::Basin => ground.basin(at),
+            Part::Land => ground.land(at),
+            Part::Water => ground.water(at, &features),
+            Part::Ridge => features.ridge(map, at),
+            Part::Named => features.name(at),
+        };
+        feature.with_key(i as u32 + 1)
     };
+    let all = parts.iter().map(|(_, count)| count).sum();
     collection.value("features", Json::list(all, feature));
     Ok(collection.into())
 }
@@ -77,6 +91,29 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
 pub fn write(out: impl std::io::Write, map: &Map) -> std::io::Result<()> {
     let collection = collection(map).map_err(std::io::Error::other)?;
     Ok(serde_json::to_writer(out, &collection)?)
+}
+
+/// The parts of a collection, in the order in which they are written.
+#[derive(Clone, Copy)]
+enum Part {
+    River,
+    Oxbow,
+    Basin,
+    Land,
+    Water,
+    Ridge,
+    Named,
+}
+
+/// Finds the part that feature `i` of all is in, and its place there.
+fn part(parts: &[(Part, usize)], mut i: usize) -> (Part, usize) {
+    for &(part, count) in parts {
+        if i < count {
+            return (part, i);
+        }
+        i -= count;
+    }
+    (Part::Named, i)
 }
 
 struct Features<'a> {
@@ -92,20 +129,25 @@ impl<'a> Features<'a> {
         self.names.reaches.len() + self.names.places.len()
     }
 
-    fn name(&self, i: usize) -> Json<'a> {
+    fn name(&self, i: usize) -> Feature<'a> {
         match names::feature(&self.names, i) {
-            Some(Named::Line(id, course, properties)) => {
+            Named::Line(id, course, properties) => {
                 let line = positions(course.iter().map(|at| self.degrees(*at)).collect());
-                feature(id, "LineString", line, properties)
+                Feature { id, shape: "LineString", coordinates: line, properties }
             }
-            Some(Named::Point(id, at, properties)) => {
-                feature(id, "Point", Json::doubles(self.degrees(at).to_vec()), properties)
+            Named::Point(id, at, properties) => {
+                Feature { id, shape: "Point", coordinates: Json::doubles(self.degrees(at).to_vec()), properties }
             }
-            None => Json::Null,
         }
     }
 
-    fn river(&self, id: u32) -> Json<'a> {
+    /// Returns the western, southern, eastern and northern border of the map.
+    fn frame(&self) -> Vec<f64> {
+        let size = self.domain.size;
+        [Vec2::new(0.0, size.y), Vec2::new(size.x, 0.0)].into_iter().flat_map(|corner| self.degrees(corner)).collect()
+    }
+
+    fn river(&self, id: u32) -> Feature<'a> {
         let (network, river) = (self.network, &self.network.rivers[id as usize]);
         let junction = (river.junction != NONE).then_some(river.junction as usize);
         let mut line: Vec<[f64; 3]> =
@@ -125,24 +167,24 @@ impl<'a> Features<'a> {
             .double("length", rounded(network.length(river), 100.0, 100.0))
             .double("sinuosity", rounded(network.sinuosity(river), 1000.0, 1000.0));
         names::river_feature(&mut properties, self.names.rivers.get(id as usize));
-        feature(format!("river-{id}"), "LineString", positions(line), properties)
+        Feature { id: format!("river-{id}"), shape: "LineString", coordinates: positions(line), properties }
     }
 
-    fn ridge(&self, map: &Map, i: usize) -> Json<'a> {
+    fn ridge(&self, map: &Map, i: usize) -> Feature<'a> {
         let line = map.land().and_then(|land| land.ridges().get(i)).map_or(&[][..], Vec::as_slice);
         let mut properties = Members::default();
         properties.text("kind", "ridge").whole("number", i as u32);
         let line = line.iter().map(|at| self.degrees(*at)).collect();
-        feature(format!("ridge-{i}"), "LineString", positions(line), properties)
+        Feature { id: format!("ridge-{i}"), shape: "LineString", coordinates: positions(line), properties }
     }
 
-    fn lake(&self, id: u32, ring: &[GridPoint]) -> Json<'a> {
+    fn oxbow(&self, id: u32, ring: &[GridPoint]) -> Feature<'a> {
         let oxbow = &self.network.oxbows[id as usize];
         let ring: Vec<[f64; 2]> = ring.iter().map(|at| at.map(degrees)).collect();
         let mut properties = Members::default();
         properties.text("kind", "oxbow").whole("number", id).whole("river", oxbow.river).whole("born", oxbow.born);
         let rings = Json::list(1, move |_| positions(ring.clone()));
-        feature(format!("oxbow-{id}"), "Polygon", rings, properties)
+        Feature { id: format!("oxbow-{id}"), shape: "Polygon", coordinates: rings, properties }
     }
 
     /// Returns the number of the river through whose mouth a river's water reaches the sea.
@@ -174,6 +216,8 @@ impl<'a> Features<'a> {
 struct Ground {
     /// The connected pieces of land.
     land: Vec<Polygon>,
+    /// The lakes at the sea's level, which are the holes of the land, with the islands in them as holes.
+    water: Vec<Polygon>,
     /// For each basin with a cell: its number, the river at whose mouth it ends, its area in square units, and its
     /// parts.
     basins: Vec<(u32, u32, f32, Vec<Polygon>)>,
@@ -195,21 +239,34 @@ impl Ground {
         flow.basins.iter().for_each(|&basin| areas[basin as usize] += CELL_SIZE * CELL_SIZE);
         let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(&relief.grid()));
         let basins = basins.map(|((number, &mouth), rings)| (number, mouth, areas[number as usize], on_grid(rings)));
-        Ok(Self { land: on_grid(land), basins: basins.filter(|basin| !basin.3.is_empty()).collect() })
+        let (land, basins) = (on_grid(land), basins.filter(|basin| !basin.3.is_empty()).collect());
+        Ok(Self { water: inside_out(&land), land, basins })
     }
 
-    fn land<'a>(&self, i: usize) -> Json<'a> {
+    fn land<'a>(&self, i: usize) -> Feature<'a> {
         let mut properties = Members::default();
         properties.text("kind", "land").whole("number", i as u32);
-        feature(format!("land-{i}"), "Polygon", parts(self.land[i].clone()), properties)
+        let coordinates = parts(self.land[i].clone());
+        Feature { id: format!("land-{i}"), shape: "Polygon", coordinates, properties }
     }
 
-    fn basin<'a>(&self, i: usize) -> Json<'a> {
+    fn water<'a>(&self, i: usize, features: &Features<'a>) -> Feature<'a> {
+        let lake = &self.water[i];
+        let is_around = |land: &Polygon| land[1..].iter().any(|hole| hole.contains(&lake[0][0]));
+        let land = self.land.iter().position(is_around).unwrap_or_default();
+        let is_here = |at: Vec2| is_in(&lake[0], features.grid(at));
+        let mut properties = Members::default();
+        properties.text("kind", "water").whole("number", i as u32).whole("land", land as u32);
+        names::lake(&mut properties, &features.names, is_here);
+        Feature { id: format!("water-{i}"), shape: "Polygon", coordinates: parts(lake.clone()), properties }
+    }
+
+    fn basin<'a>(&self, i: usize) -> Feature<'a> {
         let (number, mouth, area, polygons) = self.basins[i].clone();
         let mut properties = Members::default();
         properties.text("kind", "basin").whole("number", number).whole("mouth", mouth).whole("area", area as u32);
-        let polygons = Json::list(polygons.len(), move |i| parts(polygons[i].clone()));
-        feature(format!("basin-{number}"), "MultiPolygon", polygons, properties)
+        let coordinates = Json::list(polygons.len(), move |i| parts(polygons[i].clone()));
+        Feature { id: format!("basin-{number}"), shape: "MultiPolygon", coordinates, properties }
     }
 }
 
@@ -228,13 +285,25 @@ fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Json<'a> {
     Json::list(line.len(), move |i| Json::doubles(line[i].to_vec()))
 }
 
-#[inline(never)]
-fn feature<'a>(id: String, kind: &'static str, coordinates: Json<'a>, properties: Members<'a>) -> Json<'a> {
-    let mut geometry = Members::default();
-    geometry.text("type", kind).value("coordinates", coordinates);
-    let mut feature = Members::default();
-    feature.text("type", "Feature").owned("id", id).object("geometry", geometry).object("properties", properties);
-    feature.into()
+/// A feature before it has its key.
+struct Feature<'a> {
+    id: String,
+    /// The type of its geometry.
+    shape: &'static str,
+    coordinates: Json<'a>,
+    properties: Members<'a>,
+}
+
+impl<'a> Feature<'a> {
+    fn with_key(self, key: u32) -> Json<'a> {
+        let Self { id, shape, coordinates, mut properties } = self;
+        properties.whole("key", key);
+        let mut geometry = Members::default();
+        geometry.text("type", shape).value("coordinates", coordinates);
+        let mut feature = Members::default();
+        feature.text("type", "Feature").owned("id", id).object("geometry", geometry).object("properties", properties);
+        feature.into()
+    }
 }
 
 /// Rounds a number to a fraction of its unit, and converts it to another unit.

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
-use crate::annotate::names::{Names, PlaceName, ReachName, RiverName};
+use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName, RiverName};
 
 /// Writes a name as JSON: null if it is empty.
 fn name<'a>(name: &str) -> Json<'a> {
@@ -54,13 +54,18 @@ pub(super) enum Feature<'a, 'b> {
     Point(String, Vec2, Members<'a>),
 }
 
-/// Makes the feature of name `i` of those that do not belong to a river, reaches as lines, then places as points;
-/// `None` past the last.
-pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Option<Feature<'a, 'b>> {
+/// Makes the feature of name `i` of those that do not belong to a river, reaches as lines, then places as points.
+pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Feature<'a, 'b> {
     match i.checked_sub(names.reaches.len()) {
-        None => names.reaches.get(i).map(reach),
-        Some(i) => names.places.get(i).map(place),
+        None => reach(&names.reaches[i]),
+        Some(i) => place(&names.places[i]),
     }
+}
+
+/// Adds the name of the lake in whose water a point lies, for GeoJSON; null if there is none.
+pub(super) fn lake<'a>(members: &mut Members<'a>, names: &Names, is_here: impl Fn(Vec2) -> bool) {
+    let named = names.places.iter().find(|place| place.kind == PlaceKind::Lake && is_here(place.at));
+    members.value("name", name(named.map_or("", |place| &place.name)));
 }
 
 fn reach<'a, 'b>(reach: &'b ReachName) -> Feature<'a, 'b> {

@@ -30,6 +30,11 @@ pub(super) fn polygons(rings: impl IntoIterator<Item = Vec<GridPoint>>) -> Vec<P
     polygons
 }
 
+/// Makes polygons of the holes of others, the largest first. What lies in a hole is a hole there.
+pub(super) fn inside_out(polygons: &[Polygon]) -> Vec<Polygon> {
+    self::polygons(polygons.iter().flatten().map(|ring| ring.iter().rev().copied().collect()))
+}
+
 fn largest_first(polygons: &[Polygon]) -> Vec<usize> {
     argsort(polygons.iter().map(|polygon| key(-(doubled_area(&polygon[0]) as f32))))
 }
@@ -70,7 +75,7 @@ fn without_straight(ring: Vec<GridPoint>) -> Vec<GridPoint> {
 
 /// Returns `true` if a place lies within a ring or on it: a line to the east then crosses the ring an odd number of
 /// times.
-fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
+pub(super) fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
     let before = ring.iter().cycle().skip(ring.len() - 1);
     let mut is_in = false;
     for (&a, &b) in before.zip(ring) {
@@ -105,6 +110,36 @@ mod tests {
         let shapes: Vec<(usize, i32)> =
             polygons(rings).iter().map(|polygon| (polygon.len(), polygon[0][0][0])).collect();
         assert_eq!(shapes, [(2, -50), (2, -30), (1, 191)]);
+    }
+
+    #[test]
+    fn island_is_a_hole_of_the_lake_right_around_it_and_no_other() {
+        let land = polygons([
+            square(0, 90),
+            reversed(square(0, 70)),
+            square(0, 50),
+            reversed(square(0, 30)),
+            square(0, 10),
+            square(200, 9),
+        ]);
+        let ring = |half| {
+            let mut ring = square(0, half);
+            ring.push(ring[0]);
+            ring
+        };
+        let lake = |shore, island| vec![ring(shore), reversed(ring(island))];
+        let corners = |polygons: &[Polygon]| -> Vec<Vec<Vec<GridPoint>>> {
+            let sorted = |ring: &Vec<GridPoint>| {
+                let mut ring = ring.clone();
+                ring.sort_unstable();
+                ring.dedup();
+                ring
+            };
+            polygons.iter().map(|polygon| polygon.iter().map(sorted).collect()).collect()
+        };
+        let lakes = inside_out(&land);
+        assert_eq!(corners(&lakes), corners(&[lake(70, 50), lake(30, 10)]));
+        assert!(lakes.iter().all(|lake| doubled_area(&lake[0]) > 0 && doubled_area(&lake[1]) < 0));
     }
 
     #[test]

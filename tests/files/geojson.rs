@@ -35,7 +35,7 @@ fn of_all_files(check: impl Fn(&Session, &Value)) {
 fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
     of_all_files(|session, file| {
         let network = session.network().unwrap();
-        assert_eq!(names(file), ["type", "riverseed", "title", "features"]);
+        assert_eq!(names(file), ["type", "riverseed", "bbox", "title", "features"]);
         assert_eq!(file["type"], "FeatureCollection");
         let link = file["riverseed"].as_str().unwrap();
         assert_eq!(link::read(link).as_ref(), Ok(session.recipe()));
@@ -50,13 +50,74 @@ fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
         let expected: Vec<(String, u64)> = rivers.chain(lakes).collect();
         let all: Vec<(String, u64)> = list(&file["features"]).iter().map(kinds).collect();
         assert_eq!(all[..expected.len()], expected, "every river, every lake");
-        let grounds =
-            ["basin", "land", "ridge", "reach", "sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"];
+        let grounds = [
+            "basin", "land", "water", "ridge", "reach", "sea", "gulf", "lake", "island", "bay", "cape", "strait",
+            "range",
+        ];
         let is_ground = |(kind, _): &(String, u64)| grounds.contains(&kind.as_str());
         assert!(all[expected.len()..].iter().all(is_ground) && all.iter().any(|(kind, _)| kind == "land"));
         let ids: BTreeSet<String> = list(&file["features"]).iter().map(|feature| feature["id"].to_string()).collect();
         assert_eq!(ids.len(), all.len(), "each feature has an id of its own");
+        let keys: Vec<u64> = list(&file["features"]).iter().map(key).collect();
+        assert_eq!(keys, (1..=all.len() as u64).collect::<Vec<_>>(), "and a number of its own");
     });
+}
+
+fn key(feature: &Value) -> u64 {
+    feature["properties"]["key"].as_u64().unwrap()
+}
+
+#[test]
+fn frame_is_that_of_the_map() {
+    of_all_files(|session, file| {
+        let size = session.domain().size;
+        let [south_west, north_east] = [Vec2::new(0.0, size.y), Vec2::new(size.x, 0.0)].map(|at| degrees(session, at));
+        let expected = [south_west.x, south_west.y, north_east.x, north_east.y];
+        let frame: Vec<f64> = list(&file["bbox"]).iter().map(|side| side.as_f64().unwrap()).collect();
+        assert_eq!(frame.len(), 4);
+        assert!(frame.iter().zip(expected).all(|(side, expected)| (side - expected).abs() < ROUNDING), "{frame:?}");
+    });
+}
+
+/// The rings of all features of a kind, with the feature's own properties.
+fn polygons<'a>(file: &'a Value, kind: &str) -> Vec<(&'a Value, Vec<Vec<DVec2>>)> {
+    let features = list(&file["features"]).iter().filter(|feature| feature["properties"]["kind"] == kind);
+    let rings = |feature: &Value| -> Vec<Vec<DVec2>> {
+        list(&feature["geometry"]["coordinates"]).iter().map(|ring| list(ring).iter().map(position).collect()).collect()
+    };
+    features.map(|feature| (&feature["properties"], rings(feature))).collect()
+}
+
+/// The places of a ring as texts, in an order that does not depend on where it begins.
+fn places(ring: &[DVec2]) -> BTreeSet<String> {
+    ring.iter().map(|at| format!("{} {}", at.x, at.y)).collect()
+}
+
+#[test]
+fn lakes_are_the_holes_of_the_land_with_the_islands_in_them_as_holes() {
+    let (mut lakes, mut all_islands) = (0, 0);
+    for link in ["seed=kea&land=basin&attractors=300", "seed=totara&land=basin&attractors=300"] {
+        let file = geojson(&finished(link));
+        let (land, water) = (polygons(&file, "land"), polygons(&file, "water"));
+        let holes = land.iter().flat_map(|(properties, rings)| {
+            rings[1..].iter().map(|ring| (properties["number"].as_u64(), places(ring)))
+        });
+        let shores = water.iter().map(|(properties, rings)| (properties["land"].as_u64(), places(&rings[0])));
+        assert_eq!(shores.collect::<BTreeSet<_>>(), holes.collect::<BTreeSet<_>>(), "{link}");
+        let islands: BTreeSet<_> = land.iter().map(|(_, rings)| places(&rings[0])).collect();
+        for (properties, rings) in &water {
+            assert_eq!(names(properties), ["kind", "number", "land", "name", "key"]);
+            assert!(turned(&rings[0]) > 0.0 && rings[1..].iter().all(|ring| turned(ring) < 0.0), "{link}");
+            assert!(rings[1..].iter().all(|ring| islands.contains(&places(ring))), "{link}");
+        }
+        let named = |properties: &Value| properties["name"].as_str().map(str::to_owned);
+        let points = list(&file["features"]).iter().filter(|feature| feature["properties"]["kind"] == "lake");
+        let expected: BTreeSet<String> = points.filter_map(|feature| named(&feature["properties"])).collect();
+        assert_eq!(water.iter().filter_map(|(properties, _)| named(properties)).collect::<BTreeSet<_>>(), expected);
+        lakes += water.len();
+        all_islands += water.iter().map(|(_, rings)| rings.len() - 1).sum::<usize>();
+    }
+    assert!(lakes > 1 && all_islands > 5, "{lakes} with {all_islands}");
 }
 
 #[test]
@@ -104,7 +165,7 @@ fn rivers_have_the_properties_that_they_are_said_to_have() {
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         for (id, (river, feature)) in network.rivers.iter().zip(list(&file["features"])).enumerate() {
             let properties = &feature["properties"];
-            let expected = "kind number parent mouth order magnitude discharge length sinuosity name kind_name";
+            let expected = "kind number parent mouth order magnitude discharge length sinuosity name kind_name key";
             assert_eq!(names(properties), expected.split(' ').collect::<Vec<_>>());
             assert_eq!(properties["parent"].as_u64(), some(river.parent));
             assert_eq!(properties["mouth"], mouth(network, id as u32));
@@ -135,7 +196,7 @@ fn lakes_are_closed_wound_and_where_the_loops_were() {
         let features = &list(&file["features"])[network.rivers.len()..];
         for ((id, oxbow), feature) in lakes(network).into_iter().zip(features) {
             let properties = &feature["properties"];
-            assert_eq!(names(properties), ["kind", "number", "river", "born"]);
+            assert_eq!(names(properties), ["kind", "number", "river", "born", "key"]);
             assert_eq!((&properties["river"], &properties["born"]), (&oxbow.river.into(), &oxbow.born.into()));
             let coordinates = &feature["geometry"]["coordinates"];
             assert_eq!((&feature["geometry"]["type"], list(coordinates).len()), (&"Polygon".into(), 1), "lake {id}");

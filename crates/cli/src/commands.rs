@@ -7,6 +7,7 @@ use clap::{Arg, ArgAction, Command, crate_version, value_parser};
 use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter};
+use riverseed_exchange::gis::crs::Crs;
 use riverseed_exchange::{SIZE, is_ratio};
 
 use super::batch::Shard;
@@ -47,7 +48,7 @@ fn render_command() -> Command {
 }
 
 /// Lists the options for files and what they hold.
-fn file_arguments() -> [Arg; 5] {
+fn file_arguments() -> [Arg; 8] {
     let argument = |name: &'static str| Arg::new(name).long(name);
     let number = |name: &'static str| argument(name).value_name("PIXELS");
     [
@@ -71,6 +72,16 @@ fn file_arguments() -> [Arg; 5] {
         argument("svg-text")
             .action(ArgAction::SetTrue)
             .help("Write labels in SVG as text on paths instead of outlines, for readers that have EB Garamond"),
+        argument("geojson-segments")
+            .action(ArgAction::SetTrue)
+            .help("Add the rivers to GeoJSON once more, cut at their confluences: a graph"),
+        argument("geojson-flat")
+            .action(ArgAction::SetTrue)
+            .help("Write GeoJSON without heights, for readers that want all positions in two dimensions"),
+        argument("crs")
+            .value_name("EPSG:N|none")
+            .help("The coordinate system that .tif and .gpkg say they have, with the map's centre as its origin: a UTM zone of WGS 84, EPSG:3395, EPSG:3857, EPSG:6933, or none [default: a plane in metres that lies nowhere on Earth]")
+            .value_parser(str::parse::<Crs>),
     ]
 }
 

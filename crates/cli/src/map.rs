@@ -28,6 +28,9 @@ pub fn options(matches: &ArgMatches, forms: &[Form], recipe: &Recipe) -> Result<
         raster_size: matches.get_one("raster-size").copied(),
         has_svg_text: matches.get_flag("svg-text"),
         has_attractors,
+        has_segments: matches.get_flag("geojson-segments"),
+        is_flat: matches.get_flag("geojson-flat"),
+        crs: matches.get_one("crs").copied().unwrap_or_default(),
         threads: None,
     };
     if let Some(setting) = options.misplaced(forms) {
@@ -47,6 +50,9 @@ fn name(setting: Setting) -> &'static str {
         Setting::RasterSize => "--raster-size",
         Setting::SvgText => "--svg-text",
         Setting::Attractors => "--attractors without a number",
+        Setting::Segments => "--geojson-segments",
+        Setting::Flat => "--geojson-flat",
+        Setting::Crs => "--crs",
     }
 }
 

@@ -238,6 +238,16 @@ fn names_are_printed_greatest_first_with_their_marks() {
     let message = |option: &str, ending: &str| (2, format!("riverseed: {option} does not go with {ending}\n"));
     assert_eq!(refused(&["-o", "x.svg", "--ratio", "2"]), message("--ratio", ".svg"));
     assert_eq!(refused(&["-o", "x.png", "--svg-text"]), message("--svg-text", ".png"));
+    for (option, value) in
+        [("--geojson-segments", ""), ("--geojson-flat", ""), ("--crs", "none"), ("--crs", "EPSG:32601")]
+    {
+        let words: Vec<&str> = ["-o", "x.png", option, value].into_iter().filter(|word| !word.is_empty()).collect();
+        assert_eq!(refused(&words), message(option, ".png"));
+    }
+    for crs in ["EPSG:4326", "32633", "utm"] {
+        let (code, complaint) = refused(&["-o", "x.gpkg", "--crs", crs]);
+        assert!(code == 2 && complaint.contains(crs) && complaint.contains("32601 to 32660"), "{complaint}");
+    }
     for ratio in ["0.25", "1.3", "5", "NaN", "x"] {
         let (code, complaint) = refused(&["-o", "x.png", "--ratio", ratio]);
         assert!(code == 2 && complaint.contains("from 0.5 to 4, in quarters"), "{complaint}");

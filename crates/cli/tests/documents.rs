@@ -6,6 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use riverseed_exchange::gis::layers::{Column, KEY, LAYERS, Layer};
+
 /// Returns the folder of the checkout.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -47,6 +49,53 @@ fn data_of_parameters_are_those_the_program_prints() {
 fn shell(text: &str) -> impl Iterator<Item = &str> {
     let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
     blocks.flat_map(str::lines)
+}
+
+/// Writes the table of layers: those of a GeoPackage, and the kinds of features that GeoJSON has.
+fn table_of_layers() -> String {
+    let shape = |layer: &Layer| {
+        let name = layer.geometry.to_lowercase().replace("multi", "multi-").replace("linestring", "line");
+        if layer.has_heights { format!("{name} with heights") } else { name }
+    };
+    let column = |column: &Column| {
+        let called = match column.name == column.property {
+            true => format!("`{}`", column.name),
+            false => format!("`{}` (GeoJSON: `{}`)", column.name, column.property),
+        };
+        format!("{called}, {}", column.help)
+    };
+    let row = |layer: &Layer| {
+        let kinds: Vec<String> = layer.kinds.iter().map(|kind| format!("`{kind}`")).collect();
+        let columns: Vec<String> = layer.columns.iter().filter(|own| own.name != KEY.name).map(column).collect();
+        let description = layer.description.trim_end_matches('.');
+        format!(
+            "| `{}` | {} | {} | {description} | {} |\n",
+            layer.name,
+            kinds.join(", "),
+            shape(layer),
+            columns.join("; ")
+        )
+    };
+    let head = "| layer | `kind` | shape | what it holds | columns |\n| --- | --- | --- | --- | --- |\n";
+    head.to_owned() + &LAYERS.iter().map(row).collect::<String>()
+}
+
+/// Both pages have the table, between two comments.
+#[test]
+fn tables_of_layers_are_those_that_the_program_writes() {
+    const BEGIN: &str = "<!-- table: layers -->\n";
+    const END: &str = "<!-- end -->";
+    for file in ["docs/gis.md", "docs/files.md"] {
+        let page = read(file);
+        let (before, rest) = page.split_once(BEGIN).unwrap();
+        let (table, after) = rest.split_once(END).unwrap();
+        if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+            fs::write(root().join(file), format!("{before}{BEGIN}{}{END}{after}", table_of_layers())).unwrap();
+        } else {
+            assert!(table == table_of_layers(), "write {file} again: make docs");
+        }
+    }
+    assert!(std::env::var_os("RIVERSEED_REFRESH").is_none(), "written again: run without RIVERSEED_REFRESH");
 }
 
 /// Finds the commands in blocks of shell, as words.

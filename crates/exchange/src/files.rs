@@ -96,7 +96,7 @@ impl Files {
             rasters: own.as_ref().or(shared.as_ref()),
             picture: picture.as_ref().map(Picture::pixmap),
             attractors: attractors.as_deref(),
-            has_svg_text: options.has_svg_text,
+            options,
         };
         write(form, out, &source)
     }

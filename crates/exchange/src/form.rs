@@ -121,8 +121,8 @@ impl Form {
         Engine(Engine::Unreal) => ("unreal.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
         Engine(Engine::Unity) => ("unity.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
         Engine(Engine::Godot) => ("godot.zip", Engines, 1, &[Pixels, Letters, Rasters, Relief, Names, Files]),
-        // The features are in memory together, and then the file.
-        GeoPackage => ("gpkg", Gis, 3, &[Relief, Names]),
+        // The features are in memory together, rivers twice, and then the file.
+        GeoPackage => ("gpkg", Gis, 5, &[Relief, Names]),
         GeoTiff => ("tif", Gis, 0, &[Pixels, Letters, PictureAlone]),
         RasterTiff(Layer::Heights) => ("heights.tif", Gis, 0, &[Rasters, Relief]),
         RasterTiff(Layer::Land) => ("land.tif", Gis, 0, &[Rasters, Relief]),

@@ -6,7 +6,8 @@ use riverseed::domain::Domain;
 use riverseed::paint::{PaintError, View};
 use riverseed::picture::Picture;
 
-use crate::form::Form;
+use crate::form::{Form, Readers};
+use crate::gis::crs::Crs;
 
 /// The longer side of a picture in pixels, unless another one is given.
 pub const SIZE: u32 = 1200;
@@ -24,6 +25,12 @@ pub struct Options {
     pub has_svg_text: bool,
     /// `true` for JSON with the attractors that the tree grew to.
     pub has_attractors: bool,
+    /// `true` for GeoJSON with the rivers cut into segments.
+    pub has_segments: bool,
+    /// `true` for GeoJSON without heights.
+    pub is_flat: bool,
+    /// The coordinate system of files for geographic information systems; the map's own unless given.
+    pub crs: Crs,
     /// The number of threads, 1 unless given. Files do not depend on it.
     pub threads: Option<NonZero<usize>>,
 }
@@ -41,6 +48,12 @@ pub enum Setting {
     SvgText,
     /// [`Options::has_attractors`].
     Attractors,
+    /// [`Options::has_segments`].
+    Segments,
+    /// [`Options::is_flat`].
+    Flat,
+    /// [`Options::crs`].
+    Crs,
 }
 
 impl Setting {
@@ -50,6 +63,8 @@ impl Setting {
             Self::RasterSize => form.has_rasters(),
             Self::SvgText => form == Form::Svg,
             Self::Attractors => form == Form::Json,
+            Self::Segments | Self::Flat => form == Form::GeoJson,
+            Self::Crs => form.readers() == Readers::Gis && form != Form::HeightStyle,
         }
     }
 }
@@ -68,6 +83,9 @@ impl Options {
             (Setting::Ratio, self.ratio.is_some()),
             (Setting::SvgText, self.has_svg_text),
             (Setting::RasterSize, self.raster_size.is_some()),
+            (Setting::Segments, self.has_segments),
+            (Setting::Flat, self.is_flat),
+            (Setting::Crs, self.crs != Crs::Own),
         ];
         let is_misplaced = |setting: &Setting| !forms.iter().any(|form| setting.goes_with(*form));
         given.into_iter().filter(|(_, is_given)| *is_given).map(|(setting, _)| setting).find(is_misplaced)

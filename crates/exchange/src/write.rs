@@ -4,7 +4,7 @@ use std::io::{Error, ErrorKind, Result, Write};
 
 use riverseed::Map;
 use riverseed::export::rasters::Rasters;
-use riverseed::export::{self, geojson, json, svg};
+use riverseed::export::{self, json, svg};
 use riverseed::glam::Vec2;
 use riverseed::recipe::link;
 use riverseed::tiny_skia::Pixmap;
@@ -14,6 +14,7 @@ use crate::engine::splines::{self, Axes};
 use crate::engine::{self, Terrain, gltf, splat};
 use crate::form::Form;
 use crate::gis;
+use crate::options::Options;
 
 /// A map with what its files are made from.
 #[derive(Clone, Copy, Debug)]
@@ -26,8 +27,8 @@ pub struct Source<'a> {
     pub picture: Option<&'a Pixmap>,
     /// The attractors that its tree grew to, for JSON that lists them.
     pub attractors: Option<&'a [Vec2]>,
-    /// `true` for an SVG whose labels are text on paths.
-    pub has_svg_text: bool,
+    /// The options of its files.
+    pub options: &'a Options,
 }
 
 impl<'a> Source<'a> {
@@ -49,16 +50,16 @@ fn missing(part: &str) -> Error {
 /// # Errors
 /// Fails if a part of the source is missing, if there is not enough memory, and with the writer's errors.
 pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result<()> {
-    let map = source.map;
+    let (map, options) = (source.map, source.options);
     let domain = map.domain();
     let link = || link::write_for_file(map.recipe());
     match form {
         Form::Png => Ok(export::png::write(out, source.picture()?, &link())?),
         Form::Svg => {
-            let drawn = if source.has_svg_text { svg::svg_with_text(map) } else { svg::svg(map) };
+            let drawn = if options.has_svg_text { svg::svg_with_text(map) } else { svg::svg(map) };
             writeln!(out, "{}", drawn.map_err(Error::other)?)
         }
-        Form::GeoJson => geojson::write(&mut *out, map).and_then(|()| writeln!(out)),
+        Form::GeoJson => gis::geojson::write(out, map, options.has_segments, options.is_flat),
         Form::Json => json::write(&mut *out, map, source.attractors).and_then(|()| writeln!(out)),
         Form::Pack => export::pack::write(out, map, source.rasters()?, source.picture()?),
         Form::Raster(layer) => Ok(export::png::write_raster(out, source.rasters()?, layer)?),
@@ -71,9 +72,9 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
         Form::Splines => splines::write(out, map, &Terrain::of(source.rasters()?), Axes::Plain),
         Form::Gltf => gltf::write(out, &domain, source.rasters()?, source.picture()?),
         Form::Engine(engine) => engine::pack::write(out, map, engine, source.rasters()?, source.picture()?),
-        Form::GeoPackage => gis::geopackage::write(out, map),
-        Form::GeoTiff => gis::geotiff::write_picture(out, &domain, source.picture()?, &link()),
-        Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer),
+        Form::GeoPackage => gis::geopackage::write(out, map, options.crs),
+        Form::GeoTiff => gis::geotiff::write_picture(out, &domain, source.picture()?, &link(), options.crs),
+        Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer, options.crs),
         Form::HeightStyle => gis::style::write_heights(&mut out, &link()),
     }
 }

@@ -1,28 +1,35 @@
 //! SQLite reads a GeoPackage, and finds in it what GeoJSON has.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::mpsc;
 use std::time::Duration;
 use std::{fs, thread};
 
-use riverseed::export::geojson;
-use riverseed_exchange::gis::{crs, geopackage};
+use riverseed::Map;
+use riverseed_exchange::gis::crs::{self, Crs};
+use riverseed_exchange::gis::geopackage;
+use riverseed_exchange::gis::layers::LAYERS;
 use riverseed_exchange::{Form, Found, Options};
 use rusqlite::types::Value;
 use rusqlite::{Connection, MAIN_DB};
 use serde_json::Value as Json;
 
-use crate::maps::{LINKS, file, map};
+use crate::maps::{LINKS, file, file_with, map};
+
+/// A map with a lake at the sea's level.
+const LAKE: &str = "seed=kea&land=basin&attractors=300";
 
 /// Returns the layer of each kind of feature.
 fn layer_of(kind: &str) -> &'static str {
     match kind {
         "river" => "rivers",
+        "segment" => "segments",
         "reach" => "reaches",
         "oxbow" => "oxbow_lakes",
         "basin" => "basins",
         "land" => "land",
+        "water" => "lakes",
         "ridge" => "ridges",
         _ => "places",
     }
@@ -103,15 +110,18 @@ fn coordinates(json: &Json, numbers: &mut Vec<f64>, counts: &mut Vec<u32>) {
     }
 }
 
+/// Writes and reads the GeoJSON of a map.
+fn geojson(map: &Map, options: &Options) -> Json {
+    serde_json::from_slice(&file_with(Form::GeoJson, map, None, None, options)).unwrap()
+}
+
 #[test]
 fn layers_hold_the_features_of_geojson_in_metres() {
     let mut all = BTreeMap::new();
-    for link in LINKS {
+    for link in LINKS.into_iter().chain([LAKE]) {
         let map = map(link);
         let database = database(&file(Form::GeoPackage, &map, None, None));
-        let mut text = Vec::new();
-        geojson::write(&mut text, &map).unwrap();
-        let collection: Json = serde_json::from_slice(&text).unwrap();
+        let collection = geojson(&map, &Options { has_segments: true, ..Options::default() });
         let mut rows = BTreeMap::new();
         for feature in collection["features"].as_array().unwrap() {
             let layer = layer_of(feature["properties"]["kind"].as_str().unwrap());
@@ -120,13 +130,13 @@ fn layers_hold_the_features_of_geojson_in_metres() {
             *all.entry(layer).or_insert(0) += 1;
             assert_equal(&database, layer, *row, feature);
         }
-        for layer in ["rivers", "reaches", "oxbow_lakes", "basins", "land", "ridges", "places"] {
+        for layer in LAYERS.iter().map(|layer| layer.name) {
             let count: i64 =
                 database.query_row(&format!("SELECT count(*) FROM {layer}"), [], |row| row.get(0)).unwrap();
             assert_eq!(count, rows.get(layer).copied().unwrap_or(0), "{link}: {layer}");
         }
     }
-    assert_eq!(all.len(), 7, "every layer has a feature somewhere: {all:?}");
+    assert_eq!(all.len(), LAYERS.len(), "every layer has a feature somewhere: {all:?}");
 }
 
 fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
@@ -138,7 +148,7 @@ fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
             let (mut degrees, mut parts) = (Vec::new(), Vec::new());
             coordinates(&feature["geometry"]["coordinates"], &mut degrees, &mut parts);
             assert_eq!(counts, parts, "{layer} {row}");
-            let dimensions = if layer == "rivers" { 3 } else { 2 };
+            let dimensions = if matches!(layer, "rivers" | "segments") { 3 } else { 2 };
             for (i, (metres, degrees)) in numbers.iter().zip(&degrees).enumerate() {
                 let back = if i % dimensions == 2 {
                     *metres
@@ -154,7 +164,8 @@ fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
                 let properties = &feature["properties"];
                 let expected = match name.as_str() {
                     "length_m" => Value::Real(properties["length"].as_f64().unwrap() * unit),
-                    "area_m2" => Value::Real(properties["area"].as_f64().unwrap() * unit * unit),
+                    "width_m" => Value::Real(properties["width"].as_f64().unwrap() * unit),
+                    "area_m2" => Value::Real((properties["area"].as_f64().unwrap() * unit * unit).round()),
                     name => match &properties[name] {
                         Json::Null => Value::Null,
                         Json::String(text) => Value::Text(text.clone()),
@@ -170,8 +181,24 @@ fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
 }
 
 #[test]
+fn every_property_of_geojson_is_a_column_and_every_column_a_property() {
+    for link in LINKS.into_iter().chain([LAKE]) {
+        let collection = geojson(&map(link), &Options { has_segments: true, ..Options::default() });
+        for feature in collection["features"].as_array().unwrap() {
+            let kind = feature["properties"]["kind"].as_str().unwrap();
+            let mut layers = LAYERS.iter().filter(|layer| layer.kinds.contains(&kind));
+            let (layer, other) = (layers.next().unwrap(), layers.next());
+            assert!(other.is_none(), "{kind} is in two layers");
+            let properties = feature["properties"].as_object().unwrap().keys().map(String::as_str);
+            let columns = layer.columns.iter().map(|column| column.property).chain(["kind"]);
+            assert_eq!(properties.collect::<BTreeSet<_>>(), columns.collect::<BTreeSet<_>>(), "{kind}");
+        }
+    }
+}
+
+#[test]
 fn lakes_are_the_holes_of_the_land_and_have_the_names_of_their_points() {
-    let lake = map("seed=kea&land=basin&attractors=300");
+    let lake = map(LAKE);
     for map in [&lake, &map(LINKS[1])] {
         let database = database(&file(Form::GeoPackage, map, None, None));
         let rows = |query: &str| -> Vec<(Vec<f64>, Vec<u32>, Option<String>)> {
@@ -180,18 +207,17 @@ fn lakes_are_the_holes_of_the_land_and_have_the_names_of_their_points() {
             let found = query.query_map([], row).unwrap().map(Result::unwrap);
             found.map(|(blob, name)| (shape(&blob), name)).map(|((at, counts), name)| (at, counts, name)).collect()
         };
-        let mut holes = Vec::new();
+        let mut holes = BTreeSet::new();
         for (numbers, counts, _) in rows("SELECT geom, NULL FROM land ORDER BY fid") {
             let mut rest: Vec<[u64; 2]> = numbers.chunks(2).map(|at| [at[0].to_bits(), at[1].to_bits()]).collect();
             rest.drain(..counts[1] as usize);
             for count in &counts[2..] {
-                let mut hole: Vec<[u64; 2]> = rest.drain(..*count as usize).collect();
-                hole.reverse();
-                holes.push(hole);
+                holes.insert(rest.drain(..*count as usize).collect::<BTreeSet<_>>());
             }
         }
         let lakes = rows("SELECT geom, name FROM lakes ORDER BY fid");
-        let shores: Vec<Vec<[u64; 2]>> = lakes
+        // Each ring as a set, since either may begin anywhere.
+        let shores: BTreeSet<BTreeSet<[u64; 2]>> = lakes
             .iter()
             .map(|(numbers, counts, _)| {
                 numbers.chunks(2).take(counts[1] as usize).map(|at| [at[0].to_bits(), at[1].to_bits()]).collect()
@@ -236,7 +262,9 @@ fn same_map_gives_the_same_bytes_and_says_which_it_is() {
     assert!(bytes == file(Form::GeoPackage, &map, None, None));
     let database = database(&bytes);
     let link = |map: &riverseed::Map| riverseed::recipe::link::write_for_file(map.recipe());
-    assert!(geopackage::is_of(&database, &link(&map)) && !geopackage::is_of(&database, &link(&other)));
+    assert!(
+        geopackage::is_of(&database, &link(&map), Crs::Own) && !geopackage::is_of(&database, &link(&other), Crs::Own)
+    );
     let ids: (i64, i64) = ("application_id", "user_version").map_pragma(&database);
     assert_eq!(ids, (0x4750_4b47, 10_300));
     let check: String = database.query_row("PRAGMA integrity_check", [], |row| row.get(0)).unwrap();
@@ -244,6 +272,29 @@ fn same_map_gives_the_same_bytes_and_says_which_it_is() {
     let broken: i64 =
         database.query_row("SELECT count(*) FROM pragma_foreign_key_check", [], |row| row.get(0)).unwrap();
     assert_eq!(broken, 0);
+}
+
+#[test]
+fn layers_and_their_rows_are_in_the_system_that_was_asked_for() {
+    let map = map(LINKS[0]);
+    let link = riverseed::recipe::link::write_for_file(map.recipe());
+    let all = [Crs::Own, Crs::Unknown, "EPSG:32633".parse().unwrap(), "EPSG:3857".parse().unwrap()];
+    for crs in all {
+        let options = Options { crs, ..Options::default() };
+        let database = database(&file_with(Form::GeoPackage, &map, None, None, &options));
+        let systems = |query: &str| -> BTreeSet<i32> {
+            let mut query = database.prepare(query).unwrap();
+            query.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect()
+        };
+        assert_eq!(systems("SELECT srs_id FROM gpkg_geometry_columns"), [crs.number()].into());
+        assert_eq!(systems("SELECT srs_id FROM gpkg_contents WHERE srs_id NOT NULL"), [crs.number()].into());
+        assert!(systems("SELECT srs_id FROM gpkg_spatial_ref_sys").contains(&crs.number()));
+        let blob: Vec<u8> = database.query_row("SELECT geom FROM rivers", [], |row| row.get(0)).unwrap();
+        assert_eq!(i32::from_le_bytes(blob[4..8].try_into().unwrap()), crs.number());
+        for other in all {
+            assert_eq!(geopackage::is_of(&database, &link, other), other == crs, "{crs} {other}");
+        }
+    }
 }
 
 trait Pragmas {
@@ -262,7 +313,7 @@ fn texts_of_a_map_are_data_and_never_a_style_or_a_statement() {
     let database = database(&file(Form::GeoPackage, &map(LINKS[6]), None, None));
     let mut query = database.prepare("SELECT styleQML FROM layer_styles").unwrap();
     let styles: Vec<String> = query.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
-    assert_eq!(styles.len(), 8);
+    assert_eq!(styles.len(), LAYERS.len());
     assert!(styles.iter().all(|style| !style.contains("script") && !style.contains("../")));
     let titled = "SELECT count(*) FROM places WHERE name = '<script>&' AND kind = 'island'";
     let count: i64 = database.query_row(titled, [], |row| row.get(0)).unwrap();

@@ -5,12 +5,13 @@ use std::io::Cursor;
 use riverseed::Map;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::relief::METRES;
-use riverseed_exchange::Form;
-use riverseed_exchange::gis::{crs, geotiff};
+use riverseed_exchange::gis::crs::{self, Crs};
+use riverseed_exchange::gis::geotiff;
+use riverseed_exchange::{Form, Options};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::Tag;
 
-use crate::maps::{LINKS, file, map, picture};
+use crate::maps::{LINKS, file, file_with, map, picture};
 
 fn decoder(bytes: &[u8]) -> Decoder<Cursor<&[u8]>> {
     Decoder::new(Cursor::new(bytes)).unwrap()
@@ -126,4 +127,26 @@ fn picture_is_read_as_it_is() {
     let picture = picture(&map);
     let DecodingResult::U8(pixels) = read(&file(Form::GeoTiff, &map, None, Some(&picture))) else { panic!() };
     assert!(pixels.chunks(3).eq(picture.data().chunks(4).map(|rgba| &rgba[..3])));
+}
+
+#[test]
+fn keys_are_those_of_the_system_that_was_asked_for() {
+    let map = map(LINKS[0]);
+    let (rasters, picture) = (rasters_of(&map), picture(&map));
+    let keys = |form, crs| {
+        let options = Options { crs, ..Options::default() };
+        let bytes = file_with(form, &map, Some(&rasters), Some(&picture), &options);
+        let mut decoder = decoder(&bytes);
+        let texts = decoder.find_tag(Tag::GeoAsciiParamsTag).unwrap().is_some();
+        let keys = decoder.find_tag(Tag::GeoKeyDirectoryTag).unwrap();
+        (keys.map(|keys| keys.into_u16_vec().unwrap()).unwrap_or_default(), texts)
+    };
+    for form in [Form::GeoTiff, Form::RasterTiff(Layer::Heights)] {
+        // By GeoTIFF 1.1: pixels are areas; a projected system with its number.
+        let (utm, _) = keys(form, "EPSG:32733".parse().unwrap());
+        assert_eq!(utm, [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32733]);
+        assert_eq!(keys(form, Crs::Unknown), (vec![], false));
+        let (own, has_name) = keys(form, Crs::Own);
+        assert!(has_name && own.starts_with(&[1, 1, 0, 4, 1024, 0, 1, 32767]));
+    }
 }

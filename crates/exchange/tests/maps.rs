@@ -6,8 +6,7 @@ use riverseed::export::rasters::Rasters;
 use riverseed::recipe::link;
 use riverseed::tiny_skia::Pixmap;
 use riverseed::{Map, Picture, Recipe, Session};
-use riverseed_exchange::Form;
-use riverseed_exchange::{Source, write};
+use riverseed_exchange::{Form, Options, Source, write};
 
 /// Small maps of many kinds: lands, growths, oxbow lakes, ridges, no sea at all, and a seed that would like to be markup.
 pub const LINKS: [&str; 7] = [
@@ -48,7 +47,18 @@ pub fn picture(map: &Map) -> Pixmap {
 
 /// Makes a file.
 pub fn file(form: Form, map: &Map, rasters: Option<&Rasters>, picture: Option<&Pixmap>) -> Vec<u8> {
+    file_with(form, map, rasters, picture, &Options::default())
+}
+
+/// Makes a file with options.
+pub fn file_with(
+    form: Form,
+    map: &Map,
+    rasters: Option<&Rasters>,
+    picture: Option<&Pixmap>,
+    options: &Options,
+) -> Vec<u8> {
     let mut out = Vec::new();
-    write(form, &mut out, &Source { map, rasters, picture, attractors: None, has_svg_text: false }).unwrap();
+    write(form, &mut out, &Source { map, rasters, picture, attractors: None, options }).unwrap();
     out
 }

@@ -25,7 +25,7 @@ const ORDER: readonly (readonly [title: string, sources: readonly string[]])[] =
     "Blogs and site generators",
     ["docs/blogs.md", "integrations/README.md", ...SYSTEMS.map((name) => `integrations/${name}/README.md`)],
   ],
-  ["Maps and files", ["docs/parameters.md", "docs/files.md", "docs/engines.md", "docs/gis.md"]],
+  ["Maps and files", ["docs/parameters.md", "docs/files.md", "docs/engines.md", "docs/gis.md", "docs/hydrology.md"]],
   ["In programs", ["docs/command-line.md", "docs/batch.md", "python/README.md"]],
   ["How it works", ["docs/algorithms.md", "docs/glossary.md", "docs/benchmarks.md"]],
   ["Changing Riverseed", ["docs/adding.md", "docs/decisions.md", "docs/widget-checklist.md"]],

@@ -16,13 +16,15 @@ use riverseed::relief::Grid;
 use rusqlite::{Connection, MAIN_DB};
 use serde_json::Value;
 use tiff::decoder::Decoder;
+use tiff::decoder::ifd;
 use tiff::tags::Tag;
 
 use self::png::{Png, is_pack};
 use self::text::{is_between, is_marked};
 use crate::engine::{self, normals, splat};
 use crate::form::Form;
-use crate::gis::{geopackage, geotiff};
+use crate::gis::crs::Crs;
+use crate::gis::{geojson, geopackage, geotiff};
 use crate::options::Options;
 
 /// The state of a file's place.
@@ -64,6 +66,7 @@ struct Asked {
     rasters: [u32; 2],
     /// Width and height of the picture, in pixels.
     picture: [u32; 2],
+    crs: Crs,
 }
 
 impl Asked {
@@ -74,7 +77,7 @@ impl Asked {
             Form::Engine(engine) => [options.raster_size.unwrap_or(engine::usual(engine)); 2],
             _ => sides_of_rasters(&domain, options.raster_size),
         };
-        Self { link: link::write_for_file(recipe), rasters, picture: options.sides(&domain) }
+        Self { link: link::write_for_file(recipe), rasters, picture: options.sides(&domain), crs: options.crs }
     }
 }
 
@@ -94,9 +97,7 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
     match form {
         Form::Png => Png::picture(asked).is_in(file),
         Form::Svg => is_marked(file, SVG_HEAD, &format!(">{}</metadata>", escaped()), "</svg>\n"),
-        Form::GeoJson => {
-            is_between(file, &format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{},", link()), "]}\n")
-        }
+        Form::GeoJson => is_between(file, &geojson::head(&asked.link, options.has_segments, options.is_flat), "]}\n"),
         Form::Json => {
             let recipe = serde_json::to_string(&json::recipe(recipe)).unwrap_or_default();
             let tail = if options.has_attractors { "]}}\n" } else { "]}\n" };
@@ -139,7 +140,7 @@ fn is_geopackage(file: &mut File, asked: &Asked) -> Result<bool> {
     }
     let mut database = Connection::open_in_memory().map_err(Error::other)?;
     database.deserialize_read_exact(MAIN_DB, &bytes[..], bytes.len(), true).map_err(Error::other)?;
-    Ok(geopackage::is_of(&database, &asked.link))
+    Ok(geopackage::is_of(&database, &asked.link, asked.crs))
 }
 
 fn is_geotiff(file: &mut File, sides: [u32; 2], subject: &str, asked: &Asked) -> Result<bool> {
@@ -149,5 +150,11 @@ fn is_geotiff(file: &mut File, sides: [u32; 2], subject: &str, asked: &Asked) ->
     let text = |decoder: &mut Decoder<_>, tag| decoder.get_tag_ascii_string(tag).map_err(Error::other);
     let description = text(&mut decoder, Tag::ImageDescription)?;
     let metadata = text(&mut decoder, geotiff::GDAL_METADATA)?;
-    Ok([width, height] == sides && description.starts_with(subject) && metadata == geotiff::metadata(&asked.link))
+    let keys = decoder.find_tag(Tag::GeoKeyDirectoryTag).map_err(Error::other)?;
+    let keys = keys.map_or(Ok(Vec::new()), ifd::Value::into_u16_vec).map_err(Error::other)?;
+    let is_here = keys == geotiff::keys(asked.crs).0;
+    Ok(is_here
+        && [width, height] == sides
+        && description.starts_with(subject)
+        && metadata == geotiff::metadata(&asked.link))
 }

@@ -1,11 +1,13 @@
 //! The map's features, read from what GeoJSON is written from, with places in metres.
 
+use std::io::Result;
+
 use riverseed::Map;
-use riverseed::export::{ExportError, Json, geojson};
+use riverseed::export::Json;
 
 use super::crs::metres_of_degrees;
 use super::feature::{Feature, Place, Shape};
-use super::lakes;
+use super::geojson::{self as own, items, members, number};
 
 /// The features of a map, with its link and title.
 #[derive(Default)]
@@ -13,18 +15,16 @@ pub struct Collection<'a> {
     pub link: String,
     pub title: Option<String>,
     pub features: Vec<Feature<'a>>,
-    /// The lakes at the sea's level, which GeoJSON has as holes.
-    pub lakes: Vec<Feature<'a>>,
 }
 
 impl<'a> Collection<'a> {
-    /// Reads the features of a map.
+    /// Reads the features of a map, segments among them.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
-    pub fn of(map: &'a Map) -> Result<Self, ExportError> {
+    pub fn of(map: &'a Map) -> Result<Self> {
         let mut collection = Self::default();
-        for (name, value) in members(geojson::collection(map)?) {
+        for (name, value) in members(own::collection(map, true, false)?) {
             match (name, value) {
                 ("riverseed", value) => collection.link = text(value).unwrap_or_default(),
                 ("title", value) => collection.title = text(value),
@@ -32,7 +32,6 @@ impl<'a> Collection<'a> {
                 _ => {}
             }
         }
-        collection.lakes = lakes::of(&collection.features);
         Ok(collection)
     }
 }
@@ -81,28 +80,10 @@ fn place(json: Json<'_>) -> Option<Place> {
     Some(Place { east, north, height: numbers.get(2).copied() })
 }
 
-/// Returns the number that a value is.
-pub fn number(json: &Json<'_>) -> Option<f64> {
-    match json {
-        Json::Whole(whole) => Some(*whole as f64),
-        Json::Single(single) => Some(f64::from(*single)),
-        Json::Double(double) => Some(*double),
-        _ => None,
-    }
-}
-
 fn text(json: Json<'_>) -> Option<String> {
     match json {
         Json::Text(text) => Some(text.into()),
         Json::Owned(text) => Some(text),
         _ => None,
     }
-}
-
-fn members(json: Json<'_>) -> Vec<(&'static str, Json<'_>)> {
-    if let Json::Object(members) = json { members } else { Vec::new() }
-}
-
-fn items(json: Json<'_>) -> Vec<Json<'_>> {
-    if let Json::List(count, item) = json { (0..count).map(item).collect() } else { Vec::new() }
 }

@@ -12,7 +12,7 @@ use tiff::encoder::colortype::{ColorType, Gray8, Gray16, Gray32, Gray32Float, RG
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, TiffValue};
 use tiff::tags::Tag;
 
-use super::crs::{self, METRES_A_UNIT};
+use super::crs::{self, Crs, METRES_A_UNIT};
 use super::heights;
 use crate::memory::ask;
 use crate::xml::escaped;
@@ -31,16 +31,17 @@ struct Frame {
     description: String,
     /// The value of pixels that hold nothing.
     no_data: Option<&'static str>,
+    crs: Crs,
 }
 
-/// Writes a raster of a map: heights, and widths of rivers, in metres.
+/// Writes a raster of a map in a coordinate system: heights, and widths of rivers, in metres.
 ///
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
-pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: Layer) -> Result<()> {
+pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: Layer, crs: Crs) -> Result<()> {
     const BYTES_A_CELL: usize = 20;
     ask(rasters.columns * rasters.rows * BYTES_A_CELL)?;
-    let frame = Frame::of_raster(domain, rasters, layer);
+    let frame = Frame { crs, ..Frame::of_raster(domain, rasters, layer) };
     let plain = Predictor::None;
     match (layer, rasters.values(layer)) {
         (Layer::Heights, _) => write::<Gray32Float>(out, &frame, plain, &heights::metres(rasters)),
@@ -52,13 +53,13 @@ pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: 
     }
 }
 
-/// Writes the picture of a map.
+/// Writes the picture of a map in a coordinate system.
 ///
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
-pub fn write_picture(out: impl Write, domain: &Domain, picture: &Pixmap, link: &str) -> Result<()> {
+pub fn write_picture(out: impl Write, domain: &Domain, picture: &Pixmap, link: &str, crs: Crs) -> Result<()> {
     ask(picture.data().len())?;
-    let frame = Frame::of_picture(domain, picture, link)?;
+    let frame = Frame { crs, ..Frame::of_picture(domain, picture, link)? };
     let pixels: Vec<u8> = picture.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
     write::<RGB8>(out, &frame, Predictor::Horizontal, &pixels)
 }
@@ -95,6 +96,7 @@ impl Frame {
             link: rasters.link.clone(),
             description: format!("{}{more}", subject(layer)),
             no_data,
+            crs: Crs::Own,
         }
     }
 
@@ -114,19 +116,34 @@ impl Frame {
             link: link.into(),
             description: PICTURE.into(),
             no_data: None,
+            crs: Crs::Own,
         })
     }
+}
 
-    /// Lists the keys of the coordinate system: pixels are areas, and the system is a plane in metres with this name.
-    fn keys() -> ([u16; 20], String) {
-        const NAME: u16 = 34737;
-        const METRE: u16 = 9001;
-        const OWN: u16 = 32_767;
-        let name = format!("{}|", crs::NAME);
-        let length = name.len() as u16;
-        let keys = [1, 1, 0, 4, 1024, 0, 1, OWN, 1025, 0, 1, 1, 1026, NAME, length, 0, 3076, 0, 1, METRE];
-        (keys, name)
-    }
+/// Lists the keys of a coordinate system, and the texts that they refer to: pixels are areas, and the system is a plane in metres
+/// with a name, or a projected one. Where there is no system there are none, or GDAL makes up one of its own.
+pub fn keys(crs: Crs) -> (Vec<u16>, String) {
+    const MODEL: u16 = 1024;
+    const PIXELS: u16 = 1025;
+    const CITATION: u16 = 1026;
+    const SYSTEM: u16 = 3072;
+    const UNIT: u16 = 3076;
+    const TEXTS: u16 = 34737;
+    const OWN: u16 = 32_767;
+    const PROJECTED: u16 = 1;
+    const METRE: u16 = 9001;
+    let name = format!("{}|", crs::NAME);
+    let pixels = [PIXELS, 0, 1, 1];
+    let keys = match crs {
+        Crs::Own => {
+            vec![[MODEL, 0, 1, OWN], pixels, [CITATION, TEXTS, name.len() as u16, 0], [UNIT, 0, 1, METRE]]
+        }
+        Crs::Unknown => return (Vec::new(), String::new()),
+        Crs::Epsg(system) => vec![[MODEL, 0, 1, PROJECTED], pixels, [SYSTEM, 0, 1, system.number()]],
+    };
+    let head = [1, 1, 0, keys.len() as u16];
+    ([head].into_iter().chain(keys).flatten().collect(), if crs == Crs::Own { name } else { String::new() })
 }
 
 /// Writes an image with its place.
@@ -153,12 +170,16 @@ where
     let [width, height] = frame.sides.map(|side| side as u32);
     let mut image = encoder.new_image::<C>(width, height)?;
     let tags = image.encoder();
-    let (keys, name) = Frame::keys();
+    let (keys, texts) = keys(frame.crs);
     let [east, north] = frame.corner;
     tags.write_tag(Tag::ModelPixelScaleTag, &[frame.pixel[0], frame.pixel[1], 0.0][..])?;
     tags.write_tag(Tag::ModelTiepointTag, &[0.0, 0.0, 0.0, east, north, 0.0][..])?;
-    tags.write_tag(Tag::GeoKeyDirectoryTag, &keys[..])?;
-    tags.write_tag(Tag::GeoAsciiParamsTag, name.as_str())?;
+    if !keys.is_empty() {
+        tags.write_tag(Tag::GeoKeyDirectoryTag, &keys[..])?;
+    }
+    if !texts.is_empty() {
+        tags.write_tag(Tag::GeoAsciiParamsTag, texts.as_str())?;
+    }
     tags.write_tag(Tag::ImageDescription, frame.description.as_str())?;
     tags.write_tag(GDAL_METADATA, metadata(&frame.link).as_str())?;
     if let Some(value) = frame.no_data {
@@ -168,7 +189,8 @@ where
     Ok(file.into_inner())
 }
 
-/// Writes GDAL's metadata with the link, which is escaped twice, as GDAL writes and reads it.
+/// Writes GDAL's metadata with the link, which is escaped twice, as GDAL writes and reads it: what is escaped once it cuts off at the
+/// first `&`.
 pub(crate) fn metadata(link: &str) -> String {
     format!("<GDALMetadata>\n  <Item name=\"riverseed\">{}</Item>\n</GDALMetadata>\n", escaped(&escaped(link)))
 }

@@ -3,8 +3,10 @@
 pub mod crs;
 mod feature;
 mod features;
+pub mod geojson;
 pub mod geopackage;
 pub mod geotiff;
 mod heights;
-mod lakes;
+pub mod layers;
+mod segments;
 pub mod style;

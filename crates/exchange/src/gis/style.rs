@@ -41,6 +41,8 @@ pub fn of_layer(name: &str) -> String {
             &line(&opaque(atlas::RIVER), Some(r#"0.12 + 1.1 * sqrt("discharge" / maximum("discharge"))"#)),
             &labels_along_lines("name", r#""order" >= maximum("order") - 1"#, "9"),
         ),
+        // They lie on the rivers.
+        "segments" => vector(&line(NONE, None), ""),
         "reaches" => vector(&line(NONE, None), &labels_along_lines("reach_name", "true", "8")),
         "ridges" => vector(&line(&opaque(atlas::RIDGE), None), ""),
         _ => vector(&point(), &labels_over_points("name")),
@@ -178,14 +180,15 @@ fn labels(expression: &str, size: &str, placement: &str, more: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gis::layers::LAYERS;
 
     #[test]
     fn every_style_is_a_document_of_qgis() {
         let mut heights = Vec::new();
         write_heights(&mut heights, "seed=a%3Cb&edition=1").unwrap();
         let heights = String::from_utf8(heights).unwrap();
-        let names = ["land", "lakes", "basins", "oxbow_lakes", "rivers", "reaches", "ridges", "places"];
-        for style in names.map(of_layer).iter().chain([&heights]) {
+        let layers: Vec<String> = LAYERS.iter().map(|layer| of_layer(layer.name)).collect();
+        for style in layers.iter().chain([&heights]) {
             let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
             let document = roxmltree::Document::parse_with_options(style, options).unwrap();
             assert_eq!(document.root_element().tag_name().name(), "qgis");

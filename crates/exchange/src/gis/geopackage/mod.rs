@@ -4,7 +4,6 @@
 //! QGIS applies by itself.
 
 mod binary;
-mod layers;
 mod schema;
 
 use std::io::{Error, Result, Write};
@@ -13,29 +12,30 @@ use riverseed::Map;
 use rusqlite::types::Value;
 use rusqlite::{Connection, params, params_from_iter};
 
-use self::layers::{Column, LAYERS, Layer, Of};
-use super::crs;
+use super::crs::{self, Crs};
 use super::feature::Feature;
-use super::features::{Collection, number};
+use super::features::Collection;
+use super::geojson::number;
+use super::layers::{Column, LAYERS, Layer, Of};
 use super::style;
 use crate::xml::escaped;
 use riverseed::export::Json;
 
-/// Writes the layers of a map.
+/// Writes the layers of a map, in a coordinate system.
 ///
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
-pub fn write(mut out: impl Write, map: &Map) -> Result<()> {
-    let collection = Collection::of(map).map_err(Error::other)?;
-    let mut database = database(&collection).map_err(Error::other)?;
+pub fn write(mut out: impl Write, map: &Map, crs: Crs) -> Result<()> {
+    let collection = Collection::of(map)?;
+    let mut database = database(&collection, crs).map_err(Error::other)?;
     let bytes = database.serialize("main").map_err(Error::other)?;
     out.write_all(&bytes)
 }
 
-/// Returns `true` if a database is the GeoPackage of the map with this link.
-pub fn is_of(database: &Connection, link: &str) -> bool {
+/// Returns `true` if a database is the GeoPackage of the map with this link, in this coordinate system.
+pub fn is_of(database: &Connection, link: &str, crs: Crs) -> bool {
     let read = || database.query_row("SELECT metadata FROM gpkg_metadata", [], |row| row.get::<_, String>(0));
-    has_own_metadata(database) && read().is_ok_and(|metadata| metadata.contains(&item("riverseed", link)))
+    has_own_metadata(database) && read().is_ok_and(|metadata| metadata.starts_with(&head(link, crs)))
 }
 
 /// Returns `true` if metadata are in a table that was made as ours are. A view or a virtual table of somebody else may compute
@@ -51,31 +51,38 @@ fn item(key: &str, value: &str) -> String {
     format!("    <MDI key=\"{key}\">{}</MDI>\n", escaped(value))
 }
 
-fn database(collection: &Collection<'_>) -> rusqlite::Result<Connection> {
+/// Writes the beginning of the metadata: the coordinate system if it is not the map's own, and the link.
+fn head(link: &str, crs: Crs) -> String {
+    let crs = if crs == Crs::Own { String::new() } else { item("crs", &crs.to_string()) };
+    format!("<GDALMultiDomainMetadata>\n  <Metadata>\n{crs}{}", item("riverseed", link))
+}
+
+fn database(collection: &Collection<'_>, crs: Crs) -> rusqlite::Result<Connection> {
     let mut database = Connection::open_in_memory()?;
     let work = database.transaction()?;
     work.execute_batch(schema::TABLES)?;
-    work.execute(
-        "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, 'NONE', ?2, ?3, 'A plane: the map lies nowhere on Earth')",
-        params![crs::NAME, crs::NUMBER, crs::well_known_text()],
-    )?;
+    if let Some((name, organization, definition)) = crs.row() {
+        work.execute(
+            "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, ?3, ?2, ?4, 'The map lies nowhere on Earth: its centre is the origin')",
+            params![name, crs.number(), organization, definition],
+        )?;
+    }
     for layer in &LAYERS {
-        add_layer(&work, layer, collection)?;
+        add_layer(&work, layer, collection, crs.number())?;
     }
     add_styles(&work, collection)?;
-    add_metadata(&work, collection)?;
+    add_metadata(&work, collection, crs)?;
     work.commit()?;
     Ok(database)
 }
 
 /// Adds a layer with its features.
-fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>) -> rusqlite::Result<()> {
+fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>, system: i32) -> rusqlite::Result<()> {
     work.execute_batch(&schema::table(layer))?;
     let mut insert = work.prepare(&schema::insertion(layer))?;
     let mut around = Bounds::NONE;
-    let features = collection.features.iter().chain(&collection.lakes);
-    for feature in features.filter(|feature| layer.kinds.holds(feature.kind())) {
-        let shape = Value::Blob(binary::geometry(&feature.shape, crs::NUMBER));
+    for feature in collection.features.iter().filter(|feature| layer.kinds.contains(&feature.kind())) {
+        let shape = Value::Blob(binary::geometry(&feature.shape, system));
         around = around.with(binary::bounds(&feature.shape));
         let values = layer.columns.iter().map(|column| value(column, feature));
         insert.execute(params_from_iter(std::iter::once(shape).chain(values)))?;
@@ -84,11 +91,11 @@ fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>) -> r
     let described = format!("{} Made by {}", layer.description, collection.link);
     work.execute(
         "INSERT INTO gpkg_contents VALUES (?1, 'features', ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
-        params![layer.name, described, schema::MOMENT, west, south, east, north, crs::NUMBER],
+        params![layer.name, described, schema::MOMENT, west, south, east, north, system],
     )?;
     work.execute(
         "INSERT INTO gpkg_geometry_columns VALUES (?1, 'geom', ?2, ?3, ?4, 0)",
-        params![layer.name, layer.geometry, crs::NUMBER, layer.has_heights],
+        params![layer.name, layer.geometry, system, layer.has_heights],
     )?;
     Ok(())
 }
@@ -99,7 +106,8 @@ fn value(column: &Column, feature: &Feature<'_>) -> Value {
     match (column.of, property) {
         (Of::Metres, Some(json)) => number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT).into()),
         (Of::SquareMetres, Some(json)) => {
-            number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT * crs::METRES_A_UNIT).into())
+            // Whole ones: tables of other programs have room for fifteen digits.
+            number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT * crs::METRES_A_UNIT).round().into())
         }
         (_, Some(Json::Whole(whole))) => Value::Integer(*whole),
         (_, Some(Json::Single(single))) => Value::Real(f64::from(*single)),
@@ -126,13 +134,11 @@ fn add_styles(work: &Connection, collection: &Collection<'_>) -> rusqlite::Resul
     Ok(())
 }
 
-/// Adds the link and the title as metadata, in the form in which GDAL shows them as those of the file.
-fn add_metadata(work: &Connection, collection: &Collection<'_>) -> rusqlite::Result<()> {
+/// Adds the coordinate system, the link and the title as metadata, in the form in which GDAL shows them as those of the file.
+fn add_metadata(work: &Connection, collection: &Collection<'_>, crs: Crs) -> rusqlite::Result<()> {
     let title = collection.title.as_deref().map(|title| item("title", title)).unwrap_or_default();
-    let metadata = format!(
-        "<GDALMultiDomainMetadata>\n  <Metadata>\n{}{title}  </Metadata>\n</GDALMultiDomainMetadata>\n",
-        item("riverseed", &collection.link)
-    );
+    let head = head(&collection.link, crs);
+    let metadata = format!("{head}{title}  </Metadata>\n</GDALMultiDomainMetadata>\n");
     work.execute("INSERT INTO gpkg_metadata VALUES (1, 'dataset', 'http://gdal.org', 'text/xml', ?1)", [metadata])?;
     work.execute(
         "INSERT INTO gpkg_metadata_reference VALUES ('geopackage', NULL, NULL, NULL, ?1, 1, NULL)",

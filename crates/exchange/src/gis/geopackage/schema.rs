@@ -1,6 +1,6 @@
 //! The tables of a GeoPackage.
 
-use super::layers::Layer;
+use crate::gis::layers::Layer;
 
 /// The time in rows that have to have one. It is fixed so that the bytes are the same on any day.
 pub const MOMENT: &str = "1980-01-01T00:00:00.000Z";

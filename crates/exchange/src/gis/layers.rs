@@ -1,0 +1,202 @@
+//! The layers of a map and their columns: those of a GeoPackage, and the kinds of features in GeoJSON. Documents have their table
+//! from here.
+
+/// A layer.
+pub struct Layer {
+    /// The name in a GeoPackage.
+    pub name: &'static str,
+    /// What it holds, as a sentence.
+    pub description: &'static str,
+    /// The type of its shapes in SQL.
+    pub geometry: &'static str,
+    /// `true` if places have heights.
+    pub has_heights: bool,
+    /// The kinds of GeoJSON's features that are in it.
+    pub kinds: &'static [&'static str],
+    /// Its columns, without the shape.
+    pub columns: &'static [Column],
+}
+
+/// A column.
+pub struct Column {
+    /// The name in a GeoPackage.
+    pub name: &'static str,
+    /// The property in GeoJSON that it holds.
+    pub property: &'static str,
+    /// What its values are.
+    pub of: Of,
+    /// What it says, for documents.
+    pub help: &'static str,
+}
+
+/// The values of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// A whole number.
+    Whole,
+    /// A number.
+    Real,
+    /// A text.
+    Text,
+    /// A length, which the property has in units.
+    Metres,
+    /// An area, which the property has in square units.
+    SquareMetres,
+}
+
+impl Of {
+    /// Returns the type in SQL.
+    pub const fn sql(self) -> &'static str {
+        match self {
+            Self::Whole => "INTEGER",
+            Self::Real | Self::Metres | Self::SquareMetres => "REAL",
+            Self::Text => "TEXT",
+        }
+    }
+}
+
+const fn column(name: &'static str, of: Of, help: &'static str) -> Column {
+    Column { name, property: name, of, help }
+}
+
+const fn whole(name: &'static str, help: &'static str) -> Column {
+    column(name, Of::Whole, help)
+}
+
+const fn metres(name: &'static str, property: &'static str, help: &'static str) -> Column {
+    Column { name, property, of: Of::Metres, help }
+}
+
+const fn square_metres(help: &'static str) -> Column {
+    Column { name: "area_m2", property: "area", of: Of::SquareMetres, help }
+}
+
+/// The column that every layer has.
+pub const KEY: Column = whole("key", "no other feature of the map has the same, of whatever kind");
+
+/// The layers, from the ground up.
+pub static LAYERS: [Layer; 9] = [
+    Layer {
+        name: "land",
+        description: "The pieces of land, the largest first; lakes at the sea's level are holes.",
+        geometry: "POLYGON",
+        has_heights: false,
+        kinds: &["land"],
+        columns: &[whole("number", "counted from 0"), KEY],
+    },
+    Layer {
+        name: "lakes",
+        description: "The lakes at the sea's level, the largest first, with the islands in them as holes.",
+        geometry: "POLYGON",
+        has_heights: false,
+        kinds: &["water"],
+        columns: &[
+            whole("number", "counted from 0"),
+            whole("land", "the piece of land that it is a hole of"),
+            column("name", Of::Text, "its name, null if it has none"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "basins",
+        description: "The basins of the rivers that reach the sea.",
+        geometry: "MULTIPOLYGON",
+        has_heights: false,
+        kinds: &["basin"],
+        columns: &[
+            whole("number", "as in the raster of basins"),
+            whole("mouth", "the river at whose mouth it ends"),
+            square_metres("its area"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "oxbow_lakes",
+        description: "The lakes that rivers have left.",
+        geometry: "POLYGON",
+        has_heights: false,
+        kinds: &["oxbow"],
+        columns: &[
+            whole("number", "the `id` of the JSON form"),
+            whole("river", "the river that left it"),
+            whole("born", "the round of meandering in which it was cut off"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "rivers",
+        description: "The rivers, source first, with heights in metres over the sea that never rise downstream.",
+        geometry: "LINESTRING",
+        has_heights: true,
+        kinds: &["river"],
+        columns: &[
+            whole("number", "what `parent`, `mouth` and `river` refer to: the `id` of the JSON form"),
+            whole("parent", "the river that it joins, null if it reaches the sea"),
+            whole("mouth", "the river through whose mouth its water reaches the sea"),
+            whole("order", "Strahler's order at its end"),
+            whole("magnitude", "Shreve's magnitude at its end"),
+            whole("discharge", "what it drains, at its end"),
+            metres("length_m", "length", "its length"),
+            column("sinuosity", Of::Real, "length over the straight distance from source to end"),
+            column("name", Of::Text, "its name, null if the recipe takes it away"),
+            column("kind_name", Of::Text, "what kind of river the name says, such as `River`, `Beck` or `Fork`"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "segments",
+        description: "The rivers cut at their confluences: a graph whose pieces are the river systems.",
+        geometry: "LINESTRING",
+        has_heights: true,
+        kinds: &["segment"],
+        columns: &[
+            whole("number", "counted from 1"),
+            whole("from_node", "the source or confluence at which it begins"),
+            whole("to_node", "the confluence or mouth at which it ends"),
+            whole("next", "the segment downstream, 0 at the sea"),
+            whole("river", "the river that it is a part of"),
+            whole("order", "Strahler's order"),
+            whole("magnitude", "Shreve's magnitude: the number of sources upstream"),
+            whole("discharge", "what it drains, at its end"),
+            whole("lateral", "how much of its discharge comes from no segment"),
+            metres("length_m", "length", "its length"),
+            metres("width_m", "width", "from bank to bank, at its end"),
+            square_metres("the area of its catchment, with all that lies upstream"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "reaches",
+        description: "The meandering stretches of great rivers that have a name of their own.",
+        geometry: "LINESTRING",
+        has_heights: false,
+        kinds: &["reach"],
+        columns: &[
+            whole("number", "that of its river"),
+            whole("river", "the river that it is a part of"),
+            column("reach_name", Of::Text, "its name"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "ridges",
+        description: "The ridges of the recipe.",
+        geometry: "LINESTRING",
+        has_heights: false,
+        kinds: &["ridge"],
+        columns: &[whole("number", "counted from 0"), KEY],
+    },
+    Layer {
+        name: "places",
+        description: "A point in the midst of each place that has a name.",
+        geometry: "POINT",
+        has_heights: false,
+        kinds: &["sea", "gulf", "lake", "island", "bay", "cape", "strait", "range"],
+        columns: &[
+            column("kind", Of::Text, "what it is"),
+            whole("number", "one that the place keeps; no two of a kind have the same"),
+            column("name", Of::Text, "its name, null if the recipe takes it away"),
+            KEY,
+        ],
+    },
+];
