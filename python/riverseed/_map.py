@@ -136,7 +136,7 @@ class Map:
         raster_size: int | None = None,
         text: bool = False,
     ) -> bytes:
-        """Return a file in any form, also for game engines and geographic information systems.
+        """Return a file in any form, also for plotters (on A4), game engines and geographic information systems.
 
         Args:
             form: One of `riverseed.FORMS`.

@@ -28,6 +28,7 @@ fn name(setting: Setting) -> &'static str {
         Setting::Ratio => "ratio",
         Setting::RasterSize => "raster_size",
         Setting::SvgText => "text",
+        Setting::Sheet => "sheet",
         Setting::Attractors => "attractors",
     }
 }

@@ -7,7 +7,7 @@ use clap::{Arg, ArgAction, Command, crate_version, value_parser};
 use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter};
-use riverseed_exchange::{SIZE, is_ratio};
+use riverseed_exchange::{SIZE, Sheet, is_ratio};
 
 use super::batch::Shard;
 use super::form;
@@ -46,7 +46,7 @@ fn render_command() -> Command {
 }
 
 /// Lists the options for files and what they hold.
-fn file_arguments() -> [Arg; 5] {
+fn file_arguments() -> [Arg; 6] {
     let argument = |name: &'static str| Arg::new(name).long(name);
     let number = |name: &'static str| argument(name).value_name("PIXELS");
     [
@@ -70,6 +70,10 @@ fn file_arguments() -> [Arg; 5] {
         argument("svg-text")
             .action(ArgAction::SetTrue)
             .help("Write labels in SVG as text on paths instead of outlines, for readers that have EB Garamond"),
+        argument("sheet")
+            .value_name("SHEET")
+            .help(format!("The sheet of paper of .plot.svg, which lies or stands as the map does: {} [default: {}]", sheets(), Sheet::default().name()))
+            .value_parser(sheet),
     ]
 }
 
@@ -139,6 +143,14 @@ fn batch_arguments() -> [Arg; 4] {
 fn threads(text: &str) -> Result<usize, String> {
     let threads = text.parse().ok().filter(|threads| (1..=1024).contains(threads));
     threads.ok_or_else(|| "must be from 1 to 1024".into())
+}
+
+fn sheet(text: &str) -> Result<Sheet, String> {
+    Sheet::named(text).ok_or_else(|| format!("must be one of {}", sheets()))
+}
+
+fn sheets() -> String {
+    Sheet::ALL.map(Sheet::name).join(", ")
 }
 
 fn ratio(text: &str) -> Result<f32, String> {

@@ -27,6 +27,7 @@ pub fn options(matches: &ArgMatches, forms: &[Form], recipe: &Recipe) -> Result<
         ratio: matches.get_one("ratio").copied(),
         raster_size: matches.get_one("raster-size").copied(),
         has_svg_text: matches.get_flag("svg-text"),
+        sheet: matches.get_one("sheet").copied(),
         has_attractors,
         threads: None,
     };
@@ -46,6 +47,7 @@ fn name(setting: Setting) -> &'static str {
         Setting::Ratio => "--ratio",
         Setting::RasterSize => "--raster-size",
         Setting::SvgText => "--svg-text",
+        Setting::Sheet => "--sheet",
         Setting::Attractors => "--attractors without a number",
     }
 }

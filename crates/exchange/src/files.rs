@@ -97,6 +97,7 @@ impl Files {
             picture: picture.as_ref().map(Picture::pixmap),
             attractors: attractors.as_deref(),
             has_svg_text: options.has_svg_text,
+            sheet: options.sheet(),
         };
         write(form, out, &source)
     }

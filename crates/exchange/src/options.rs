@@ -7,6 +7,7 @@ use riverseed::paint::{PaintError, View};
 use riverseed::picture::Picture;
 
 use crate::form::Form;
+use crate::plot::Sheet;
 
 /// The longer side of a picture in pixels, unless another one is given.
 pub const SIZE: u32 = 1200;
@@ -22,6 +23,8 @@ pub struct Options {
     pub raster_size: Option<u32>,
     /// `true` for an SVG whose labels are text on paths.
     pub has_svg_text: bool,
+    /// The sheet of lines for plotters; the default one unless given.
+    pub sheet: Option<Sheet>,
     /// `true` for JSON with the attractors that the tree grew to.
     pub has_attractors: bool,
     /// The number of threads, 1 unless given. Files do not depend on it.
@@ -39,6 +42,8 @@ pub enum Setting {
     RasterSize,
     /// [`Options::has_svg_text`].
     SvgText,
+    /// [`Options::sheet`].
+    Sheet,
     /// [`Options::has_attractors`].
     Attractors,
 }
@@ -49,6 +54,7 @@ impl Setting {
             Self::Size | Self::Ratio => form.has_pixels(),
             Self::RasterSize => form.has_rasters(),
             Self::SvgText => form == Form::Svg,
+            Self::Sheet => form == Form::Plot,
             Self::Attractors => form == Form::Json,
         }
     }
@@ -67,6 +73,7 @@ impl Options {
             (Setting::Size, self.size.is_some()),
             (Setting::Ratio, self.ratio.is_some()),
             (Setting::SvgText, self.has_svg_text),
+            (Setting::Sheet, self.sheet.is_some()),
             (Setting::RasterSize, self.raster_size.is_some()),
         ];
         let is_misplaced = |setting: &Setting| !forms.iter().any(|form| setting.goes_with(*form));
@@ -90,6 +97,11 @@ impl Options {
         }
         let [width, height] = self.sides(domain);
         Ok(Some(Picture::new(width, height)?.with_ratio(self.ratio.unwrap_or(1.0))))
+    }
+
+    /// Returns the sheet of lines for plotters.
+    pub(crate) fn sheet(&self) -> Sheet {
+        self.sheet.unwrap_or_default()
     }
 
     /// Returns the width and height of a picture, in pixels.

@@ -14,6 +14,7 @@ use crate::engine::splines::{self, Axes};
 use crate::engine::{self, Terrain, gltf, splat};
 use crate::form::Form;
 use crate::gis;
+use crate::plot::{self, Sheet};
 
 /// A map with what its files are made from.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +29,8 @@ pub struct Source<'a> {
     pub attractors: Option<&'a [Vec2]>,
     /// `true` for an SVG whose labels are text on paths.
     pub has_svg_text: bool,
+    /// The sheet of lines for plotters.
+    pub sheet: Sheet,
 }
 
 impl<'a> Source<'a> {
@@ -58,6 +61,7 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
             let drawn = if source.has_svg_text { svg::svg_with_text(map) } else { svg::svg(map) };
             writeln!(out, "{}", drawn.map_err(Error::other)?)
         }
+        Form::Plot => plot::write(out, map, source.sheet),
         Form::GeoJson => geojson::write(&mut *out, map).and_then(|()| writeln!(out)),
         Form::Json => json::write(&mut *out, map, source.attractors).and_then(|()| writeln!(out)),
         Form::Pack => export::pack::write(out, map, source.rasters()?, source.picture()?),

@@ -8,3 +8,4 @@ mod geotiff;
 mod gltf_files;
 mod hostile;
 mod maps;
+mod plots;

@@ -7,7 +7,7 @@ use riverseed::recipe::link;
 use riverseed::tiny_skia::Pixmap;
 use riverseed::{Map, Picture, Recipe, Session};
 use riverseed_exchange::Form;
-use riverseed_exchange::{Source, write};
+use riverseed_exchange::{Sheet, Source, write};
 
 /// Small maps of many kinds: lands, growths, oxbow lakes, ridges, no sea at all, and a seed that would like to be markup.
 pub const LINKS: [&str; 7] = [
@@ -49,6 +49,7 @@ pub fn picture(map: &Map) -> Pixmap {
 /// Makes a file.
 pub fn file(form: Form, map: &Map, rasters: Option<&Rasters>, picture: Option<&Pixmap>) -> Vec<u8> {
     let mut out = Vec::new();
-    write(form, &mut out, &Source { map, rasters, picture, attractors: None, has_svg_text: false }).unwrap();
+    let (attractors, has_svg_text, sheet) = (None, false, Sheet::default());
+    write(form, &mut out, &Source { map, rasters, picture, attractors, has_svg_text, sheet }).unwrap();
     out
 }

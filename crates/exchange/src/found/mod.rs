@@ -24,6 +24,7 @@ use crate::engine::{self, normals, splat};
 use crate::form::Form;
 use crate::gis::{geopackage, geotiff};
 use crate::options::Options;
+use crate::plot;
 
 /// The state of a file's place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +95,10 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
     match form {
         Form::Png => Png::picture(asked).is_in(file),
         Form::Svg => is_marked(file, SVG_HEAD, &format!(">{}</metadata>", escaped()), "</svg>\n"),
+        Form::Plot => {
+            let head = plot::head(&Domain::of(recipe), options.sheet());
+            is_marked(file, &head, &format!(">{}</metadata>", escaped()), "</svg>\n")
+        }
         Form::GeoJson => {
             is_between(file, &format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{},", link()), "]}\n")
         }
