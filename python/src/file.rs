@@ -29,6 +29,7 @@ fn name(setting: Setting) -> &'static str {
         Setting::RasterSize => "raster_size",
         Setting::SvgText => "text",
         Setting::Sheet => "sheet",
+        Setting::Beds => "beds",
         Setting::Attractors => "attractors",
     }
 }

@@ -46,7 +46,7 @@ fn render_command() -> Command {
 }
 
 /// Lists the options for files and what they hold.
-fn file_arguments() -> [Arg; 6] {
+fn file_arguments() -> [Arg; 8] {
     let argument = |name: &'static str| Arg::new(name).long(name);
     let number = |name: &'static str| argument(name).value_name("PIXELS");
     [
@@ -74,6 +74,14 @@ fn file_arguments() -> [Arg; 6] {
             .value_name("SHEET")
             .help(format!("The sheet of paper of .plot.svg, which lies or stands as the map does: {} [default: {}]", sheets(), Sheet::default().name()))
             .value_parser(sheet),
+        argument("beds")
+            .action(ArgAction::SetTrue)
+            .overrides_with("no-beds")
+            .help("Lower the ground under rivers by their depth in the heights of packs for engines and of .r16 [default for Unity and Godot]"),
+        argument("no-beds")
+            .action(ArgAction::SetTrue)
+            .overrides_with("beds")
+            .help("Leave the ground under rivers as high as their water [default for Unreal, which digs beds by itself, and for .r16]"),
     ]
 }
 

@@ -182,7 +182,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());
     let new = "riverseed: maps: 1 made\n";
     let (other, same) = ("riverseed: maps: 1 replaced\n", "riverseed: maps: 1 there before\n");
-    let calls: [(&[&str], &[&str]); 14] = [
+    let calls: [(&[&str], &[&str]); 15] = [
         (&["-o", "{seed}.json"], &["-o", "{seed}.json", "--trim", "9"]),
         (&["-o", "{seed}.geojson"], &["-o", "{seed}.geojson", "--trim", "9"]),
         (&["-o", "a{seed}.json"], &["-o", "a{seed}.json", "--attractors"]),
@@ -196,6 +196,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
         (&["-o", "{seed}.glb", "--size", "60"], &["-o", "{seed}.glb", "--size", "60", "--raster-size", "700"]),
         (&["-o", "{seed}.splines.json"], &["-o", "{seed}.splines.json", "--raster-size", "700"]),
         (&["-o", "{seed}.plot.svg"], &["-o", "{seed}.plot.svg", "--sheet", "a3"]),
+        (&["-o", "{seed}.godot.zip"], &["-o", "{seed}.godot.zip", "--no-beds"]),
         (&["-o", "{seed}.heights.qml"], &["-o", "{seed}.heights.qml", "--trim", "9"]),
     ];
     for (first, second) in calls {

@@ -269,6 +269,20 @@ fn lines_for_plotters_are_on_the_sheet_that_is_asked_for() {
 }
 
 #[test]
+fn heights_have_beds_where_engines_dig_none_or_where_they_are_asked_for() {
+    let bytes = |options: &[&str]| {
+        let path = scratch("beds.r16");
+        let link = "attractors=300&land=island";
+        assert!(riverseed(&[&["render", link, "-o", path.to_str().unwrap()], options].concat()).status.success());
+        fs::read(path).unwrap()
+    };
+    let (with, without) = (bytes(&["--beds"]), bytes(&["--no-beds"]));
+    assert!(with != without && bytes(&[]) == without && bytes(&["--beds", "--no-beds"]) == without);
+    let message = "riverseed: --beds or --no-beds does not go with .png, .glb\n";
+    assert_eq!(refusal(&["render", "-o", "x.png", "-o", "x.glb", "--beds"]), (2, message.into()));
+}
+
+#[test]
 fn measures_are_printed_beside_nature_s() {
     let printed = |arguments: &[&str]| {
         let output = riverseed(&[&["measure"], arguments].concat());

@@ -98,6 +98,7 @@ impl Files {
             attractors: attractors.as_deref(),
             has_svg_text: options.has_svg_text,
             sheet: options.sheet(),
+            has_beds: options.has_beds(form),
         };
         write(form, out, &source)
     }

@@ -6,7 +6,7 @@ use riverseed::domain::Domain;
 use riverseed::paint::{PaintError, View};
 use riverseed::picture::Picture;
 
-use crate::form::Form;
+use crate::form::{Engine, Form};
 use crate::plot::Sheet;
 
 /// The longer side of a picture in pixels, unless another one is given.
@@ -25,6 +25,9 @@ pub struct Options {
     pub has_svg_text: bool,
     /// The sheet of lines for plotters; the default one unless given.
     pub sheet: Option<Sheet>,
+    /// `true` for heights for game engines that are lowered under rivers, `false` for heights that are not. Unless given, those
+    /// in packs for Unity and Godot are.
+    pub beds: Option<bool>,
     /// `true` for JSON with the attractors that the tree grew to.
     pub has_attractors: bool,
     /// The number of threads, 1 unless given. Files do not depend on it.
@@ -44,6 +47,8 @@ pub enum Setting {
     SvgText,
     /// [`Options::sheet`].
     Sheet,
+    /// [`Options::beds`].
+    Beds,
     /// [`Options::has_attractors`].
     Attractors,
 }
@@ -55,6 +60,7 @@ impl Setting {
             Self::RasterSize => form.has_rasters(),
             Self::SvgText => form == Form::Svg,
             Self::Sheet => form == Form::Plot,
+            Self::Beds => matches!(form, Form::Engine(_) | Form::RawHeights),
             Self::Attractors => form == Form::Json,
         }
     }
@@ -74,6 +80,7 @@ impl Options {
             (Setting::Ratio, self.ratio.is_some()),
             (Setting::SvgText, self.has_svg_text),
             (Setting::Sheet, self.sheet.is_some()),
+            (Setting::Beds, self.beds.is_some()),
             (Setting::RasterSize, self.raster_size.is_some()),
         ];
         let is_misplaced = |setting: &Setting| !forms.iter().any(|form| setting.goes_with(*form));
@@ -102,6 +109,11 @@ impl Options {
     /// Returns the sheet of lines for plotters.
     pub(crate) fn sheet(&self) -> Sheet {
         self.sheet.unwrap_or_default()
+    }
+
+    /// Returns `true` if the heights in files of a form are lowered under rivers. Unreal Engine digs beds by itself.
+    pub(crate) fn has_beds(&self, form: Form) -> bool {
+        self.beds.unwrap_or(matches!(form, Form::Engine(Engine::Unity | Engine::Godot)))
     }
 
     /// Returns the width and height of a picture, in pixels.

@@ -31,6 +31,8 @@ pub struct Source<'a> {
     pub has_svg_text: bool,
     /// The sheet of lines for plotters.
     pub sheet: Sheet,
+    /// `true` for heights for game engines that are lowered under rivers.
+    pub has_beds: bool,
 }
 
 impl<'a> Source<'a> {
@@ -66,7 +68,7 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
         Form::Json => json::write(&mut *out, map, source.attractors).and_then(|()| writeln!(out)),
         Form::Pack => export::pack::write(out, map, source.rasters()?, source.picture()?),
         Form::Raster(layer) => Ok(export::png::write_raster(out, source.rasters()?, layer)?),
-        Form::RawHeights => Terrain::of(source.rasters()?).write_raw(out),
+        Form::RawHeights => engine::write_raw(out, map, source.rasters()?, source.has_beds),
         Form::Normals => normals::write(out, &Terrain::of(source.rasters()?), Green::Up, &link()),
         Form::Splat => {
             let (rasters, terrain) = (source.rasters()?, Terrain::of(source.rasters()?));
@@ -74,7 +76,9 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
         }
         Form::Splines => splines::write(out, map, &Terrain::of(source.rasters()?), Axes::Plain),
         Form::Gltf => gltf::write(out, &domain, source.rasters()?, source.picture()?),
-        Form::Engine(engine) => engine::pack::write(out, map, engine, source.rasters()?, source.picture()?),
+        Form::Engine(engine) => {
+            engine::pack::write(out, map, engine, source.rasters()?, source.picture()?, source.has_beds)
+        }
         Form::GeoPackage => gis::geopackage::write(out, map),
         Form::GeoTiff => gis::geotiff::write_picture(out, &domain, source.picture()?, &link()),
         Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer),

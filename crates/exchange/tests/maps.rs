@@ -48,8 +48,19 @@ pub fn picture(map: &Map) -> Pixmap {
 
 /// Makes a file.
 pub fn file(form: Form, map: &Map, rasters: Option<&Rasters>, picture: Option<&Pixmap>) -> Vec<u8> {
-    let mut out = Vec::new();
+    with_beds(form, map, rasters, picture, false)
+}
+
+/// Makes a file, whose heights are lowered under rivers or not.
+pub fn with_beds(
+    form: Form,
+    map: &Map,
+    rasters: Option<&Rasters>,
+    picture: Option<&Pixmap>,
+    has_beds: bool,
+) -> Vec<u8> {
     let (attractors, has_svg_text, sheet) = (None, false, Sheet::default());
-    write(form, &mut out, &Source { map, rasters, picture, attractors, has_svg_text, sheet }).unwrap();
+    let mut out = Vec::new();
+    write(form, &mut out, &Source { map, rasters, picture, attractors, has_svg_text, sheet, has_beds }).unwrap();
     out
 }

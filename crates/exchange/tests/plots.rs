@@ -14,8 +14,8 @@ const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 fn on(sheet: Sheet, text: &str) -> String {
     let mut out = Vec::new();
     let map = map(text);
-    let (rasters, picture, attractors, has_svg_text) = (None, None, None, false);
-    let source = Source { map: &map, rasters, picture, attractors, has_svg_text, sheet };
+    let (rasters, picture, attractors, has_svg_text, has_beds) = (None, None, None, false, false);
+    let source = Source { map: &map, rasters, picture, attractors, has_svg_text, sheet, has_beds };
     write(Form::Plot, &mut out, &source).unwrap();
     String::from_utf8(out).unwrap()
 }

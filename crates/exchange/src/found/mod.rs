@@ -117,7 +117,10 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
             is_between(file, &format!("{{\"riverseed\":{},\"rasters\":[{columns},{rows}],", link()), "]}\n")
         }
         Form::Gltf => is_gltf(file, asked),
-        Form::Engine(engine) => engine::pack::is_of(file, engine, &asked.link, asked.rasters[0], asked.picture),
+        Form::Engine(engine) => {
+            let has_beds = options.has_beds(form);
+            engine::pack::is_of(file, engine, &asked.link, asked.rasters[0], asked.picture, has_beds)
+        }
         Form::GeoPackage => is_geopackage(file, asked),
         Form::GeoTiff => is_geotiff(file, asked.picture, geotiff::PICTURE, asked),
         Form::RasterTiff(layer) => is_geotiff(file, asked.rasters, geotiff::subject(layer), asked),
