@@ -76,7 +76,7 @@ test-all: test test-more ## every test there is
 
 .PHONY: test-more
 test-more: test-scripts test-rust-more test-crate test-python test-page-more test-browser-more lighthouse test-firefox test-package \
-  test-hydrology test-gis test-batch test-notebooks test-integrations
+  test-hydrology test-gis test-plot test-batch test-notebooks test-integrations
 
 # What no landing waits for: every test there is, other processors, newest versions, fresh seeds, foreign input, faults put in.
 .PHONY: nightly
@@ -117,7 +117,7 @@ program:
 	@$(setup) rust
 	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
-# These five are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
+# These six are skipped, with a word, where GDAL, or Python or its packages, cannot be had.
 .PHONY: test-hydrology
 test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them; the recipes of docs/hydrology.md run
 	@scripts/hydrology.sh target/debug/riverseed
@@ -128,6 +128,11 @@ test-gis: program ## another's geographic library reads our files for GIS withou
 	@$(setup) node
 	@scripts/gis.sh target/debug/riverseed
 	$(lap) "files for GIS, read by GDAL"
+
+.PHONY: test-plot
+test-plot: program ## the software of plotters reads our lines: a layer for each pen, in millimetres, on the sheet
+	@scripts/plot.sh target/debug/riverseed
+	$(lap) "lines, read by the software of plotters"
 
 .PHONY: test-batch
 test-batch: program ## a distributed engine makes the maps that one call makes, also if a worker is killed

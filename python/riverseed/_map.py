@@ -144,7 +144,7 @@ class Map:
         flat: bool = False,
         crs: str | None = None,
     ) -> bytes:
-        """Return a file in any form, also for game engines and geographic information systems.
+        """Return a file in any form, also for plotters (on A4), game engines and geographic information systems.
 
         Args:
             form: One of `riverseed.FORMS`.

@@ -29,6 +29,8 @@ fn name(setting: Setting) -> &'static str {
         Setting::Ratio => "ratio",
         Setting::RasterSize => "raster_size",
         Setting::SvgText => "text",
+        Setting::Sheet => "sheet",
+        Setting::Beds => "beds",
         Setting::Attractors => "attractors",
         Setting::Segments => "segments",
         Setting::Flat => "flat",

@@ -99,6 +99,42 @@ impl Banks {
     }
 }
 
+/// Returns a bank without the loops that it makes in bends tighter than the river is wide. Where such a loop begins and ends,
+/// the bank has a corner instead, twice, so that a smooth line passes through it. A loop lies between both banks.
+pub(super) fn without_loops(bank: &[Vec2]) -> Vec<Vec2> {
+    /// The most sides of a loop, its first and last included.
+    const MOST: usize = 16;
+    let mut kept: Vec<Vec2> = Vec::with_capacity(bank.len());
+    let mut next = 0;
+    while let Some(&to) = bank.get(next) {
+        let last = (next + MOST).min(bank.len()) - 1;
+        let crossed = |&from: &Vec2| {
+            (next + 1..last).rev().find_map(|j| Some((crossing([from, to], [bank[j], bank[j + 1]])?, j + 1)))
+        };
+        match kept.last().and_then(crossed) {
+            Some((corner, after)) => {
+                kept.extend([corner, corner]);
+                next = after;
+            }
+            None => {
+                kept.push(to);
+                next += 1;
+            }
+        }
+    }
+    kept
+}
+
+/// Returns the place where two sides cross; `None` where they do not, or lie in one line.
+fn crossing([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> Option<Vec2> {
+    let (first, second) = (b - a, d - c);
+    let across = first.perp_dot(second);
+    let along = |way: Vec2| (c - a).perp_dot(way) / across;
+    let share = along(second);
+    let is_on = |share: f32| (0.0..=1.0).contains(&share);
+    (is_on(share) && is_on(along(first))).then(|| a + first * share)
+}
+
 fn widened(line: Vec<Place>, share: f32, more: f32) -> Vec<Place> {
     line.into_iter().map(|place| Place { half: place.half * share + more, ..place }).collect()
 }

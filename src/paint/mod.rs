@@ -36,6 +36,7 @@ mod view;
 pub use annotation::masks::{AnnotationMasks, SparseMask};
 pub use coverage::Rect;
 pub use painter::Painted;
+pub use relief::{Contour, contours};
 pub use styles::atlas;
 pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 #[doc(hidden)] // Benchmarks draw with these alone.

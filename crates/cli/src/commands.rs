@@ -8,7 +8,7 @@ use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter};
 use riverseed_exchange::gis::crs::Crs;
-use riverseed_exchange::{SIZE, is_ratio};
+use riverseed_exchange::{SIZE, Sheet, is_ratio};
 
 use super::batch::Shard;
 use super::form;
@@ -48,7 +48,7 @@ fn render_command() -> Command {
 }
 
 /// Lists the options for files and what they hold.
-fn file_arguments() -> [Arg; 8] {
+fn file_arguments() -> [Arg; 11] {
     let argument = |name: &'static str| Arg::new(name).long(name);
     let number = |name: &'static str| argument(name).value_name("PIXELS");
     [
@@ -82,6 +82,18 @@ fn file_arguments() -> [Arg; 8] {
             .value_name("EPSG:N|none")
             .help("The coordinate system that .tif and .gpkg say they have, with the map's centre as its origin: a UTM zone of WGS 84, EPSG:3395, EPSG:3857, EPSG:6933, or none [default: a plane in metres that lies nowhere on Earth]")
             .value_parser(str::parse::<Crs>),
+        argument("sheet")
+            .value_name("SHEET")
+            .help(format!("The sheet of paper of .plot.svg, which lies or stands as the map does: {} [default: {}]", sheets(), Sheet::default().name()))
+            .value_parser(sheet),
+        argument("beds")
+            .action(ArgAction::SetTrue)
+            .overrides_with("no-beds")
+            .help("Lower the ground under rivers by their depth in the heights of packs for engines and of .r16 [default for Unity and Godot]"),
+        argument("no-beds")
+            .action(ArgAction::SetTrue)
+            .overrides_with("beds")
+            .help("Leave the ground under rivers as high as their water [default for Unreal, which digs beds by itself, and for .r16]"),
     ]
 }
 
@@ -159,6 +171,14 @@ fn batch_arguments() -> [Arg; 4] {
 fn threads(text: &str) -> Result<usize, String> {
     let threads = text.parse().ok().filter(|threads| (1..=1024).contains(threads));
     threads.ok_or_else(|| "must be from 1 to 1024".into())
+}
+
+fn sheet(text: &str) -> Result<Sheet, String> {
+    Sheet::named(text).ok_or_else(|| format!("must be one of {}", sheets()))
+}
+
+fn sheets() -> String {
+    Sheet::ALL.map(Sheet::name).join(", ")
 }
 
 fn ratio(text: &str) -> Result<f32, String> {

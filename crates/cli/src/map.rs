@@ -27,6 +27,8 @@ pub fn options(matches: &ArgMatches, forms: &[Form], recipe: &Recipe) -> Result<
         ratio: matches.get_one("ratio").copied(),
         raster_size: matches.get_one("raster-size").copied(),
         has_svg_text: matches.get_flag("svg-text"),
+        sheet: matches.get_one("sheet").copied(),
+        beds: beds(matches),
         has_attractors,
         has_segments: matches.get_flag("geojson-segments"),
         is_flat: matches.get_flag("geojson-flat"),
@@ -43,12 +45,20 @@ pub fn options(matches: &ArgMatches, forms: &[Form], recipe: &Recipe) -> Result<
     Ok(options)
 }
 
+/// Returns whether heights are to be lowered under rivers; `None` if the call does not say.
+fn beds(matches: &ArgMatches) -> Option<bool> {
+    let is_given = |name| matches.get_flag(name);
+    (is_given("beds") || is_given("no-beds")).then(|| is_given("beds"))
+}
+
 fn name(setting: Setting) -> &'static str {
     match setting {
         Setting::Size => "--size",
         Setting::Ratio => "--ratio",
         Setting::RasterSize => "--raster-size",
         Setting::SvgText => "--svg-text",
+        Setting::Sheet => "--sheet",
+        Setting::Beds => "--beds or --no-beds",
         Setting::Attractors => "--attractors without a number",
         Setting::Segments => "--geojson-segments",
         Setting::Flat => "--geojson-flat",

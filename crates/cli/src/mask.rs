@@ -10,7 +10,7 @@ use riverseed::land::Land;
 use riverseed::land::trace::{TraceError, trace};
 use riverseed::recipe::{Key, LandKind, Recipe};
 
-use super::outline::{read_picture, say_if_longer};
+use super::outline::{read_picture, say_what_is_odd};
 use super::{Failure, say};
 
 /// Returns `true` if a value of `--land` is the path of a picture, and not a kind of land.
@@ -60,7 +60,7 @@ fn outlined(path: &Path, image: &Image) -> Result<Outlined, Failure> {
         "the land is {} in full detail; links in files hold only its outline, of {points} points",
         path.display()
     ));
-    say_if_longer(&traced);
+    say_what_is_odd(&traced);
     Ok(Outlined { aspect: format!("{:.2}", traced.aspect), outline: traced.outline.to_string() })
 }
 

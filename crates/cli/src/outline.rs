@@ -48,10 +48,17 @@ fn say_what_is_kept(traced: &Traced) {
     let coasts = of(coasts, traced.coasts, LineKind::Coast);
     let ridges = of(ridges, traced.ridges, LineKind::Ridge);
     say(&format!("kept {coasts} and {ridges}, {points} points"));
-    say_if_longer(traced);
+    say_what_is_odd(traced);
 }
 
-pub fn say_if_longer(traced: &Traced) {
+/// Reports what is probably not as a picture's maker wants it.
+pub fn say_what_is_odd(traced: &Traced) {
+    if traced.looks_like_heights {
+        say(
+            "this looks like a heightmap, but greys are no heights here: light is land and dark is water; give a picture \
+             that is white where the heights are above the sea, and black elsewhere",
+        );
+    }
     if traced.is_longer {
         say("the image is more elongated than 4:1; land on its long edges is extended to the edge of the map");
     }

@@ -182,7 +182,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());
     let new = "riverseed: maps: 1 made\n";
     let (other, same) = ("riverseed: maps: 1 replaced\n", "riverseed: maps: 1 there before\n");
-    let calls: [(&[&str], &[&str]); 17] = [
+    let calls: [(&[&str], &[&str]); 19] = [
         (&["-o", "{seed}.json"], &["-o", "{seed}.json", "--trim", "9"]),
         (&["-o", "{seed}.geojson"], &["-o", "{seed}.geojson", "--trim", "9"]),
         (&["-o", "a{seed}.json"], &["-o", "a{seed}.json", "--attractors"]),
@@ -202,6 +202,8 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
         ),
         (&["-o", "a{seed}.gpkg"], &["-o", "a{seed}.gpkg", "--crs", "none"]),
         (&["-o", "a{seed}.land.tif"], &["-o", "a{seed}.land.tif", "--crs", "EPSG:32633"]),
+        (&["-o", "{seed}.plot.svg"], &["-o", "{seed}.plot.svg", "--sheet", "a3"]),
+        (&["-o", "{seed}.godot.zip"], &["-o", "{seed}.godot.zip", "--no-beds"]),
         (&["-o", "{seed}.heights.qml"], &["-o", "{seed}.heights.qml", "--trim", "9"]),
     ];
     for (first, second) in calls {

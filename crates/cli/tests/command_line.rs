@@ -257,6 +257,42 @@ fn names_are_printed_greatest_first_with_their_marks() {
 }
 
 #[test]
+fn lines_for_plotters_are_on_the_sheet_that_is_asked_for() {
+    let small = "attractors=100&land=island";
+    let head = |options: &[&str]| {
+        let path = scratch("sheet.plot.svg");
+        let output = riverseed(&[&["render", small, "-o", path.to_str().unwrap()], options].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        fs::read_to_string(path).unwrap().lines().next().unwrap().to_owned()
+    };
+    assert!(head(&[]).ends_with(" width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\">"), "{}", head(&[]));
+    assert_eq!(head(&[]), head(&["--sheet", "a4"]));
+    assert!(
+        head(&["--sheet", "letter", "--aspect", "0.5"])
+            .ends_with(" width=\"215.9mm\" height=\"279.4mm\" viewBox=\"0 0 215.9 279.4\">")
+    );
+    let refused = |options: &[&str]| refusal(&[&["render", small], options].concat());
+    let message = "riverseed: --sheet does not go with .svg\n";
+    assert_eq!(refused(&["-o", "x.svg", "--sheet", "a4"]), (2, message.into()));
+    let (code, complaint) = refused(&["-o", "x.plot.svg", "--sheet", "a9"]);
+    assert!(code == 2 && complaint.contains("must be one of a5, a4, letter, a3, a2, a1"), "{complaint}");
+}
+
+#[test]
+fn heights_have_beds_where_engines_dig_none_or_where_they_are_asked_for() {
+    let bytes = |options: &[&str]| {
+        let path = scratch("beds.r16");
+        let link = "attractors=300&land=island";
+        assert!(riverseed(&[&["render", link, "-o", path.to_str().unwrap()], options].concat()).status.success());
+        fs::read(path).unwrap()
+    };
+    let (with, without) = (bytes(&["--beds"]), bytes(&["--no-beds"]));
+    assert!(with != without && bytes(&[]) == without && bytes(&["--beds", "--no-beds"]) == without);
+    let message = "riverseed: --beds or --no-beds does not go with .png, .glb\n";
+    assert_eq!(refusal(&["render", "-o", "x.png", "-o", "x.glb", "--beds"]), (2, message.into()));
+}
+
+#[test]
 fn measures_are_printed_beside_nature_s() {
     let printed = |arguments: &[&str]| {
         let output = riverseed(&[&["measure"], arguments].concat());

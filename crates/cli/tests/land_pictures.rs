@@ -157,6 +157,21 @@ fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
 }
 
 #[test]
+fn a_heightmap_that_is_given_as_land_is_told() {
+    let heights = greys("heights.png", |x, y| (4 * x.min(119 - x).min(y).min(79 - y)).min(255) as u8);
+    let land = greys("land.png", |x, y| if (30..90).contains(&x) && (20..60).contains(&y) { 255 } else { 0 });
+    let out = scratch("heights.json");
+    for command in [&["outline"][..], &["render", "--attractors", "300", "-o", out.to_str().unwrap(), "--land"]] {
+        let said = |path: &PathBuf| {
+            let output = riverseed(&[command, &[path.to_str().unwrap()]].concat());
+            assert!(output.status.success(), "{output:?}");
+            String::from_utf8(output.stderr).unwrap().contains("riverseed: this looks like a heightmap, ")
+        };
+        assert!(said(&heights) && !said(&land), "{command:?}");
+    }
+}
+
+#[test]
 fn pictures_that_show_no_land_are_refused_by_name() {
     for (ground, square, reason) in [(0, 0, "all water"), (255, 255, "all land")] {
         let path = picture(reason, ground, square);

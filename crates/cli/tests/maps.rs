@@ -9,10 +9,11 @@ pub const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 pub const LINK: &str = "land=island&attractors=100&style=ink";
 
 /// All forms of a file but the packs of engines, whose rasters have sizes of their own.
-pub const FORMS: [&str; 23] = [
+pub const FORMS: [&str; 24] = [
     "json",
     "geojson",
     "svg",
+    "plot.svg",
     "png",
     "zip",
     "heights.png",

@@ -10,6 +10,8 @@ pub enum Form {
     Png,
     /// The map as shapes.
     Svg,
+    /// The map as lines on a sheet of paper, for plotters and other machines that follow lines.
+    Plot,
     /// The rivers, coasts and ridges for geographic information systems.
     GeoJson,
     /// The network, as described in `network.schema.json`.
@@ -105,6 +107,7 @@ impl Form {
     rows! {
         Png => ("png", Any, 0, &[Pixels, Letters, PictureAlone]),
         Svg => ("svg", Any, 1, &[Letters, PictureAlone]),
+        Plot => ("plot.svg", Any, 1, &[Relief]),
         GeoJson => ("geojson", Any, 1, &[Relief, Names]),
         Json => ("json", Any, 1, &[Names]),
         Pack => ("zip", Any, 1, &[Pixels, Letters, Rasters, Relief, Files]),
@@ -219,6 +222,8 @@ mod tests {
             ("a.json.zip", Some(Form::Pack)),
             ("kauri.Unity.zip", Some(Form::Engine(Engine::Unity))),
             ("unity.zip", Some(Form::Pack)),
+            ("kauri.plot.svg", Some(Form::Plot)),
+            ("plot.svg", Some(Form::Svg)),
             ("kauri.land.tif", Some(Form::RasterTiff(Layer::Land))),
             ("island.tif", Some(Form::GeoTiff)),
             ("a.splines.json", Some(Form::Splines)),

@@ -6,8 +6,9 @@ use riverseed::domain::Domain;
 use riverseed::paint::{PaintError, View};
 use riverseed::picture::Picture;
 
-use crate::form::{Form, Readers};
+use crate::form::{Engine, Form, Readers};
 use crate::gis::crs::Crs;
+use crate::plot::Sheet;
 
 /// The longer side of a picture in pixels, unless another one is given.
 pub const SIZE: u32 = 1200;
@@ -23,6 +24,11 @@ pub struct Options {
     pub raster_size: Option<u32>,
     /// `true` for an SVG whose labels are text on paths.
     pub has_svg_text: bool,
+    /// The sheet of lines for plotters; the default one unless given.
+    pub sheet: Option<Sheet>,
+    /// `true` for heights for game engines that are lowered under rivers, `false` for heights that are not. Unless given, those
+    /// in packs for Unity and Godot are.
+    pub beds: Option<bool>,
     /// `true` for JSON with the attractors that the tree grew to.
     pub has_attractors: bool,
     /// `true` for GeoJSON with the rivers cut into segments.
@@ -46,6 +52,10 @@ pub enum Setting {
     RasterSize,
     /// [`Options::has_svg_text`].
     SvgText,
+    /// [`Options::sheet`].
+    Sheet,
+    /// [`Options::beds`].
+    Beds,
     /// [`Options::has_attractors`].
     Attractors,
     /// [`Options::has_segments`].
@@ -62,6 +72,8 @@ impl Setting {
             Self::Size | Self::Ratio => form.has_pixels(),
             Self::RasterSize => form.has_rasters(),
             Self::SvgText => form == Form::Svg,
+            Self::Sheet => form == Form::Plot,
+            Self::Beds => matches!(form, Form::Engine(_) | Form::RawHeights),
             Self::Attractors => form == Form::Json,
             Self::Segments | Self::Flat => form == Form::GeoJson,
             Self::Crs => form.readers() == Readers::Gis && form != Form::HeightStyle,
@@ -82,6 +94,8 @@ impl Options {
             (Setting::Size, self.size.is_some()),
             (Setting::Ratio, self.ratio.is_some()),
             (Setting::SvgText, self.has_svg_text),
+            (Setting::Sheet, self.sheet.is_some()),
+            (Setting::Beds, self.beds.is_some()),
             (Setting::RasterSize, self.raster_size.is_some()),
             (Setting::Segments, self.has_segments),
             (Setting::Flat, self.is_flat),
@@ -108,6 +122,16 @@ impl Options {
         }
         let [width, height] = self.sides(domain);
         Ok(Some(Picture::new(width, height)?.with_ratio(self.ratio.unwrap_or(1.0))))
+    }
+
+    /// Returns the sheet of lines for plotters.
+    pub(crate) fn sheet(&self) -> Sheet {
+        self.sheet.unwrap_or_default()
+    }
+
+    /// Returns `true` if the heights in files of a form are lowered under rivers. Unreal Engine digs beds by itself.
+    pub(crate) fn has_beds(&self, form: Form) -> bool {
+        self.beds.unwrap_or(matches!(form, Form::Engine(Engine::Unity | Engine::Godot)))
     }
 
     /// Returns the width and height of a picture, in pixels.

@@ -15,6 +15,7 @@ use crate::engine::{self, Terrain, gltf, splat};
 use crate::form::Form;
 use crate::gis;
 use crate::options::Options;
+use crate::plot;
 
 /// A map with what its files are made from.
 #[derive(Clone, Copy, Debug)]
@@ -59,11 +60,12 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
             let drawn = if options.has_svg_text { svg::svg_with_text(map) } else { svg::svg(map) };
             writeln!(out, "{}", drawn.map_err(Error::other)?)
         }
+        Form::Plot => plot::write(out, map, options.sheet()),
         Form::GeoJson => gis::geojson::write(out, map, options.has_segments, options.is_flat),
         Form::Json => json::write(&mut *out, map, source.attractors).and_then(|()| writeln!(out)),
         Form::Pack => export::pack::write(out, map, source.rasters()?, source.picture()?),
         Form::Raster(layer) => Ok(export::png::write_raster(out, source.rasters()?, layer)?),
-        Form::RawHeights => Terrain::of(source.rasters()?).write_raw(out),
+        Form::RawHeights => engine::write_raw(out, map, source.rasters()?, options.has_beds(form)),
         Form::Normals => normals::write(out, &Terrain::of(source.rasters()?), Green::Up, &link()),
         Form::Splat => {
             let (rasters, terrain) = (source.rasters()?, Terrain::of(source.rasters()?));
@@ -71,7 +73,10 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
         }
         Form::Splines => splines::write(out, map, &Terrain::of(source.rasters()?), Axes::Plain),
         Form::Gltf => gltf::write(out, &domain, source.rasters()?, source.picture()?),
-        Form::Engine(engine) => engine::pack::write(out, map, engine, source.rasters()?, source.picture()?),
+        Form::Engine(engine) => {
+            let has_beds = options.has_beds(form);
+            engine::pack::write(out, map, engine, source.rasters()?, source.picture()?, has_beds)
+        }
         Form::GeoPackage => gis::geopackage::write(out, map, options.crs),
         Form::GeoTiff => gis::geotiff::write_picture(out, &domain, source.picture()?, &link(), options.crs),
         Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer, options.crs),

@@ -11,7 +11,7 @@ use riverseed_exchange::engine::{self, METRES_A_UNIT, Terrain};
 use riverseed_exchange::{Engine, Form};
 use serde_json::Value;
 
-use crate::maps::{LINKS, file, map, picture};
+use crate::maps::{LINKS, file, map, picture, with_beds};
 
 const ENGINES: [Engine; 3] = [Engine::Unreal, Engine::Unity, Engine::Godot];
 
@@ -262,9 +262,16 @@ fn added(readme: &str) -> Vec<&str> {
     axes.split([',', ' ']).filter(|word| !matches!(*word, "" | "and")).collect()
 }
 
-/// Puts a landscape and the points of its rivers into an engine as a README says. Returns how far each point is over the
-/// ground, in metres.
-fn heights_over_ground(engine: Engine, files: &BTreeMap<String, Vec<u8>>) -> Vec<f64> {
+/// A point of a river, in metres.
+struct Afloat {
+    /// How far the water is over the ground.
+    over_ground: f64,
+    /// The depth that the file gives.
+    depth: f64,
+}
+
+/// Puts a landscape and the points of its rivers into an engine as a README says. Returns the points of each river.
+fn afloat(engine: Engine, files: &BTreeMap<String, Vec<u8>>) -> Vec<Vec<Afloat>> {
     let readme = std::str::from_utf8(&files["README.txt"]).unwrap();
     let heights: Vec<f64> =
         files["heights.r16"].chunks(2).map(|bytes| f64::from(u16::from_le_bytes([bytes[0], bytes[1]]))).collect();
@@ -307,8 +314,8 @@ fn heights_over_ground(engine: Engine, files: &BTreeMap<String, Vec<u8>>) -> Vec
         (up - ground(0, 0) - ground(0, 1) - ground(1, 0) - ground(1, 1)) * unit
     };
     let lines = lines(&serde_json::from_slice(&files["splines.json"]).unwrap());
-    // Mouths lie on the sea, wherever the ground is.
-    lines.iter().flat_map(|line| &line[..line.len() - 1]).copied().map(over_ground).collect()
+    let afloat = |point: &[f64; 5]| Afloat { over_ground: over_ground(*point), depth: point[4] * unit };
+    lines.iter().map(|line| line.iter().map(afloat).collect()).collect()
 }
 
 #[test]
@@ -318,7 +325,10 @@ fn rivers_that_are_placed_as_the_recipes_say_lie_on_the_landscape() {
         let (rasters, picture) = (squares(&map), picture(&map));
         for engine in ENGINES {
             let files = unpacked(&file(Form::Engine(engine), &map, Some(&rasters), Some(&picture)));
-            let over_ground = heights_over_ground(engine, &files);
+            // Mouths lie on the sea, wherever the ground is.
+            let rivers = afloat(engine, &files);
+            let points = rivers.iter().flat_map(|river| &river[..river.len() - 1]);
+            let over_ground: Vec<f64> = points.map(|point| point.over_ground).collect();
             let least = over_ground.iter().copied().fold(f64::INFINITY, f64::min);
             assert!(least > -1.0, "{engine:?}: a river is {} m below ground", -least);
             let on_ground = over_ground.iter().filter(|metres| metres.abs() < 1.0).count();
@@ -328,6 +338,64 @@ fn rivers_that_are_placed_as_the_recipes_say_lie_on_the_landscape() {
                 over_ground.len()
             );
         }
+    }
+}
+
+#[test]
+fn beds_leave_room_for_half_the_water_at_nearly_all_points_of_rivers() {
+    for link in LINKS {
+        let map = map(link);
+        let (rasters, picture) = (squares(&map), picture(&map));
+        for engine in ENGINES {
+            let share = |has_beds| {
+                let pack = with_beds(Form::Engine(engine), &map, Some(&rasters), Some(&picture), has_beds);
+                let points: Vec<Afloat> = afloat(engine, &unpacked(&pack)).into_iter().flatten().collect();
+                let has_room = |point: &&Afloat| point.over_ground >= point.depth * 0.5;
+                points.iter().filter(has_room).count() as f64 / points.len() as f64
+            };
+            let (without, with) = (share(false), share(true));
+            assert!(with >= 0.95 && without < 0.5, "{link}, {engine:?}: {with}, without beds {without}");
+        }
+    }
+}
+
+/// Returns the place of the cell that a direction in ESRI's codes leads to.
+fn next(cell: usize, direction: u8, side: usize) -> Option<usize> {
+    let (east, south) = match direction {
+        1 => (1, 0),
+        2 => (1, 1),
+        4 => (0, 1),
+        8 => (-1, 1),
+        16 => (-1, 0),
+        32 => (-1, -1),
+        64 => (0, -1),
+        128 => (1, -1),
+        _ => return None,
+    };
+    let within = |place: usize, way: isize| place.checked_add_signed(way).filter(|place| *place < side);
+    Some(within(cell / side, south)? * side + within(cell % side, east)?)
+}
+
+#[test]
+fn water_runs_down_over_beds_as_it_did_without_and_no_ground_rises() {
+    for link in LINKS {
+        let map = map(link);
+        let rasters = squares(&map);
+        let Values::Bytes(flow) = rasters.values(Layer::Flow) else { panic!() };
+        let raw = |has_beds| -> Vec<u16> {
+            let bytes = with_beds(Form::RawHeights, &map, Some(&rasters), None, has_beds);
+            bytes.chunks(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect()
+        };
+        let (before, after) = (raw(false), raw(true));
+        assert!(before != after && before.iter().zip(&after).all(|(before, after)| after <= before), "{link}");
+        for (cell, &direction) in flow.iter().enumerate() {
+            if let Some(next) = next(cell, direction, rasters.columns) {
+                assert!(after[next] < after[cell], "{link}: water runs up from {cell}");
+            }
+        }
+        // Beds are of rivers: most land is as high as before.
+        let lowered = before.iter().zip(&after).filter(|(before, after)| before != after).count();
+        assert!(lowered * 2 < flow.iter().filter(|direction| **direction != 0).count(), "{link}: {lowered}");
     }
 }
 

@@ -83,11 +83,12 @@ fn picture_lies_where_the_map_lies() {
     let rasters = Rasters::new(&map).unwrap();
     let mesh = read(&of(&map, &rasters));
     assert!(mesh.image.starts_with(b"\x89PNG"));
-    // The picture shows as much of the map as its aspect lets it, and its middle is the map's.
+    // The picture shows as much of the map as its aspect lets it, and its middle is the map's. It ends at its edges.
     let scale = (120.0 / map.domain().size.x).max(80.0 / map.domain().size.y);
     for (place, position) in mesh.places.iter().zip(&mesh.positions) {
-        let expected =
-            [position[0] * scale / 120.0, position[2] * scale / 80.0].map(|x| x / METRES_A_UNIT as f32 + 0.5);
+        let expected = [position[0] * scale / 120.0, position[2] * scale / 80.0]
+            .map(|x| (x / METRES_A_UNIT as f32 + 0.5).clamp(0.0, 1.0));
+        assert!(place.iter().all(|share| (0.0..=1.0).contains(share)), "{place:?}");
         assert!(
             (place[0] - expected[0]).abs() < 1e-4 && (place[1] - expected[1]).abs() < 1e-4,
             "{place:?} {expected:?}"

@@ -8,4 +8,5 @@ mod geotiff;
 mod gltf_files;
 mod hostile;
 mod maps;
+mod plots;
 mod segments;

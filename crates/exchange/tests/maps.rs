@@ -47,7 +47,18 @@ pub fn picture(map: &Map) -> Pixmap {
 
 /// Makes a file.
 pub fn file(form: Form, map: &Map, rasters: Option<&Rasters>, picture: Option<&Pixmap>) -> Vec<u8> {
-    file_with(form, map, rasters, picture, &Options::default())
+    with_beds(form, map, rasters, picture, false)
+}
+
+/// Makes a file, whose heights are lowered under rivers or not.
+pub fn with_beds(
+    form: Form,
+    map: &Map,
+    rasters: Option<&Rasters>,
+    picture: Option<&Pixmap>,
+    has_beds: bool,
+) -> Vec<u8> {
+    file_with(form, map, rasters, picture, &Options { beds: Some(has_beds), ..Options::default() })
 }
 
 /// Makes a file with options.

@@ -9,7 +9,7 @@ use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
-use crate::paint::relief::{Basins, INDEX, Light, Stroke, highest, interval, strokes};
+use crate::paint::relief::{Basins, Light, Stroke, contours as contours_of, highest, strokes};
 use crate::paint::ridges;
 use crate::relief::{METRES, Relief};
 
@@ -110,12 +110,11 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
         basin_shapes(out, basins, look);
     }
     light(out, relief, of, look);
-    let highest = highest(relief);
     if let Some(lines) = &look.contours {
-        contours(out, relief, interval(highest), lines);
+        contours(out, relief, lines);
     }
     if let Some(look) = &look.hachures {
-        hachures(out, &strokes(relief, highest), look, of.strength_of_hachures());
+        hachures(out, &strokes(relief, highest(relief)), look, of.strength_of_hachures());
     }
 }
 
@@ -148,13 +147,12 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
 }
 
 /// Draws contour lines.
-fn contours(out: &mut Text, relief: &Relief, interval: f32, look: &Contours) {
-    let highest = relief.heights().iter().fold(0.0f32, |highest, height| highest.max(*height));
+fn contours(out: &mut Text, relief: &Relief, look: &Contours) {
     out.text("<g id=\"contours\" fill=\"none\">\n");
-    for level in 1..=(highest / interval) as u32 {
-        let kind = usize::from(level.is_multiple_of(INDEX));
+    for contour in contours_of(relief) {
+        let kind = usize::from(contour.is_index);
         out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
-        line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(level as f32 * interval), 1));
+        line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(contour.height), 1));
     }
     out.text("</g>\n");
 }

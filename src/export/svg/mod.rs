@@ -26,7 +26,7 @@ use glam::Vec2;
 use self::ground::Raised;
 use self::path::Path;
 use self::text::Text;
-use super::banks::Width;
+use super::banks::{Width, without_loops};
 use super::{ExportError, rivers};
 use crate::base::hash::Fnv1a;
 use crate::map::Map;
@@ -224,16 +224,19 @@ fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
     out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
-/// Draws down the left bank, around the end, and up the right bank.
+/// Draws down the left bank, around the end, and up the right bank to the source, where both meet.
 #[inline(never)]
 fn outline(path: &mut Path, banks: &Banks, courses: CourseShape) {
-    if let (Some(&source), Some(&end)) = (banks.left.first(), banks.right.last()) {
+    let (left, mut right) = (without_loops(&banks.left), without_loops(&banks.right));
+    right.reverse();
+    if let (Some(&source), Some(&end)) = (left.first(), right.first()) {
         path.start(source);
-        bank(path, &banks.left, courses);
+        bank(path, &left, courses);
         path.half_circle(end);
-        let upstream: Vec<_> = banks.right.iter().rev().copied().collect();
-        bank(path, &upstream, courses);
-        path.close();
+        match courses {
+            CourseShape::Smooth => path.smooth_home(&right),
+            CourseShape::Grown => path.straight_home(&right),
+        }
     }
 }
 

@@ -59,10 +59,28 @@ impl Path {
     /// the middle of one side to the middle of the next.
     #[inline(never)]
     pub fn smooth(&mut self, points: &[Vec2]) {
-        let [_, corners @ .., last] = points else { return };
-        self.parabolas(corners.iter().chain([last]));
+        let [_, rest @ ..] = points else { return };
+        let Some(&last) = rest.last() else { return };
+        self.parabolas(rest);
         self.command("l");
-        self.go_to(whole(*last));
+        self.go_to(whole(last));
+    }
+
+    /// Draws the same smooth line, whose last point is where the path began, and closes the path.
+    pub fn smooth_home(&mut self, points: &[Vec2]) {
+        if let [_, rest @ ..] = points {
+            self.parabolas(rest);
+        }
+        self.close();
+    }
+
+    /// Draws a line from corner to corner like [`straight`](Self::straight), whose last point is where the path began, and
+    /// closes the path.
+    pub fn straight_home(&mut self, points: &[Vec2]) {
+        if let [first @ .., _] = points {
+            self.straight(first);
+        }
+        self.close();
     }
 
     /// Draws a parabola from where the path is now, given its control point and its end.
@@ -95,18 +113,21 @@ impl Path {
         self.go_to(whole(to));
     }
 
+    /// Draws a straight line back to where the path began. A line that is to end there has this for its last piece: readers
+    /// add up what is relative, and would come to a place beside the first.
     pub fn close(&mut self) {
         self.command("z");
     }
 
-    fn parabolas<'a>(&mut self, mut corners: impl Iterator<Item = &'a Vec2>) {
-        let Some(first) = corners.next() else { return };
+    /// Draws parabolas round corners, from where the path is now to half the way from the last but one to the last.
+    fn parabolas(&mut self, corners: &[Vec2]) {
+        let [first, rest @ ..] = corners else { return };
         // The first piece is straight: its control point is its start.
         let control = self.at;
         self.data.text("q0 0");
         self.is_after_number = true;
         self.go_to(middle(control, whole(*first)));
-        self.reflected(control, corners);
+        self.reflected(control, rest.iter());
     }
 
     /// Draws further parabolas. Each control point is the mirror image of the one before, so it is left out. It lies in
@@ -177,6 +198,19 @@ mod tests {
         path.smooth(&points);
         path.smooth(&points[1..]);
         assert_eq!(path.data(), "M0 0q0 0 1 1l1 1");
+    }
+
+    #[test]
+    fn way_home_ends_with_the_path_and_not_beside_its_start() {
+        let points = [(0.0, 4.0), (4.0, 4.0), (0.0, 0.0)].map(Vec2::from);
+        let (mut smooth, mut straight) = (Path::default(), Path::default());
+        for path in [&mut smooth, &mut straight] {
+            path.start(Vec2::ZERO);
+            path.straight(&[Vec2::ZERO, points[0]]);
+        }
+        smooth.smooth_home(&points);
+        straight.straight_home(&points);
+        assert_eq!([smooth.data(), straight.data()], ["M0 0l0 4q0 0 2 0t0-2z", "M0 0l0 4l4 0z"]);
     }
 
     #[test]

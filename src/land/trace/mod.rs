@@ -4,6 +4,7 @@ mod areas;
 mod contour;
 mod frame;
 mod ground;
+mod heightmap;
 mod mask;
 mod ridges;
 
@@ -13,6 +14,7 @@ use thiserror::Error;
 use self::frame::Frame;
 pub(super) use self::ground::SPECK;
 use self::ground::{Detail, Ground};
+use self::heightmap::looks_like_heights;
 use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
 use crate::base::memory;
@@ -108,6 +110,8 @@ pub struct Traced {
     /// `true` if the picture is longer than that. It then lies in the middle of the map, and whatever touches its long
     /// sides continues beyond.
     pub is_longer: bool,
+    /// `true` if the picture looks like a heightmap, which is not what is traced: over 16 greys cover over a tenth of it.
+    pub looks_like_heights: bool,
 }
 
 /// The share of a picture's pixels below which a colour is dust.
@@ -140,6 +144,7 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError>
         ridges: all_ridges,
         aspect: frame.aspect,
         is_longer: frame.aspect != ground.aspect(),
+        looks_like_heights: looks_like_heights(rgba),
     })
 }
 

@@ -5,8 +5,8 @@
 
 use glam::Vec2;
 
-use super::Sheet;
 use super::field::{Field, Place, places};
+use super::{Sheet, highest};
 use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
 use crate::relief::{METRES, Relief};
@@ -16,15 +16,32 @@ use crate::relief::{METRES, Relief};
 const TIMES: u32 = 4;
 
 /// The number of contours from one index line to the next.
-pub(crate) const INDEX: u32 = 5;
+const INDEX: u32 = 5;
 
 /// Returns the difference in height between contours, in units of height: a round number of metres. `highest` is the
 /// height of the highest land.
-pub(crate) fn interval(highest: f32) -> f32 {
+fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
     let least = highest * METRES / MOST;
     METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
+}
+
+/// A contour of a relief.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contour {
+    /// The height, in units.
+    pub height: f32,
+    /// `true` for every fifth, which is drawn stronger.
+    pub is_index: bool,
+}
+
+/// Lists the contours of a relief, the lowest first.
+pub fn contours(relief: &Relief) -> Vec<Contour> {
+    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height));
+    let interval = interval(highest(relief));
+    let contour = |level: u32| Contour { height: level as f32 * interval, is_index: level.is_multiple_of(INDEX) };
+    (1..=(top / interval) as u32).map(contour).collect()
 }
 
 /// Makes a field of the heights of a relief, in numbers of contours.

@@ -23,7 +23,7 @@ use super::view::{Rows, View};
 use crate::network::Network;
 use crate::relief::Relief;
 pub(crate) use basins::Basins;
-pub(crate) use contours::{INDEX, interval};
+pub use contours::{Contour, contours};
 pub(crate) use hachures::{Stroke, strokes};
 pub(crate) use light::{Light, light_of};
 

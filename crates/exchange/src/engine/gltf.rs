@@ -98,7 +98,9 @@ impl Mesh {
             let height = terrain.height(corner.0 as isize, corner.1 as isize).max(0.0);
             [from_centre.x as f32, height as f32, from_centre.y as f32]
         };
-        let place = |corner| ((at(corner) - north_west) / (south_east - north_west)).to_array();
+        // The middles of the last pixels may lie beyond the map, where there is no picture.
+        let on_picture = |corner| (at(corner) - north_west) / (south_east - north_west);
+        let place = |corner| on_picture(corner).clamp(Vec2::ZERO, Vec2::ONE).to_array();
         let count = grid.columns.len() * grid.rows.len();
         Ok(Self {
             positions: listed(count, corners().map(position)),

@@ -10,10 +10,13 @@ use super::terrain::{METRES_A_UNIT, Terrain};
 use crate::form::Engine;
 
 /// Writes the first lines of a README, which depend on nothing that has to be computed.
-pub fn head(engine: Engine, link: &str, side: u32, picture: [u32; 2]) -> String {
+pub fn head(engine: Engine, link: &str, side: u32, picture: [u32; 2], has_beds: bool) -> String {
+    let ground =
+        if has_beds { "Under rivers the ground is lowered to their beds" } else { "Rivers have no beds in the ground" };
     format!(
         "A map by Riverseed, for {}. This link draws it again:\n  {link}\n\
-         The landscape has {side} x {side} pixels, and the picture in the middle of map.png has {} x {}.\n\n",
+         The landscape has {side} x {side} pixels, and the picture in the middle of map.png has {} x {}.\n\
+         {ground}; splines.json has the height of the water.\n\n",
         name(engine),
         picture[0],
         picture[1]

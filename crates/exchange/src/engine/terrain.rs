@@ -53,6 +53,11 @@ impl Terrain {
         }
     }
 
+    /// Returns the heights in steps, row by row from north to south, to be changed.
+    pub(super) fn steps_mut(&mut self) -> &mut [u16] {
+        &mut self.steps
+    }
+
     /// Writes the heights in steps as 16-bit numbers, the little end first, row by row from north to south.
     ///
     /// # Errors

@@ -26,6 +26,7 @@ use crate::form::Form;
 use crate::gis::crs::Crs;
 use crate::gis::{geojson, geopackage, geotiff};
 use crate::options::Options;
+use crate::plot;
 
 /// The state of a file's place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,6 +98,10 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
     match form {
         Form::Png => Png::picture(asked).is_in(file),
         Form::Svg => is_marked(file, SVG_HEAD, &format!(">{}</metadata>", escaped()), "</svg>\n"),
+        Form::Plot => {
+            let head = plot::head(&Domain::of(recipe), options.sheet());
+            is_marked(file, &head, &format!(">{}</metadata>", escaped()), "</svg>\n")
+        }
         Form::GeoJson => is_between(file, &geojson::head(&asked.link, options.has_segments, options.is_flat), "]}\n"),
         Form::Json => {
             let recipe = serde_json::to_string(&json::recipe(recipe)).unwrap_or_default();
@@ -113,7 +118,10 @@ fn is_whole(form: Form, file: &mut File, recipe: &Recipe, options: &Options) -> 
             is_between(file, &format!("{{\"riverseed\":{},\"rasters\":[{columns},{rows}],", link()), "]}\n")
         }
         Form::Gltf => is_gltf(file, asked),
-        Form::Engine(engine) => engine::pack::is_of(file, engine, &asked.link, asked.rasters[0], asked.picture),
+        Form::Engine(engine) => {
+            let has_beds = options.has_beds(form);
+            engine::pack::is_of(file, engine, &asked.link, asked.rasters[0], asked.picture, has_beds)
+        }
         Form::GeoPackage => is_geopackage(file, asked),
         Form::GeoTiff => is_geotiff(file, asked.picture, geotiff::PICTURE, asked),
         Form::RasterTiff(layer) => is_geotiff(file, asked.rasters, geotiff::subject(layer), asked),

@@ -20,6 +20,8 @@ export interface Traced {
   readonly aspect: number;
   /** Whether the picture is longer than that: what is at its long sides goes on beyond them. */
   readonly isLonger: boolean;
+  /** Whether the picture looks like a heightmap, which is not what is traced. */
+  readonly looksLikeHeights: boolean;
 }
 "#;
 
@@ -33,6 +35,7 @@ pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<Object,
         ("ridges", traced.ridges.into()),
         ("aspect", traced.aspect.into()),
         ("isLonger", traced.is_longer.into()),
+        ("looksLikeHeights", traced.looks_like_heights.into()),
     ]))
 }
 

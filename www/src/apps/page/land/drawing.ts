@@ -42,6 +42,8 @@ const HINTS: Record<LineKind, string> = {
 };
 
 const LONGER = " It is longer than a map can be: land and water at its long sides continue beyond them.";
+const HEIGHTS =
+  " It looks like a heightmap, but light is land here and dark is water: choose a picture that is white where its land is, and black elsewhere.";
 
 export class Drawing {
   readonly #sketch = new Sketch();
@@ -101,7 +103,8 @@ export class Drawing {
     this.open();
     this.#sketch.replace(lines);
     this.#become(traced.outline, lines);
-    this.#say(`Kept of the picture: ${tally(lines, traced)}.${traced.isLonger ? LONGER : ""}`);
+    const notes = [traced.isLonger ? LONGER : "", traced.looksLikeHeights ? HEIGHTS : ""];
+    this.#say(`Kept of the picture: ${tally(lines, traced)}.${notes.join("")}`);
   }
 
   #switch(isOpen: boolean): void {
