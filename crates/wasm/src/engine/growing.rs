@@ -7,6 +7,7 @@ use wasm_bindgen::prelude::*;
 use crate::make::river::River;
 use crate::objects::object;
 use riverseed::analyse::query::{former_ways, tips};
+use riverseed::annotate::place::KILOMETRE;
 use riverseed::land::SmoothedDistance;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -18,6 +19,8 @@ export interface Lengths {
   /** The distance over which an attractor pulls a river, and that at which it is used up by one. */
   readonly reach: number;
   readonly kill: number;
+  /** A kilometre of the scale bar. */
+  readonly kilometre: number;
 }
 "#;
 
@@ -60,7 +63,8 @@ impl River {
     pub fn lengths(&self) -> Object {
         let growth = self.session.growth().settings();
         let Vec2 { x, y } = self.session.domain().size;
-        let lengths = [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill)];
+        let lengths =
+            [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill), ("kilometre", KILOMETRE)];
         object(&lengths.map(|(name, length)| (name, length.into())))
     }
 }

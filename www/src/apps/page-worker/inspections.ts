@@ -139,8 +139,7 @@ function live(river: WholeRiver, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
-  const { reach, kill } = river.lengths();
-  return { ...laid, counts: { all, left }, reaches: [reach, kill] };
+  return { ...laid, counts: { all, left }, reaches: river.lengths() };
 }
 
 /** Returns all attractors, and on top of them those that are left. */

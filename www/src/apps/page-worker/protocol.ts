@@ -1,7 +1,14 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
 import type { Kind } from "../../engine/mark.ts";
-import type { Making as Lengths, Measure, Moment, NameFacts, RiverFacts } from "../../engine/types.ts";
+import type {
+  Making as Lengths,
+  Lengths as MapLengths,
+  Measure,
+  Moment,
+  NameFacts,
+  RiverFacts,
+} from "../../engine/types.ts";
 import type { Format, RasterOrder } from "../../files/format-names.ts";
 import type { Picture, Thumbnail } from "../../player/thumbnails.ts";
 
@@ -77,9 +84,11 @@ export interface Overlay {
   kinds: readonly (readonly string[])[];
   /** The numbers of attractors in all and of those that are left. */
   counts?: { all: number; left: number };
-  /** The distances in units within which an attractor pulls a river, and is used up by one. */
-  reaches?: readonly [reach: number, kill: number];
+  reaches?: Reaches;
 }
+
+/** The distances within which an attractor pulls a river, and is used up by one, and a kilometre, all in units. */
+export type Reaches = Pick<MapLengths, "reach" | "kill" | "kilometre">;
 
 /** The bounds of a land, in shares of the map's sides. */
 export interface LandBounds {
