@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::make::river::River;
 use crate::objects::object;
-use riverseed::analyse::query::{former_ways, tips};
+use riverseed::analyse::query::{cut, former_ways, tips};
 use riverseed::annotate::place::KILOMETRE;
 use riverseed::land::SmoothedDistance;
 
@@ -50,6 +50,11 @@ impl River {
     /// Returns the ridges, which no river may cross.
     pub fn ridges(&self) -> Vec<Float32Array> {
         self.session.land().map_or_else(Vec::new, |land| lines(land.ridges()))
+    }
+
+    /// Returns the branches that trimming has cut from the grown tree, once there are rivers.
+    pub fn cut(&self) -> Vec<Float32Array> {
+        lines(&cut(&self.session))
     }
 
     /// Returns, in drainage, the former ways of the greatest streams that were captured, each from the place of its capture.

@@ -124,6 +124,7 @@ const liveOverlays: Record<LiveOverlayName, (river: WholeRiver) => string[][]> =
   attractors,
   sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
+  cut: (river) => [[linesOf(river.cut())]],
   masks: (river) => [[ringsOf(river.coasts())], [linesOf(river.ridges())]],
   captures: (river) => {
     const ways = river.formerWays();

@@ -73,7 +73,7 @@ export interface Making {
 }
 
 /** The overlays of a map at any moment of its making; below, those of a finished map as well. */
-export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures";
+export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures" | "cut";
 export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held" | "curvature";
 
 /** An overlay of a map: SVG paths in units, a list for each kind of thing it shows. */
