@@ -22,6 +22,8 @@ type Player = RiverPlayer<WholeRiver>;
 
 /** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
+/** Basins of fewer square kilometres are not drawn: of so few cells, one would see the cells. */
+const LEAST_BASIN = 250;
 /** The number of colours of basins. */
 const BASIN_KINDS = 6;
 
@@ -57,9 +59,19 @@ export class Inspections {
     if (!river) return;
     const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
     const into = Array.from(river.into, nameOf);
+    const basin = river.area < LEAST_BASIN ? "" : river.basin;
     // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
-    return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
+    return {
+      ...river,
+      basin,
+      orderHere,
+      link: kept.link,
+      size,
+      mark: String(river.mark),
+      name: nameOf(river.mark),
+      into,
+    };
   }
 
   /** Returns what has a name, or could have one, at a place of a player's map; none if it is not finished or has changed. */

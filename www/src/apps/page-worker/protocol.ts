@@ -45,6 +45,8 @@ export interface Nameable {
   name: string;
   /** The line along which it lies, or its name: x and y in turn, in shares of the map's sides. */
   line: ArrayLike<number>;
+  /** The size of the letters, in widths of the map, if the line is that of its name. */
+  em?: number;
 }
 
 /** A place that was clicked, or the mark of one thing. Letters count only if they are shown. */

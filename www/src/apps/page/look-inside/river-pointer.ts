@@ -114,7 +114,7 @@ export class RiverPointer {
     if (river) this.#lay(river);
     else {
       delete this.elements.frame.dataset["river"];
-      this.#lines.mark(thing.line, size);
+      this.#lines.mark(thing, size);
       this.#card.describe(...titleOfPlace(thing));
     }
     this.#card.hold(asked);
