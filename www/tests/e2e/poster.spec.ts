@@ -119,6 +119,10 @@ test("visitors without scripts see it", async ({ browser, baseURL }) => {
   await page.goto(baseURL ?? "");
   expect((await fetched).ok()).toBe(true);
   await expect(page.locator(".poster img")).toBeVisible();
+  // Nothing is promised that does not come, and nothing is there to press.
+  await expect(page.locator("noscript p")).toBeVisible();
+  await expect(page.getByText("Preparing the rivers…")).toBeHidden();
+  await expect(page.locator(".bar, .styles, .zoom").filter({ visible: true })).toHaveCount(0);
   await context.close();
 });
 
