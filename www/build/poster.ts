@@ -14,6 +14,9 @@ import type { Shot } from "./gallery/shots.ts";
  */
 const SURROUNDINGS = 1.5;
 
+/** The margin around the map that nothing covers on the page, in widths of the map. */
+const MARGIN = 0.02;
+
 /** A poster for windows that match a media query. The last is for all others. */
 interface Poster {
   readonly file: string;
@@ -22,10 +25,12 @@ interface Poster {
   readonly aspect: number;
   /** Pixels across the map. */
   readonly across: number;
+  /** The map's width in CSS pixels on most screens: letters and the scale bar have its sizes, so that they are the map's. */
+  readonly shown: number;
 }
 
-const UPRIGHT = { aspect: 0.75, across: 520 };
-const WIDE = { aspect: 1.6, across: 900 };
+const UPRIGHT = { aspect: 0.75, across: 520, shown: 347 };
+const WIDE = { aspect: 1.6, across: 900, shown: 1200 };
 const DARK = "(prefers-color-scheme: dark)";
 const PORTRAIT = "(orientation: portrait)";
 
@@ -93,12 +98,23 @@ function sizeOf(one: Poster): string {
   return ` width="${width}" height="${height}"`;
 }
 
-function shotOf({ aspect, across }: Poster): Shot {
+function shotOf({ aspect, across, shown }: Poster): Shot {
   const around = (SURROUNDINGS - 1) / 2;
+  // On the page other things cover all but the map and a margin: what stands in corners keeps to that.
+  const covered = around - MARGIN;
   return {
     width: Math.round(across * SURROUNDINGS),
     height: Math.round((across / aspect) * SURROUNDINGS),
-    framing: [-around, -around / aspect, SURROUNDINGS],
+    ratio: across / shown,
+    framing: [
+      -around,
+      -around / aspect,
+      SURROUNDINGS,
+      covered,
+      around / aspect - MARGIN,
+      covered,
+      around / aspect - MARGIN,
+    ],
     format: "webp",
     quality: 48,
   };

@@ -46,8 +46,8 @@ async function filesOf(link, shots) {
 }
 
 /** RGBA, row by row. */
-function painted(river, { width, height, framing = [] }) {
-  river.resize(width, height);
+function painted(river, { width, height, framing = [], ratio = 1 }) {
+  river.resize(width, height, ratio);
   river.frame(framing);
   while (river.paint());
   return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::prune::channel_depth;
+use crate::prune::{channel_depth, trim};
 use crate::session::Session;
 use crate::tree::Hydrology;
 
@@ -27,6 +27,36 @@ pub fn tips(session: &Session) -> Vec<Vec2> {
         }
     }
     tips
+}
+
+/// Returns what trimming has cut from the grown tree of a session that has rivers: branches from their tips down to the river or
+/// the branch that they joined. None before there are rivers.
+pub fn cut(session: &Session) -> Vec<Vec<Vec2>> {
+    if session.network().is_none() {
+        return Vec::new();
+    }
+    let tree = session.tree();
+    let mut is_drawn = vec![false; tree.len()];
+    for kept in trim(tree, &Hydrology::of(tree), session.trim()).origin {
+        is_drawn[kept as usize] = true;
+    }
+    let mut branches = Vec::new();
+    // A tree's nodes come after those that they grew from, so what is not drawn yet is a tip.
+    for tip in (0..tree.len()).rev() {
+        if is_drawn[tip] {
+            continue;
+        }
+        let mut branch = vec![tree.at[tip]];
+        let mut node = tip;
+        while !is_drawn[node] {
+            is_drawn[node] = true;
+            let Some(below) = tree.parent_of(node) else { break };
+            branch.push(tree.at[below]);
+            node = below;
+        }
+        branches.push(branch);
+    }
+    branches
 }
 
 #[cfg(test)]
@@ -66,6 +96,34 @@ mod tests {
         let is_certain = |node: usize| depth[node] >= trim.nodes && is_channel(node);
         let has_certain = |node: usize| (0..tree.len()).any(|arm| tree.parent_of(arm) == Some(node) && is_certain(arm));
         (0..tree.len()).filter(|&node| is_certain(node) && !has_certain(node)).map(|node| tree.at[node]).collect()
+    }
+
+    /// Returns the steps of a tree that no river is made of, by asking of each node whether it stays.
+    fn steps_cut(session: &Session) -> Vec<[Vec2; 2]> {
+        let tree = session.tree();
+        let kept = trim(tree, &Hydrology::of(tree), session.trim()).origin;
+        let cut = (0..tree.len()).filter(|&node| !kept.contains(&(node as u32)));
+        cut.filter_map(|node| Some([tree.at[node], tree.at[tree.parent_of(node)?]])).collect()
+    }
+
+    #[test]
+    fn all_that_trimming_cuts_is_told_once_and_nothing_that_stays() {
+        for (method, is_cut) in
+            [("colonize&trim=29", true), ("colonize&trim=0&tributary-spacing=0", false), ("drainage&trim=60", true)]
+        {
+            let mut session = grown(&format!("growth={method}"), 3);
+            assert!(cut(&session).is_empty(), "{method}, which has no rivers yet");
+            while session.advance(1000).unwrap() {}
+            let branches = cut(&session);
+            let mut steps: Vec<[Vec2; 2]> =
+                branches.iter().flat_map(|branch| branch.windows(2).map(|step| [step[0], step[1]])).collect();
+            let mut wanted = steps_cut(&session);
+            let key = |step: &[Vec2; 2]| step.map(|at| (at.x.to_bits(), at.y.to_bits()));
+            steps.sort_by_key(key);
+            wanted.sort_by_key(key);
+            assert_eq!(steps, wanted, "{method}");
+            assert_eq!(!steps.is_empty(), is_cut, "{method}");
+        }
     }
 
     #[test]

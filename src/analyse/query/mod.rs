@@ -12,7 +12,7 @@ mod lines;
 mod orders;
 
 pub use captures::former_ways;
-pub use growing::tips;
+pub use growing::{cut, tips};
 pub use lines::Spot;
 
 use std::sync::Arc;

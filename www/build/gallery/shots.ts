@@ -9,6 +9,8 @@ export interface Shot extends Size {
   readonly quality: number;
   /** The part of the map that it shows, as for `River.frame`; if undefined, the map from edge to edge. */
   readonly framing?: readonly number[];
+  /** Its pixels to one of those that letters are measured in; 1 if undefined. */
+  readonly ratio?: number;
   /** The title in its lower left corner. */
   readonly title?: string;
 }

@@ -183,3 +183,21 @@ for (const [width, height] of [
     }
   });
 }
+
+for (const height of [900, 560])
+  test(`the strip of styles ends below the last of them, and above the bar: ${height} high`, async ({ page }) => {
+    await page.setViewportSize({ width: 1440, height });
+    await openFinished(page, "attractors=300");
+    const strip = page.locator("#styles");
+    await expect(strip.locator("canvas").filter({ visible: true })).toHaveCount(6);
+    const { rest, above, hidden } = await strip.evaluate((element) => {
+      const bottom = element.getBoundingClientRect().bottom;
+      const last = element.lastElementChild?.getBoundingClientRect().bottom ?? 0;
+      const bar = document.querySelector(".bar")?.getBoundingClientRect().top ?? 0;
+      return { rest: bottom - last, above: bar - bottom, hidden: element.scrollHeight - element.clientHeight };
+    });
+    expect(above).toBeGreaterThan(0);
+    // What has no room is scrolled to.
+    if (hidden === 0) expect(rest).toBeLessThan(12);
+    expect(hidden > 0).toBe(height === 560);
+  });

@@ -313,7 +313,7 @@ test("a name that is too long, or one too many, is refused where it was typed", 
 test("a name in the list shows its place on the map while it is pointed at or has the focus", async ({ page }) => {
   await openWithPanel(page, NAMED);
   await page.getByRole("heading", { name: "Names" }).click();
-  const spot = page.locator(".river-pointer .spot");
+  const spot = page.locator(".river-pointer .letters");
   const row = page.locator(".names li", { hasText: "island" }).first();
   await row.hover();
   await expect(spot).toHaveAttribute("d", /^M/);

@@ -124,6 +124,7 @@ test("without a connection the game is there, and there is a link to the gallery
   await finished(page);
   await expect(gallery).toBeHidden();
   await page.getByRole("button", { name: "Help and keys" }).click();
+  await expect(page.locator(".docs-link")).toBeHidden();
   await page.getByRole("link", { name: "real or grown?" }).click();
   await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
   await expect(page.getByRole("button", { name: "Real", exact: true })).toBeEnabled();

@@ -65,6 +65,36 @@ for (const colorScheme of ["light", "dark"] as const)
       expect(said).toEqual([]);
     });
 
+/** Returns the share of pixels in which two pictures differ so far that it is no matter of compression. */
+async function shareApart(one: Buffer, other: Buffer): Promise<number> {
+  const pixels = (picture: Buffer) => sharp(picture).removeAlpha().blur(1).raw().toBuffer();
+  const [a, b] = await Promise.all([pixels(one), pixels(other)]);
+  const apart = a.filter((value, i) => Math.abs(value - (b[i] ?? 0)) > 40).length;
+  return apart / a.length;
+}
+
+for (const size of [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+])
+  test(`its names and its scale bar are the map's: ${size.width} wide`, async ({ page }) => {
+    await page.setViewportSize(size);
+    await openFinished(page);
+    const onlyTheFrame = (): void => {
+      for (const other of document.querySelectorAll<HTMLElement>("main > *, .stage > *"))
+        other.style.visibility = "hidden";
+      for (const shown of document.querySelectorAll<HTMLElement>("#frame, .poster, #canvas"))
+        shown.style.visibility = "visible";
+    };
+    await page.evaluate(onlyTheFrame);
+    const map = await page.screenshot();
+    await page
+      .locator("#canvas")
+      .evaluate((canvas) => Object.assign(canvas.style, { opacity: "0", transition: "none" }));
+    // Letters at other places would be some 0.3% of the picture.
+    expect(await shareApart(map, await page.screenshot())).toBeLessThan(0.001);
+  });
+
 test("a visit with a link neither shows nor fetches it @core", async ({ page }) => {
   const asked = posters(page);
   await openFinished(page, "seed=rimu&attractors=300");
@@ -89,6 +119,10 @@ test("visitors without scripts see it", async ({ browser, baseURL }) => {
   await page.goto(baseURL ?? "");
   expect((await fetched).ok()).toBe(true);
   await expect(page.locator(".poster img")).toBeVisible();
+  // Nothing is promised that does not come, and nothing is there to press.
+  await expect(page.locator("noscript p")).toBeVisible();
+  await expect(page.getByText("Preparing the rivers…")).toBeHidden();
+  await expect(page.locator(".bar, .styles, .zoom").filter({ visible: true })).toHaveCount(0);
   await context.close();
 });
 

@@ -32,7 +32,7 @@ test("a river under the mouse is told by name and order, with its basin and its 
   await page.mouse.move(x, y);
   await expect(card(page)).toBeVisible();
   await expect(card(page)).toContainText(name);
-  await expect(card(page)).toContainText(/Order \d( \(1 here\))? · [\d,]+ units long · drains .* of the land/);
+  await expect(card(page)).toContainText(/Order \d( \(1 here\))? · [\d,]+ km long · drains .* of the land/);
   await expect(card(page)).toContainText(/Flows into the .*sea/);
   for (const part of [".basin", ".way"])
     await expect(page.locator(`.river-pointer ${part}`)).toHaveAttribute("d", /^M.{20}/);

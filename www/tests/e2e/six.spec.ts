@@ -1,4 +1,5 @@
-import { expect, type Page, test } from "@playwright/test";
+import { expect, type Locator, type Page, test } from "@playwright/test";
+import { pictureOf } from "../core.ts";
 import { violations } from "./axe.ts";
 import { pixelsOf } from "./pixels.ts";
 import { address, complaints, expectAddress, finished, openFinished, openFold } from "./riverpage.ts";
@@ -43,6 +44,36 @@ test("the panel opens six maps of the same attractors, each of its own pattern, 
   await expect(sheet(page)).toBeHidden();
   await expect(page.getByRole("button", { name: "Compare all six" })).toBeFocused();
   expect(said).toEqual([]);
+});
+
+test("the six are drawn in ink, whatever the map is drawn in, with what trimming has cut in red", async ({ page }) => {
+  await openFinished(page, LINK.replace("style=ink", "style=atlas"));
+  await openFromPanel(page);
+  await allFinished(page);
+  const cut = (one: Locator) => one.locator(".variant-cut path").getAttribute("d");
+  const trimmed = variants(page).filter({ hasText: /^Trimmed/ });
+  await expect(trimmed).toHaveCount(3);
+  for (const one of await trimmed.all()) await expect.poll(() => cut(one)).toMatch(/^M.*L/);
+  for (const one of await variants(page)
+    .filter({ hasNotText: /^Trimmed/ })
+    .all())
+    await expect.poll(() => cut(one)).toBe("");
+  // The relief of an atlas page would hide the differences.
+  const canvas = variants(page).first().locator("canvas");
+  const { width, height, sha256 } = await pixelsOf(canvas);
+  const values = { growth: "colonize", attractors: "400", style: "ink", labels: "none", width: "28", courses: "grown" };
+  const paper = { scatter: "random", reach: "2.3", kill: "1.1", step: "0.38", momentum: "0", curl: "0", stretch: "8" };
+  const asGrown = {
+    valleys: "0",
+    trim: "0",
+    "trim-variation": "0",
+    "tributary-spacing": "0",
+    simplify: "0",
+    meander: "none",
+  };
+  const link = new URLSearchParams({ seed: "kauri", land: "island", ...values, ...paper, ...asGrown });
+  expect(sha256).toBe(pictureOf(`${link}`, width, height).sha256);
+  await expect(sheet(page)).toContainText("What trimming cuts is red in the end.");
 });
 
 test("the one that is chosen is taken for the map, with as many attractors as it was shown with @core", async ({

@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::make::river::River;
 use crate::objects::object;
-use riverseed::analyse::query::{former_ways, tips};
+use riverseed::analyse::query::{cut, former_ways, tips};
+use riverseed::annotate::place::KILOMETRE;
 use riverseed::land::SmoothedDistance;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -18,6 +19,8 @@ export interface Lengths {
   /** The distance over which an attractor pulls a river, and that at which it is used up by one. */
   readonly reach: number;
   readonly kill: number;
+  /** A kilometre of the scale bar. */
+  readonly kilometre: number;
 }
 "#;
 
@@ -49,6 +52,11 @@ impl River {
         self.session.land().map_or_else(Vec::new, |land| lines(land.ridges()))
     }
 
+    /// Returns the branches that trimming has cut from the grown tree, once there are rivers.
+    pub fn cut(&self) -> Vec<Float32Array> {
+        lines(&cut(&self.session))
+    }
+
     /// Returns, in drainage, the former ways of the greatest streams that were captured, each from the place of its capture.
     #[wasm_bindgen(js_name = formerWays)]
     pub fn former_ways(&self) -> Vec<Float32Array> {
@@ -60,7 +68,8 @@ impl River {
     pub fn lengths(&self) -> Object {
         let growth = self.session.growth().settings();
         let Vec2 { x, y } = self.session.domain().size;
-        let lengths = [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill)];
+        let lengths =
+            [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill), ("kilometre", KILOMETRE)];
         object(&lengths.map(|(name, length)| (name, length.into())))
     }
 }

@@ -8,6 +8,7 @@ use super::named::Named;
 use crate::make::river::River;
 use crate::objects::object;
 use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
+use riverseed::annotate::place::KILOMETRE;
 use riverseed::export::svg::overlay;
 use riverseed::land::Land;
 use riverseed::network::NONE;
@@ -15,15 +16,15 @@ use riverseed::recipe::{CourseShape, LandKind};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** A river that was pointed at. Marks are those by which names know rivers; areas are in square units, places in shares of the map. */
+/** A river that was pointed at. Marks are those by which names know rivers; places are in shares of the map. */
 export interface RiverFacts {
   readonly mark: number;
   /** Strahler's order at its end, and where it is pointed at. */
   readonly order: number;
   readonly orderHere: number;
-  /** In units. */
+  /** In kilometres, as the scale bar has them. */
   readonly length: number;
-  /** The share of all land that it drains, and how much land that is. */
+  /** The share of all land that it drains, and how much land that is, in square kilometres. */
   readonly share: number;
   readonly area: number;
   /** The rivers that its water comes to, one after the other; none if it reaches the sea itself. */
@@ -113,13 +114,14 @@ impl Inspector {
         let RiverFacts { identity, order, order_here, length, share, area, into } = self.rivers.facts(spot);
         let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
         let Vec2 { x, y } = spot.place.at / self.size;
+        let square = f64::from(KILOMETRE).powi(2);
         object(&[
             ("mark", identity.into()),
             ("order", order.into()),
             ("orderHere", order_here.into()),
-            ("length", length.into()),
+            ("length", (length / KILOMETRE).into()),
             ("share", share.into()),
-            ("area", area.into()),
+            ("area", (area / square).into()),
             ("into", Uint32Array::from(&into[..]).into()),
             ("endsIn", self.ends_in.into()),
             ("x", x.into()),

@@ -6,6 +6,7 @@ use wasm_bindgen::prelude::*;
 use crate::make::river::River;
 use crate::objects::{object, set};
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
+use riverseed::annotate::place::KILOMETRE;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -46,13 +47,19 @@ fn pattern(measures: &Measures) -> Object {
     row
 }
 
+/// Makes the row of a measure. A length is in kilometres, as the scale bar has them.
 fn row(measure: &Measure, measures: &Measures) -> Object {
+    let value = (measure.value)(measures);
+    let (unit, value) = match measure.unit {
+        "units" => ("km", value.map(|units| units / f64::from(KILOMETRE))),
+        unit => (unit, value),
+    };
     let row = object(&[
         ("name", measure.name.into()),
         ("help", measure.help.into()),
-        ("unit", measure.unit.into()),
+        ("unit", unit.into()),
         ("places", measure.places.into()),
-        ("value", (measure.value)(measures).into()),
+        ("value", value.into()),
     ]);
     if let Some(Nature { median, least, most, source, .. }) = measure.nature {
         let range =

@@ -22,6 +22,8 @@ type Player = RiverPlayer<WholeRiver>;
 
 /** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
+/** Basins of fewer square kilometres are not drawn: of so few cells, one would see the cells. */
+const LEAST_BASIN = 250;
 /** The number of colours of basins. */
 const BASIN_KINDS = 6;
 
@@ -57,9 +59,19 @@ export class Inspections {
     if (!river) return;
     const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
     const into = Array.from(river.into, nameOf);
+    const basin = river.area < LEAST_BASIN ? "" : river.basin;
     // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
-    return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
+    return {
+      ...river,
+      basin,
+      orderHere,
+      link: kept.link,
+      size,
+      mark: String(river.mark),
+      name: nameOf(river.mark),
+      into,
+    };
   }
 
   /** Returns what has a name, or could have one, at a place of a player's map; none if it is not finished or has changed. */
@@ -124,6 +136,7 @@ const liveOverlays: Record<LiveOverlayName, (river: WholeRiver) => string[][]> =
   attractors,
   sources: (river) => [[dotsOf(river.tips())]],
   reach: attractors,
+  cut: (river) => [[linesOf(river.cut())]],
   masks: (river) => [[ringsOf(river.coasts())], [linesOf(river.ridges())]],
   captures: (river) => {
     const ways = river.formerWays();
@@ -139,8 +152,7 @@ function live(river: WholeRiver, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
-  const { reach, kill } = river.lengths();
-  return { ...laid, counts: { all, left }, reaches: [reach, kill] };
+  return { ...laid, counts: { all, left }, reaches: river.lengths() };
 }
 
 /** Returns all attractors, and on top of them those that are left. */

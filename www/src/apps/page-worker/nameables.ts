@@ -26,6 +26,9 @@ type Spot = Exclude<NameablePlace, { mark: string }>;
 /** Things by whose point or line they are hit. A river is nearer than the crest of a range, which nobody sees. */
 const POINTS: readonly Kind[] = ["cape", "bay", "strait"];
 
+/** Areas, which have no line of their own. */
+const AREAS: readonly Kind[] = ["sea", "lake", "land", "island"];
+
 /** Returns the meanders and places of a map, with their names. */
 export function placedOn(inspector: Pick<Inspector, "places">, names: ReadonlyMap<string, string>): Placed[] {
   return inspector.places().map(({ mark, size, line }) => ({
@@ -44,7 +47,8 @@ export function placedOn(inspector: Pick<Inspector, "places">, names: ReadonlyMa
 export function nameablesAt(place: NameablePlace, known: Known, labels: readonly LabelFacts[]): Nameable[] {
   if ("mark" in place) return [thingOf(place.mark, known, labels)].filter((thing) => thing !== undefined);
   const letters = place.hasLabels ? labels.flatMap((label) => labelled(label, known)) : [];
-  const around = [...rangesAround(place, known), ...baysAround(place, known), ...areaAround(place, known)];
+  const areas = areaAround(place, known).map((area) => asNamed(area, letters));
+  const around = [...rangesAround(place, known), ...baysAround(place, known), ...areas];
   return unlike([...near(place, known, letters), ...around]);
 }
 
@@ -77,16 +81,32 @@ function areaAround({ x, y }: Spot, { inspector, places }: Known): Placed[] {
 function thingOf(mark: string, known: Known, labels: readonly LabelFacts[]): Nameable | undefined {
   const { inspector, names, places } = known;
   const place = places.find((place) => place.mark === mark);
-  if (place) return place;
+  if (place)
+    return isArea(place)
+      ? asNamed(
+          place,
+          labels.flatMap((label) => labelled(label, known)),
+        )
+      : place;
   const river = /^\d+$/.test(mark) ? inspector.of(Number(mark)) : undefined;
   if (river) return riverAt(river, names);
   const label = labels.find((label) => label.mark === mark);
   const name = names.get(mark);
-  return name === undefined || !isMap(mark) ? undefined : { mark, kind: "map", name, line: label?.line ?? [] };
+  if (name === undefined || !isMap(mark)) return undefined;
+  return { mark, kind: "map", name, ...(label ? { line: label.line, em: label.em } : { line: [] }) };
 }
 
 function riverAt({ mark, x, y }: { mark: number; x: number; y: number }, names: Known["names"]): Near {
   return { mark: `${mark}`, kind: "river", name: names.get(`${mark}`) ?? "", line: [x, y], half: 0 };
+}
+
+function isArea({ kind }: Placed): boolean {
+  return AREAS.includes(kind);
+}
+
+/** Returns an area as its name on the picture, if that is among the letters: a line through its midst would strike it out. */
+function asNamed(area: Placed, letters: readonly Near[]): Nameable {
+  return letters.find(({ mark }) => mark === area.mark) ?? area;
 }
 
 function asLine(place: Placed): Near {
@@ -97,7 +117,7 @@ function asLine(place: Placed): Near {
 function labelled({ mark, text, em, line }: LabelFacts, { names, places }: Known): Near[] {
   const says = ({ name }: Placed): boolean => name === text || name === `The ${text}`;
   const place = places.find((place) => (mark === "" ? says(place) : place.mark === mark));
-  const letters = { line, half: em / 2, isSpaced: true };
+  const letters = { line, em, half: em / 2, isSpaced: true };
   if (place) return [{ mark: place.mark, kind: place.kind, name: place.name, ...letters }];
   const kind = isMap(mark) ? "map" : "river";
   return mark === "" ? [] : [{ mark, kind, name: names.get(mark) ?? "", ...letters }];
@@ -110,7 +130,14 @@ function isMap(mark: string): boolean {
 /** Leaves out what was there before, and all that only picking needs. */
 function unlike(things: readonly Nameable[]): Nameable[] {
   const isFirst = ({ mark }: Nameable, i: number): boolean => things.findIndex((other) => other.mark === mark) === i;
-  return things.filter(isFirst).map(({ mark, kind, name, line }) => ({ mark, kind, name, line }));
+  const told = ({ mark, kind, name, line, em }: Nameable): Nameable => ({
+    mark,
+    kind,
+    name,
+    line,
+    ...(em ? { em } : {}),
+  });
+  return things.filter(isFirst).map(told);
 }
 
 function tallness({ size: [width, height] }: Known): number {

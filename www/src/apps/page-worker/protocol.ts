@@ -1,7 +1,14 @@
 /** The page's part of the messages with its renderer: questions, each with an answer. */
 
 import type { Kind } from "../../engine/mark.ts";
-import type { Making as Lengths, Measure, Moment, NameFacts, RiverFacts } from "../../engine/types.ts";
+import type {
+  Making as Lengths,
+  Lengths as MapLengths,
+  Measure,
+  Moment,
+  NameFacts,
+  RiverFacts,
+} from "../../engine/types.ts";
 import type { Format, RasterOrder } from "../../files/format-names.ts";
 import type { Picture, Thumbnail } from "../../player/thumbnails.ts";
 
@@ -38,6 +45,8 @@ export interface Nameable {
   name: string;
   /** The line along which it lies, or its name: x and y in turn, in shares of the map's sides. */
   line: ArrayLike<number>;
+  /** The size of the letters, in widths of the map, if the line is that of its name. */
+  em?: number;
 }
 
 /** A place that was clicked, or the mark of one thing. Letters count only if they are shown. */
@@ -66,7 +75,7 @@ export interface Making {
 }
 
 /** The overlays of a map at any moment of its making; below, those of a finished map as well. */
-export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures";
+export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures" | "cut";
 export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held" | "curvature";
 
 /** An overlay of a map: SVG paths in units, a list for each kind of thing it shows. */
@@ -77,9 +86,11 @@ export interface Overlay {
   kinds: readonly (readonly string[])[];
   /** The numbers of attractors in all and of those that are left. */
   counts?: { all: number; left: number };
-  /** The distances in units within which an attractor pulls a river, and is used up by one. */
-  reaches?: readonly [reach: number, kill: number];
+  reaches?: Reaches;
 }
+
+/** The distances within which an attractor pulls a river, and is used up by one, and a kilometre, all in units. */
+export type Reaches = Pick<MapLengths, "reach" | "kill" | "kilometre">;
 
 /** The bounds of a land, in shares of the map's sides. */
 export interface LandBounds {

@@ -353,7 +353,7 @@ export class Page {
     const { seed } = this.#recipe;
     const names = await this.#names.refresh();
     if (this.#country.learn(names)) this.#showName();
-    this.#welcome.meet();
+    this.#welcome.meet(this.#recipe.values.get("land"));
     this.#words.tell(names, seed, phase, summary);
   }
 

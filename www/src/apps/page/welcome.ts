@@ -72,9 +72,12 @@ export class Welcome {
     if (!this.elements.form.hidden) setText(this.elements.line, this.#invitation);
   }
 
-  /** Meets the visitor, who has seen the country by now: before that, nothing should lie over it or move. */
-  meet(): void {
-    if (!this.#isMet) return;
+  /**
+   * Meets the visitor, who has seen the country by now: before that, nothing should lie over it or move. A country without a
+   * sea has no room for the line: it would hide rivers.
+   */
+  meet(land: string | undefined): void {
+    if (!this.#isMet || land === "rectangle") return;
     this.elements.form.hidden = false;
     setText(this.elements.line, this.#invitation);
   }

@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { core } from "../tiers.ts";
 import { expect, test } from "./hosts.ts";
 import { frames, heard, listen, post } from "./post.ts";
@@ -95,4 +96,21 @@ test("an element that its box leaves no width says so", async ({ page, blog }) =
   await page.waitForFunction(() => customElements.get("river-seed"));
   await page.clock.runFor(2100);
   expect(said).toEqual([expect.stringMatching(/^river-seed: its box leaves it no width/)]);
+});
+
+test("a page that takes all styles away gives the element its size back by the rule that is documented", async ({
+  page,
+  blog,
+}) => {
+  const documented = readFileSync(new URL("../../../../docs/element.md", import.meta.url), "utf8");
+  const [rule = ""] = /river-seed \{ display: block; position[^}]*\}/.exec(documented) ?? [];
+  await page.setViewportSize({ width: 800, height: 1000 });
+  const events = await listen(page);
+  const styles = `<style>body * { all: unset } ${rule}</style>`;
+  blog.answer("/", { body: post(`${styles}<river-seed attractors="100" still></river-seed>`) });
+  await page.goto(blog.origin);
+  await heard(events, "complete");
+  const box = await page.locator("river-seed").boundingBox();
+  expect(box?.width).toBeGreaterThan(640);
+  expect((box?.width ?? 0) / (box?.height ?? 1)).toBeCloseTo(1.6, 1);
 });

@@ -66,3 +66,21 @@ test("whoever asks of the map before gets no answer, and that map's inspector is
   await turn();
   expect(count).toEqual({ made: 2, freed: 1 });
 });
+
+test("the basin of a river is drawn, but for a brook's, of which one would see the cells", async () => {
+  const river = new engine.River("seed=kauri&land=island&attractors=3000");
+  while (river.advance(1000));
+  const inspections = new Inspections();
+  const shown = { river, link: river.link, state: "finished" } as RiverPlayer<engine.River> & { river: engine.River };
+  while (river.raiseRelief());
+  const inspector = river.inspector();
+  const drawn = { brooks: 0, rivers: 0 };
+  for (const [mark = ""] of inspector?.names() ?? []) {
+    if (!/^\d+$/.test(mark)) continue;
+    const found = await inspections.river(shown, { mark });
+    if (!found) throw new Error(`there is no river ${mark}`);
+    drawn[found.area < 250 ? "brooks" : "rivers"]++;
+    expect(found.basin === "").toBe(found.area < 250);
+  }
+  expect(Math.min(drawn.brooks, drawn.rivers)).toBeGreaterThan(2);
+});

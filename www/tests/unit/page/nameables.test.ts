@@ -55,6 +55,15 @@ test("a name is hit by its letters, if they are shown", () => {
   expect(marksAt(0.11, 0.1)).toEqual(["t", "i0"]);
 });
 
+test("an area whose name is on the picture is shown by its letters, which no line strikes out", () => {
+  const sea = { mark: "s9", line: LABELS[0]?.line, em: 0.02 };
+  expect(nameablesAt({ mark: "s9" }, KNOWN, LABELS)).toMatchObject([sea]);
+  expect(nameablesAt({ x: 0.97, y: 0.1, reach: 0.02, hasLabels: true }, KNOWN, LABELS)).toMatchObject([sea]);
+  const [unnamed] = nameablesAt({ x: 0.97, y: 0.1, reach: 0.02, hasLabels: false }, KNOWN, LABELS);
+  expect(unnamed?.line).toEqual([0.95, 0.5]);
+  expect(unnamed).not.toHaveProperty("em");
+});
+
 test("a mark is the thing itself, the map's too", () => {
   const of = (mark: string) => nameablesAt({ mark }, KNOWN, LABELS)[0];
   expect(of("7")).toMatchObject({ kind: "river", name: "The Long Grey", line: [0.5, 0.5] });

@@ -65,6 +65,10 @@ class Element {
     return { x: 0, y: 0, width: 300, height: windowHeight };
   }
 
+  querySelector(): null {
+    return null;
+  }
+
   cloneNode(): Element {
     return new Element();
   }

@@ -30,7 +30,7 @@ const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ],
   ["O B D C F", "inside a finished map: orders, basins, flow, curvature, frozen courses"],
   [", .", "one step back or forward in the making of a finished map"],
-  ["N", "on the map: the next great river, its way to the sea and its basin; with Shift, the previous one"],
+  ["N", "the next great river, its way to the sea and its basin; with Shift, the previous one"],
   ["W", "the map alone, over the whole screen, as a double tap on it does; again, or Esc, to go back"],
   ["Ctrl Z", "undo; with Shift, redo; while drawing, remove the last line"],
   ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],

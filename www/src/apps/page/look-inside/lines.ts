@@ -1,7 +1,7 @@
 /** The drawing of what is pointed at: of a river its way to the sea and its basin, of a place its line or its point. */
 
 import { mapLayer, svg } from "../../../browser/dom.ts";
-import type { PointedRiver } from "../../page-worker/protocol.ts";
+import type { Nameable, PointedRiver } from "../../page-worker/protocol.ts";
 
 /** The edges of a part of the page, in CSS pixels. */
 export interface Edges {
@@ -11,29 +11,34 @@ export interface Edges {
   bottom: number;
 }
 
+/** Paths, each for what it shows. */
+type Drawn = Partial<Record<"basin" | "letters" | "way" | "spot", string>>;
+
 export class Lines {
   readonly element = mapLayer("river-pointer");
-  readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => svg("path", { class: name }));
+  readonly #paths = ["basin", "letters", "way-halo", "way", "spot-halo", "spot"].map((name) =>
+    svg("path", { class: name }),
+  );
 
   constructor() {
     this.element.append(...this.#paths);
   }
 
   show({ basin, way, x, y, size }: PointedRiver): void {
-    this.#draw(basin, way, pathOf([x, y], size), size);
+    this.#draw({ basin, way, spot: pathOf([x, y], size) }, size);
   }
 
-  /** Marks a place by its line, in shares of the map's sides, or by its only point. */
-  mark(line: ArrayLike<number>, size: PointedRiver["size"]): void {
+  /** Marks a thing by its name, as with a marker pen, by its line, or by its only point. */
+  mark({ line, em }: Pick<Nameable, "line" | "em">, size: PointedRiver["size"]): void {
     const path = pathOf(line, size);
-    if (line.length > 2) this.#draw("", path, "", size);
-    else this.#draw("", "", path, size);
+    this.element.style.setProperty("--em", String((em ?? 0) * size[0]));
+    this.#draw(em ? { letters: path } : line.length > 2 ? { way: path } : { spot: path }, size);
   }
 
-  #draw(basin: string, way: string, spot: string, [width, height]: PointedRiver["size"]): void {
+  #draw({ basin = "", letters = "", way = "", spot = "" }: Drawn, [width, height]: PointedRiver["size"]): void {
     this.element.removeAttribute("hidden");
     this.element.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    for (const [i, data] of [basin, way, way, spot, spot].entries()) {
+    for (const [i, data] of [basin, letters, way, way, spot, spot].entries()) {
       if (this.#paths[i]?.getAttribute("d") !== data) this.#paths[i]?.setAttribute("d", data);
     }
   }

@@ -2,7 +2,7 @@
 
 import { count } from "../../../browser/count.ts";
 import { el } from "../../../browser/dom.ts";
-import type { Overlay, OverlayName } from "../../page-worker/protocol.ts";
+import type { Overlay, OverlayName, Reaches } from "../../page-worker/protocol.ts";
 
 export interface Look {
   name: OverlayName;
@@ -106,8 +106,9 @@ function attractorsLegend({ all, left }: { all: number; left: number }, isOfDrai
   return [legendOf("dot", [`${alive}: ${count(left)}.`, 2], [`${dead}: ${count(all - left)}.`, 1])];
 }
 
-function reachesLegend([reach, kill]: readonly [number, number]): HTMLElement[] {
-  return [legendOf("ring", [`Reach: ${reach.toFixed(1)} units.`, 1], [`Kill: ${kill.toFixed(1)} units.`, 2])];
+function reachesLegend({ reach, kill, kilometre }: Reaches): HTMLElement[] {
+  const inWords = (length: number): string => `${(length / kilometre).toFixed(1)} km.`;
+  return [legendOf("ring", [`Reach: ${inWords(reach)}`, 1], [`Kill: ${inWords(kill)}`, 2])];
 }
 
 function ordersLegend(counts: readonly number[]): HTMLElement[] {

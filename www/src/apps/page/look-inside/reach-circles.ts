@@ -41,7 +41,8 @@ export class ReachCircles {
     new MutationObserver(() => this.#place()).observe(mapPlace, { attributeFilter: ["style"] });
   }
 
-  show({ size, reaches: [reach, kill] = [0, 0] }: Overlay): void {
+  show({ size, reaches }: Overlay): void {
+    const { reach, kill } = reaches ?? { reach: 0, kill: 0 };
     this.#size = size;
     this.#reach.setAttribute("r", String(reach));
     this.#kill.setAttribute("r", String(kill));

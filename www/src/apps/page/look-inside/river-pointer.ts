@@ -5,6 +5,7 @@
  */
 
 import { el } from "../../../browser/dom.ts";
+import { isCombined, isTaken } from "../../../browser/keys.ts";
 import type { Nameable, Nameables, PointedRiver, RiverPlace } from "../../page-worker/protocol.ts";
 import type { Insets } from "../map/camera.ts";
 import { isOnMap } from "../map/gestures.ts";
@@ -63,7 +64,7 @@ export class RiverPointer {
     stage.append(this.#announcement);
     frame.addEventListener("pointermove", (event) => this.#onMove(event));
     frame.addEventListener("pointerleave", () => this.#leave());
-    frame.addEventListener("keydown", (event) => void this.#onFrameKey(event));
+    document.addEventListener("keydown", (event) => void this.#onKey(event));
     // The card follows its place, however that is moved.
     new MutationObserver(() => this.#placeCard()).observe(mapPlace, { attributeFilter: ["style"] });
   }
@@ -114,7 +115,7 @@ export class RiverPointer {
     if (river) this.#lay(river);
     else {
       delete this.elements.frame.dataset["river"];
-      this.#lines.mark(thing.line, size);
+      this.#lines.mark(thing, size);
       this.#card.describe(...titleOfPlace(thing));
     }
     this.#card.hold(asked);
@@ -182,12 +183,14 @@ export class RiverPointer {
 
   // ---- keys
 
-  /** Walks through the greatest rivers with N, and back with Shift+N. */
-  async #onFrameKey(event: KeyboardEvent): Promise<void> {
-    const isPlain = !(event.ctrlKey || event.metaKey || event.altKey);
-    if (event.key.toLowerCase() !== "n" || !isPlain || event.target !== this.elements.frame) return;
+  /** Walks through the greatest rivers with N, and back with Shift+N. The map has the focus then, so that Enter names one. */
+  async #onKey(event: KeyboardEvent): Promise<void> {
+    const { frame } = this.elements;
+    const isForMap = event.target === frame || !isTaken(event);
+    if (event.key.toLowerCase() !== "n" || isCombined(event) || !isForMap) return;
     event.preventDefault();
     if (!this.#isFinished) return;
+    frame.focus({ preventScroll: true });
     const marks = await this.events.greatest();
     if (marks.length === 0) return;
     const step = event.shiftKey ? -1 : 1;

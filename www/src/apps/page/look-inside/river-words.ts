@@ -14,8 +14,8 @@ export function titleOf({ name }: PointedRiver): string {
 /** Describes its order, its length and the land it drains. */
 export function measuresOf({ order, orderHere, length, share, area }: PointedRiver): string {
   const here = orderHere === order ? "" : ` (${orderHere} here)`;
-  const land = `drains ${percent(share)} of the land, ${count(roughly(area))} square units`;
-  return `Order ${order}${here} · ${count(Math.round(length))} units long · ${land}`;
+  const land = `drains ${percent(share)} of the land, ${count(roughly(area))} km²`;
+  return `Order ${order}${here} · ${count(Math.round(length))} km long · ${land}`;
 }
 
 /** Describes the way of its water to the sea. */

@@ -6,6 +6,7 @@
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../../../browser/canvas.ts";
 import { type Bounds, Camera, type Insets, type Point, type Stage, transformBetween } from "./camera.ts";
 import { Gestures, KEY_ZOOM } from "./gestures.ts";
+import type { LastPicture, Seen } from "./last-picture.ts";
 import type { Line } from "./line.ts";
 import { WholeMap } from "./whole-map.ts";
 
@@ -47,6 +48,7 @@ export class PicturePlace {
   constructor(
     private readonly elements: PlaceElements,
     private readonly line: Line,
+    private readonly lastPicture: LastPicture,
     private readonly map: () => PlacedMap,
     /** Measures how much of the place other things cover. */
     private readonly covered: () => Insets,
@@ -64,6 +66,11 @@ export class PicturePlace {
   /** Returns the canvas for the next picture. */
   get canvas(): HTMLCanvasElement {
     return this.#next ?? this.elements.canvas;
+  }
+
+  /** What is seen of the map that was asked for last. */
+  get seen(): Seen {
+    return this.#seenOn(this.#stage());
   }
 
   /** Makes another canvas for the next picture. The old one stays until that is painted. */
@@ -114,6 +121,7 @@ export class PicturePlace {
     this.elements.frame.dataset["moving"] = "";
     this.#placeMap(stage);
     this.#movePicture(stage);
+    this.lastPicture.follow(this.#seenOn(stage));
     this.#resizeSoon();
   }
 
@@ -174,6 +182,10 @@ export class PicturePlace {
   #stage(): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
     return { width, height, insets: this.covered(), aspect: this.map().aspect };
+  }
+
+  #seenOn(stage: Stage): Seen {
+    return { framing: this.#camera.framingOn(stage), whole: new Camera().framingOn(stage), width: stage.width };
   }
 
   #placeMap(stage: Stage): void {

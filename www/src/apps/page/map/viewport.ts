@@ -77,11 +77,14 @@ export class RiverViewport {
     this.#line = new Line(renderHost, {
       opened: () => this.#open(),
       hear: (report) => this.#hear(report),
-      moved: () => this.#place.renewCanvas(),
+      moved: () => this.#move(),
       failed: (error) => this.#tell((events) => events.failed(error)),
     });
     const map = () => ({ aspect: this.#wanted.aspect, isFinished: this.state === "finished" });
-    this.#place = new PicturePlace(elements, this.#line, map, covered, () => this.#follow());
+    this.#place = new PicturePlace(elements, this.#line, this.#lastPicture, map, covered, () => {
+      // A hand that moves the map decides what is seen.
+      this.#firstView.isToCome = false;
+    });
     this.#firstView = new FirstView(elements.frame, this.#line, this.#place, (land) => this.#await({ land }));
     this.ask = new MapQuestions(this.#line, () => ({ wanted: this.#wanted.link, shown: this.link }));
     document.addEventListener("visibilitychange", () => this.#rest());
@@ -136,7 +139,7 @@ export class RiverViewport {
     if (this.#line.id === undefined) return;
     this.#wanted.number = ++this.#links;
     this.#await({ map: true });
-    if (how === "still") this.#lastPicture.keep(this.elements.canvas);
+    if (how === "still") this.#lastPicture.keep(this.elements.canvas, this.#place.seen);
     else this.#lastPicture.drop();
     this.#line.send({ do: "show", link: { text: link }, how, size: this.#place.sizeOfNext() });
   }
@@ -181,6 +184,8 @@ export class RiverViewport {
     if (state === "finished") void this.#firstView.show(() => this.#wanted);
     this.#await({ map: false });
     if (state === "finished") this.#lastPicture.fade();
+    // Somebody has asked for its growth, or stopped it.
+    else if (state !== "settling") this.#lastPicture.drop();
     this.#tell((events) => events.changed(state, phase, summary));
   }
 
@@ -199,10 +204,10 @@ export class RiverViewport {
     this.#tell((events) => events.failed(error));
   }
 
-  /** Follows a hand that has moved the map: it decides what is seen. */
-  #follow(): void {
-    this.#firstView.isToCome = false;
-    this.#lastPicture.drop();
+  /** Moves to another renderer. What is on the old canvas is seen until the map is finished there. */
+  #move(): void {
+    this.#lastPicture.keep(this.elements.canvas, this.#place.seen);
+    this.#place.renewCanvas();
   }
 
   /** Marks the frame while the map that was asked for, or the view of its land, is not there yet. */

@@ -10,6 +10,7 @@ import { linkText } from "../../../engine/link-text.ts";
 import type { Preset } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import type { PageRenderHost } from "../backend.ts";
+import { prefersDark } from "../preferences.ts";
 import { Variant } from "./variant.ts";
 
 export interface SideBySideElements {
@@ -43,8 +44,16 @@ export interface SharedValues {
 /** The most attractors. More could not be distinguished where six maps share a window. */
 export const MOST_ATTRACTORS = 3000;
 
-/** Values that leave out labels, which would be too small to read. */
-const BARE: readonly (readonly [key: string, value: string])[] = [["labels", "none"]];
+/**
+ * Values with which six small maps are seen apart: rivers alone, and wide. Letters would be too small to read, and mountains
+ * would look alike on all of them.
+ */
+const PLAIN: readonly (readonly [key: string, value: string])[] = [
+  ["labels", "none"],
+  ["woods", "0"],
+  ["hills", "0"],
+  ["width", "28"],
+];
 
 export class SideBySide {
   #variants: readonly Variant[] = [];
@@ -170,12 +179,13 @@ function withSameValues(presets: readonly Preset[], { values, kept }: SharedValu
 }
 
 function linkWith({ values }: SharedValues, preset: Preset): string {
-  return linkText(new Map([...values, ...preset.values, ...BARE]));
+  return linkText(new Map([...values, ...preset.values, ...PLAIN, ["style", prefersDark.matches ? "dark" : "ink"]]));
 }
 
 function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): (Node | string)[] {
   const { attractors, seed = "" } = Object.fromEntries([...values, ...(presets[0]?.values ?? [])]);
   const same = `The variants of the river paper on the same ${count(Number(attractors))} attractors of “`;
   const held = isHeld ? " Values with a padlock stay as they are." : "";
-  return [same, el("bdi", {}, seed), `”, by one clock. Choose one to take it.${held}`];
+  const cut = " What trimming cuts is red in the end.";
+  return [same, el("bdi", {}, seed), `”, by one clock.${cut} Choose one to take it.${held}`];
 }

@@ -2,12 +2,12 @@
 
 import { backingSize, type CanvasSize, observeSize } from "../../../browser/canvas.ts";
 import { count } from "../../../browser/count.ts";
-import { el, setText } from "../../../browser/dom.ts";
+import { el, setText, svg } from "../../../browser/dom.ts";
 import type { Phase, Summary } from "../../../engine/types.ts";
 import type { Report } from "../../../host/protocol.ts";
 import type { State } from "../../../player/frame-loop.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
-import type { Answer } from "../../page-worker/protocol.ts";
+import type { Answer, Overlay } from "../../page-worker/protocol.ts";
 import type { PageRenderHost } from "../backend.ts";
 
 /** The map of a variant, and the texts about it. */
@@ -30,6 +30,8 @@ const SPEED = 0.5;
 export class Variant {
   readonly element: HTMLButtonElement;
   readonly #words = el("span", { class: "variant-size" });
+  /** Lies over the canvas, with what trimming has cut. */
+  readonly #cut = svg("svg", { class: "variant-cut", preserveAspectRatio: "none", "aria-hidden": "true" });
   readonly #client = { hear: (report: Report<Answer>) => this.#hear(report), moved: () => void this.#move() };
   readonly #observer = new ResizeObserver(() => this.#send({ do: "resize", size: this.#size }));
   #canvas = newCanvas();
@@ -47,7 +49,8 @@ export class Variant {
     const words = el("span", { class: "variant-words" }, el("b", {}, of.label), this.#words);
     const help = el("span", { class: "help" }, of.help);
     const attributes = { type: "button", class: "variant", ...(of.isCurrent ? { "aria-current": "true" } : {}) };
-    this.element = el("button", attributes, this.#canvas, words, help);
+    const picture = el("span", { class: "variant-picture" }, this.#canvas, this.#cut);
+    this.element = el("button", attributes, picture, words, help);
     this.element.addEventListener("click", () => events.chosen());
   }
 
@@ -132,7 +135,19 @@ export class Variant {
     const { sources, order } = summary;
     // Numbers from different ticks could not be compared, so there are none while it grows.
     setText(this.#words, phase === "growing" ? "growing" : `${count(sources)} sources, order ${order}`);
+    if (state === "finished") void this.#showCut();
+    else this.#cut.replaceChildren();
     this.events.changed();
+  }
+
+  async #showCut(): Promise<void> {
+    // Without it the map is complete, too.
+    const asked = this.renderHost.ask({ about: "overlay", of: this.#id, name: "cut" }).catch(() => undefined);
+    const overlay = (await asked) as Overlay | undefined;
+    if (!overlay || this.#isOver || this.#state !== "finished") return;
+    const [width, height] = overlay.size;
+    this.#cut.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.#cut.replaceChildren(...overlay.kinds.flat().map((d) => svg("path", { d })));
   }
 
   #fail(message: string): void {
