@@ -92,7 +92,8 @@ proptest! {
             Ok(strict) => prop_assert_eq!((strict, notices), (recipe, vec![])),
             Err(error) => {
                 prop_assert!(error.to_string().starts_with("names: "), "{}", error);
-                prop_assert_eq!(notices.len(), 1);
+                prop_assert!(notices.iter().all(|notice| notice.key == "names"), "{:?}", notices);
+                prop_assert!(notices[0].message.starts_with(&error.to_string()), "{:?}", notices);
             }
         }
     }

@@ -83,7 +83,8 @@ country: the title, and the name of the main land. Other seeds get a made-up wor
 
 Each name makes a link longer by its own length and some seven characters more; letters other than those of English count six or nine each. Ten names take some 200
 characters. Links of 2,000 characters work everywhere; longer ones, to which 1,200 characters of names in another script can come, may be cut by mail and chat programs.
-Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On the map a character that EB Garamond has no letter for is left out.
+Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On pages an entry that is wrong is left out, a name that is too long is cut, and each
+is told by itself; the command line refuses them. On the map a character that EB Garamond has no letter for is left out.
 
 ## Limits
 
