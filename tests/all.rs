@@ -33,6 +33,7 @@ mod meanders;
 mod mouths;
 mod names;
 mod network;
+mod own_names;
 mod painting;
 mod patterns;
 mod pieces;

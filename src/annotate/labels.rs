@@ -8,8 +8,8 @@ use glam::Vec2;
 use crate::annotate::glyph::initials;
 use crate::annotate::names::Names;
 use crate::annotate::place::{
-    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Places, Plate, Raster,
-    RiverClass, SHEET_MARGIN, Seal, SheetGrid,
+    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Own, Places, Plate,
+    Raster, RiverClass, SHEET_MARGIN, Seal, SheetGrid,
 };
 use crate::annotate::plates;
 use crate::base::memory;
@@ -19,7 +19,7 @@ use crate::land::{Land, Region, margin_of};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::Shown;
-use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
+use crate::recipe::{self, Labels, Mark, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
 /// The em of the smallest letters that can be read, in pixels.
@@ -100,6 +100,7 @@ fn map_input<'a>(
         discharges: network.rivers.iter().map(|river| network.discharge(river)).collect(),
         total_discharge: total_discharge(network),
         cartouche: map.recipe().has_title().then(|| cartouche(map, &names, sheet)),
+        own: own(map.recipe(), network, &names),
         names,
         regions,
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
@@ -107,6 +108,19 @@ fn map_input<'a>(
         coast: land.map(|land| land.coast_distance()),
         marks,
     }
+}
+
+/// Lists what a recipe gives a name of its own: rivers, the greatest first, then reaches and places.
+fn own(recipe: &Recipe, network: &Network, names: &Names) -> Vec<Own> {
+    let own = recipe.own_names();
+    let is_own = |mark: &Mark| own.get(*mark).is_some_and(|name| !name.is_empty());
+    let river = |identity: u32| network.rivers.iter().position(|river| river.identity == identity);
+    let thing = |mark: Mark| match mark {
+        Mark::River(identity) => river(identity).map(Own::River),
+        Mark::Reach(identity) => river(identity).map(Own::Reach),
+        _ => names.places.iter().find(|place| place.mark() == mark).map(|place| Own::Place(place.kind, place.number)),
+    };
+    names.marked(network).into_iter().map(|(mark, _)| mark).filter(is_own).filter_map(thing).collect()
 }
 
 /// Describes the cartouche: the title, and what stands with it.

@@ -81,6 +81,9 @@ not is kept and does nothing.
 A seed that can be a name (one to three words of letters, with apostrophes and hyphens, at most 24 characters, all of which EB Garamond has) is the name of the
 country: the title, and the name of the main land. Other seeds get a made-up word. If only one of `t` and `i0` is given, the other follows it.
 
+Own names get their places before any made-up one, on pictures some 560 pixels wide and larger in any way that can be read: in letters down to 70 % of their size, level in two
+lines beside the river, or with a hairline that leads to it. Where even that has no room, the river's card on the page says so.
+
 Each name makes a link longer by its own length and some seven characters more; letters other than those of English count six or nine each. Ten names take some 200
 characters. Links of 2,000 characters work everywhere; longer ones, to which 1,200 characters of names in another script can come, may be cut by mail and chat programs.
 Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On pages an entry that is wrong is left out, a name that is too long is cut, and each
