@@ -287,11 +287,16 @@ fn a_seed_that_can_be_a_name_is_the_country_s_and_own_names_of_map_and_land_foll
     assert_eq!(of("tay", "i0.The Shire_t.Home"), ["Home", "The Shire", "from the word tay"]);
     assert_eq!(of("tay", "t._i0."), ["", "", "from the word tay"]);
     assert_eq!(of("tay", "i0."), ["Tay", "", "and its rivers"]);
-    let [title, land, line] = of("2026", "");
+    for word in ["2026", "Haus 7", "Anna & Tom"] {
+        assert_eq!(of(word, ""), [word, word, "and its rivers"]);
+    }
+    // Others than our type have letters for these.
+    for word in ["\u{9577}\u{6c5f}", "\u{646}\u{647}\u{631}"] {
+        assert_eq!(of(word, ""), [word, word, ""]);
+    }
+    let [title, land, line] = of("why? why?", "");
     assert!(title == land && title.chars().all(char::is_alphabetic), "{title}");
-    assert_eq!(line, "from the number 2026");
-    let [title, land, line] = of("\u{6771}\u{4eac}", "");
-    assert!(title == land && title.len() >= 3 && line.is_empty());
+    assert_eq!(line, "from the words why? why?");
 }
 
 #[test]

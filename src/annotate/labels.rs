@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::annotate::glyph::initials;
-use crate::annotate::names::Names;
+use crate::annotate::names::{self, Names};
 use crate::annotate::place::{
     Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Own, Places, Plate,
     Raster, RiverClass, SHEET_MARGIN, Seal, SheetGrid,
@@ -55,7 +55,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let (names, regions) = Names::with_regions(map);
+    let (names, regions) = on_map_with_regions(map);
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| SheetGrid::MARGIN * grid.em);
@@ -85,6 +85,18 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
             Labels::Many => 8,
         },
     })
+}
+
+/// Names what is on a map, with the regions of places; the country only by words that the type has, unless a person has given its name.
+pub(crate) fn on_map_with_regions(map: &Map) -> (Names, Vec<Region>) {
+    let (mut names, regions) = Names::with_regions(map);
+    let own = map.recipe().own_names();
+    if own.get(Mark::Title).or(own.get(Mark::Island(0))).is_none() {
+        names.title = names::on_map(&names.title);
+        let land = names.places.iter_mut().filter(|place| place.is_of_main_land());
+        land.for_each(|land| land.name = names::on_map(&land.name));
+    }
+    (names, regions)
 }
 
 /// Gathers the input that is the same for pictures of all sizes.

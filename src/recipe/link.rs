@@ -279,7 +279,8 @@ mod tests {
     fn each_wrong_name_is_told_by_itself_and_takes_no_other_away() {
         let told = |names: &str| {
             let (recipe, notices) = read_leniently(&format!("seed=kauri&names={names}&curl=9"));
-            let messages: Vec<String> = notices.into_iter().map(|notice| notice.key + " | " + &notice.message).collect();
+            let messages: Vec<String> =
+                notices.into_iter().map(|notice| notice.key + " | " + &notice.message).collect();
             assert_eq!(messages.last().map(String::as_str), Some("curl | curl: 9 is not between 0 and 2: 2 is used"));
             (recipe.own_names().to_string(), messages[..messages.len() - 1].join("\n"))
         };

@@ -78,8 +78,9 @@ place of the kind takes the name, if its midst is within 48 units and half its s
 its area, that of a bay the width of its mouth, that of a strait or range its length). So a name stays where it is when the coast moves a little. A mark that the map has
 not is kept and does nothing.
 
-A seed that can be a name (one to three words of letters, with apostrophes and hyphens, at most 24 characters, all of which EB Garamond has) is the name of the
-country: the title, and the name of the main land. Other seeds get a made-up word. If only one of `t` and `i0` is given, the other follows it.
+A seed that can be a name is the name of the country: the title, and the name of the main land. It has letters and digits that EB Garamond has, with spaces, `&`,
+`.`, apostrophes and hyphens between them, at most 24 characters. Other seeds get a made-up word; but a seed in a script that EB Garamond has not is the country's name as it
+was typed, on pages and in files, and its words in such letters are left out on the map. If only one of `t` and `i0` is given, the other follows it.
 
 Own names get their places before any made-up one, on pictures some 560 pixels wide and larger in any way that can be read: in letters down to 70 % of their size, level in two
 lines beside the river, or with a hairline that leads to it. Where even that has no room, the river's card on the page says so.
