@@ -300,6 +300,24 @@ fn a_seed_that_can_be_a_name_is_the_country_s_and_own_names_of_map_and_land_foll
 }
 
 #[test]
+fn case_counts_for_nothing_but_the_title() {
+    let of = |seed: &str| {
+        let session = finished(SMALL, &format!("seed={seed}"));
+        let names = Names::of(&session.map().unwrap());
+        let (vertices, rivers) = (session.network().unwrap().vertices.clone(), names.rivers);
+        (session.recipe().seed().to_owned(), names.title, vertices.len(), rivers)
+    };
+    for [seed, typed, titles] in [["kauri", "KAuri", "Kauri KAuri"], ["tōtara", "TŌTARA", "Tōtara TŌTARA"]] {
+        let (one, other) = (of(seed), of(typed));
+        assert_eq!(
+            (one.0.as_str(), other.0.as_str(), format!("{} {}", one.1, other.1).as_str()),
+            (seed, typed, titles)
+        );
+        assert_eq!((one.2, one.3), (other.2, other.3));
+    }
+}
+
+#[test]
 fn the_title_is_the_first_of_all_names() {
     let session = finished(SMALL, "seed=tay");
     let names = Names::of(&session.map().unwrap());

@@ -82,6 +82,10 @@ A seed that can be a name is the name of the country: the title, and the name of
 `.`, apostrophes and hyphens between them, at most 24 characters. Other seeds get a made-up word; but a seed in a script that EB Garamond has not is the country's name as it
 was typed, on pages and in files, and its words in such letters are left out on the map. If only one of `t` and `i0` is given, the other follows it.
 
+Case does not count for what grows from a seed: `Kauri` and `kauri` are one country, with the same names of rivers, and only the title keeps what was typed. That holds for the
+Latin letters of Latin-1, Latin Extended-A and Vietnamese but `İ` and `ẞ`, for Greek without its ancient accents and for Cyrillic; case counts in all other alphabets. Links,
+files and their names keep the seed as it was typed.
+
 Own names get their places before any made-up one, on pictures some 560 pixels wide and larger in any way that can be read: in letters down to 70 % of their size, level in two
 lines beside the river, or with a hairline that leads to it. Where even that has no room, the river's card on the page says so.
 
