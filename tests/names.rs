@@ -318,6 +318,15 @@ fn case_counts_for_nothing_but_the_title() {
 }
 
 #[test]
+fn nothing_is_called_by_a_foul_word() {
+    let session = finished("", "seed=anna");
+    let names = Names::of(&session.map().unwrap());
+    let marked = names.marked(session.network().unwrap());
+    let greatest: Vec<&str> = marked.iter().map(|(_, name)| *name).skip(1).take(2).collect();
+    assert!(!marked.iter().any(|(_, name)| name.contains("Foul")), "{greatest:?}");
+}
+
+#[test]
 fn the_title_is_the_first_of_all_names() {
     let session = finished(SMALL, "seed=tay");
     let names = Names::of(&session.map().unwrap());
