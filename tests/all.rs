@@ -34,6 +34,7 @@ mod mouths;
 mod names;
 mod network;
 mod outlines;
+mod own_names;
 mod painting;
 mod patterns;
 mod pieces;

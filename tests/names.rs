@@ -92,7 +92,8 @@ proptest! {
             Ok(strict) => prop_assert_eq!((strict, notices), (recipe, vec![])),
             Err(error) => {
                 prop_assert!(error.to_string().starts_with("names: "), "{}", error);
-                prop_assert_eq!(notices.len(), 1);
+                prop_assert!(notices.iter().all(|notice| notice.key == "names"), "{:?}", notices);
+                prop_assert!(notices[0].message.starts_with(&error.to_string()), "{:?}", notices);
             }
         }
     }
@@ -286,11 +287,43 @@ fn a_seed_that_can_be_a_name_is_the_country_s_and_own_names_of_map_and_land_foll
     assert_eq!(of("tay", "i0.The Shire_t.Home"), ["Home", "The Shire", "from the word tay"]);
     assert_eq!(of("tay", "t._i0."), ["", "", "from the word tay"]);
     assert_eq!(of("tay", "i0."), ["Tay", "", "and its rivers"]);
-    let [title, land, line] = of("2026", "");
+    for word in ["2026", "Haus 7", "Anna & Tom"] {
+        assert_eq!(of(word, ""), [word, word, "and its rivers"]);
+    }
+    // Others than our type have letters for these.
+    for word in ["\u{9577}\u{6c5f}", "\u{646}\u{647}\u{631}"] {
+        assert_eq!(of(word, ""), [word, word, ""]);
+    }
+    let [title, land, line] = of("why? why?", "");
     assert!(title == land && title.chars().all(char::is_alphabetic), "{title}");
-    assert_eq!(line, "from the number 2026");
-    let [title, land, line] = of("\u{6771}\u{4eac}", "");
-    assert!(title == land && title.len() >= 3 && line.is_empty());
+    assert_eq!(line, "from the words why? why?");
+}
+
+#[test]
+fn case_counts_for_nothing_but_the_title() {
+    let of = |seed: &str| {
+        let session = finished(SMALL, &format!("seed={seed}"));
+        let names = Names::of(&session.map().unwrap());
+        let (vertices, rivers) = (session.network().unwrap().vertices.clone(), names.rivers);
+        (session.recipe().seed().to_owned(), names.title, vertices.len(), rivers)
+    };
+    for [seed, typed, titles] in [["kauri", "KAuri", "Kauri KAuri"], ["tōtara", "TŌTARA", "Tōtara TŌTARA"]] {
+        let (one, other) = (of(seed), of(typed));
+        assert_eq!(
+            (one.0.as_str(), other.0.as_str(), format!("{} {}", one.1, other.1).as_str()),
+            (seed, typed, titles)
+        );
+        assert_eq!((one.2, one.3), (other.2, other.3));
+    }
+}
+
+#[test]
+fn nothing_is_called_by_a_foul_word() {
+    let session = finished("", "seed=anna");
+    let names = Names::of(&session.map().unwrap());
+    let marked = names.marked(session.network().unwrap());
+    let greatest: Vec<&str> = marked.iter().map(|(_, name)| *name).skip(1).take(2).collect();
+    assert!(!marked.iter().any(|(_, name)| name.contains("Foul")), "{greatest:?}");
 }
 
 #[test]

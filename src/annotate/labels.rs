@@ -6,10 +6,10 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::annotate::glyph::initials;
-use crate::annotate::names::Names;
+use crate::annotate::names::{self, Names};
 use crate::annotate::place::{
-    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Places, Plate, Raster,
-    RiverClass, SHEET_MARGIN, Seal, SheetGrid,
+    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Own, Places, Plate,
+    Raster, RiverClass, SHEET_MARGIN, Seal, SheetGrid,
 };
 use crate::annotate::plates;
 use crate::base::memory;
@@ -19,7 +19,7 @@ use crate::land::{Land, Region, margin_of};
 use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::Shown;
-use crate::recipe::{self, Labels, NumberKey, Recipe, Style};
+use crate::recipe::{self, Labels, Mark, NumberKey, Recipe, Style};
 use crate::relief::{METRES, Relief};
 
 /// The em of the smallest letters that can be read, in pixels.
@@ -55,7 +55,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let (names, regions) = Names::with_regions(map);
+    let (names, regions) = on_map_with_regions(map);
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| SheetGrid::MARGIN * grid.em);
@@ -87,6 +87,18 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     })
 }
 
+/// Names what is on a map, with the regions of places; the country only by words that the type has, unless a person has given its name.
+pub(crate) fn on_map_with_regions(map: &Map) -> (Names, Vec<Region>) {
+    let (mut names, regions) = Names::with_regions(map);
+    let own = map.recipe().own_names();
+    if own.get(Mark::Title).or(own.get(Mark::Island(0))).is_none() {
+        names.title = names::on_map(&names.title);
+        let land = names.places.iter_mut().filter(|place| place.is_of_main_land());
+        land.for_each(|land| land.name = names::on_map(&land.name));
+    }
+    (names, regions)
+}
+
 /// Gathers the input that is the same for pictures of all sizes.
 fn map_input<'a>(
     map: &'a Map,
@@ -100,6 +112,7 @@ fn map_input<'a>(
         discharges: network.rivers.iter().map(|river| network.discharge(river)).collect(),
         total_discharge: total_discharge(network),
         cartouche: map.recipe().has_title().then(|| cartouche(map, &names, sheet)),
+        own: own(map.recipe(), network, &names),
         names,
         regions,
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
@@ -107,6 +120,19 @@ fn map_input<'a>(
         coast: land.map(|land| land.coast_distance()),
         marks,
     }
+}
+
+/// Lists what a recipe gives a name of its own: rivers, the greatest first, then reaches and places.
+fn own(recipe: &Recipe, network: &Network, names: &Names) -> Vec<Own> {
+    let own = recipe.own_names();
+    let is_own = |mark: &Mark| own.get(*mark).is_some_and(|name| !name.is_empty());
+    let river = |identity: u32| network.rivers.iter().position(|river| river.identity == identity);
+    let thing = |mark: Mark| match mark {
+        Mark::River(identity) => river(identity).map(Own::River),
+        Mark::Reach(identity) => river(identity).map(Own::Reach),
+        _ => names.places.iter().find(|place| place.mark() == mark).map(|place| Own::Place(place.kind, place.number)),
+    };
+    names.marked(network).into_iter().map(|(mark, _)| mark).filter(is_own).filter_map(thing).collect()
 }
 
 /// Describes the cartouche: the title, and what stands with it.

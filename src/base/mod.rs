@@ -1,5 +1,6 @@
 //! Tools that any stage may use: geometry, exact random numbers, sorting, memory. They know no rivers.
 
+pub(crate) mod case;
 pub mod dice;
 pub(crate) mod geometry;
 pub(crate) mod hash;

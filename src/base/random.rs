@@ -11,6 +11,8 @@ use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use rand::Rng;
 use rand_pcg::Pcg32;
 
+use super::case::small;
+
 /// The 64 bits that represent a seed text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Seed(u64);
@@ -48,12 +50,17 @@ pub enum Purpose {
 }
 
 impl Seed {
-    /// Hashes a text. Every text has a seed, even an empty one.
-    #[inline(never)] // each copy weighs a hundred bytes
+    /// Hashes a text, in [small letters](small): `Kauri` and `kauri` have one seed. Every text has a seed, even an empty one.
+    #[inline(never)] // each copy weighs some hundred bytes
     pub fn from_text(text: &str) -> Self {
         const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
         const PRIME: u64 = 0x0000_0100_0000_01b3;
-        let fnv1a = text.bytes().fold(OFFSET_BASIS, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+        let mut fnv1a = OFFSET_BASIS;
+        for letter in text.chars() {
+            for byte in small(letter).encode_utf8(&mut [0; 4]).bytes() {
+                fnv1a = (fnv1a ^ u64::from(byte)).wrapping_mul(PRIME);
+            }
+        }
         Self(mix(fnv1a))
     }
 

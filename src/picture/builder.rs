@@ -2,8 +2,7 @@
 
 use glam::Vec2;
 
-use crate::annotate::labels::{LEAST_EM, labels_in, quartered};
-use crate::annotate::names::Names;
+use crate::annotate::labels::{LEAST_EM, labels_in, on_map_with_regions, quartered};
 use crate::annotate::place::{Label, Places, Scenery, heading};
 use crate::annotate::scenery;
 use crate::map::Map;
@@ -31,7 +30,7 @@ impl AnnotationBuilder {
     /// Makes an annotation with the map's title as a heading in a box of the picture: its upper left and its lower right
     /// corner, in pixels. There is no cartouche and no legend then.
     pub(super) fn headed(map: &Map, view: &View, ratio: f32, within: [Vec2; 2]) -> AnnotationMasks {
-        let names = Names::of(map);
+        let (names, _) = on_map_with_regions(map);
         let mut labels = labels_of(&mut Places::default(), map, view, ratio);
         // Without blocks in corners, and without the country's name on its land, which would say the same again.
         labels.retain(|label| !label.kind.is_block() && label.text != names.title);

@@ -10,7 +10,7 @@ use std::str::FromStr;
 use super::error::RecipeError;
 use super::hidden::{shown, visible};
 use super::key::Key;
-use super::names::OwnNames;
+use super::names::{NamesError, OwnNames};
 use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
 use super::value::{Decimal, Value};
@@ -147,6 +147,8 @@ pub(super) fn apply_leniently(pairs: &[(String, String)], notices: &mut Vec<Noti
         };
         if std::mem::replace(&mut seen[key as usize], true) {
             notices.push(repeated(name));
+        } else if key == Key::Names {
+            take_names(&mut recipe, text, notices);
         } else if let Err(error) = recipe.set(key, text) {
             notices.push(correct(&mut recipe, key, text, &error));
         }
@@ -173,6 +175,18 @@ fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
     preset.values.iter().try_for_each(|(key, text)| recipe.set(*key, text))
 }
 
+/// Takes own names as far as they can be read: one that is wrong takes no other away, and is told by itself.
+fn take_names(recipe: &mut Recipe, text: &str, notices: &mut Vec<Notice>) {
+    let (names, faults) = OwnNames::corrected(text);
+    recipe.put(Key::Names, Value::Text(names.to_string()));
+    let key = Key::Names.parameter().name;
+    let notice = |reason: NamesError| {
+        let correction = reason.correction();
+        Notice { key: key.into(), message: format!("{}: {correction}", RecipeError::Names { key, reason }) }
+    };
+    notices.extend(faults.into_iter().map(notice));
+}
+
 /// Replaces a refused value by the nearest allowed one, if there is one.
 fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
     let parameter = key.parameter();
@@ -190,7 +204,6 @@ fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> No
 fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {
     let number = || Decimal::parse(text.trim());
     match parameter.kind {
-        Kind::Text { .. } if parameter.key == Key::Names => Some(Value::Text(OwnNames::readable(text).to_string())),
         Kind::Integer { min, max, .. } => number().map(|n| Value::Integer(n.round().clamp(min, max))),
         Kind::Number { min, max, .. } => number().map(|x| Value::Number(x.clamp(min, max))),
         Kind::Text { longest, .. } => {
@@ -260,6 +273,35 @@ mod tests {
         let keys: Vec<_> = notices.iter().map(|notice| notice.key.as_str()).collect();
         assert_eq!(keys, ["curl", "mouths", "trim", "curl", "depth", "style", "kill"]);
         assert_eq!(notices[0].message, "curl: 3 is not between 0 and 2: 2 is used");
+    }
+
+    #[test]
+    fn each_wrong_name_is_told_by_itself_and_takes_no_other_away() {
+        let told = |names: &str| {
+            let (recipe, notices) = read_leniently(&format!("seed=kauri&names={names}&curl=9"));
+            let messages: Vec<String> =
+                notices.into_iter().map(|notice| notice.key + " | " + &notice.message).collect();
+            assert_eq!(messages.last().map(String::as_str), Some("curl | curl: 9 is not between 0 and 2: 2 is used"));
+            (recipe.own_names().to_string(), messages[..messages.len() - 1].join("\n"))
+        };
+        let mark = "expected a river's number, m and a river's number, a letter and a place's number (s sea, l lake, i island, b bay or gulf, c cape, n strait, h range), or t, then a full stop: it is left out";
+        assert_eq!(told("zzz"), (String::new(), format!("names | names: 'zzz' is not a mark: {mark}")));
+        let (kept, messages) = told(&format!("33.Silverrun_zzz_x4.y_33.Again_5.{}_t.Home", "a".repeat(41)));
+        assert_eq!(kept, format!("33.Silverrun_5.{}_t.Home", "a".repeat(40)));
+        let expected = [
+            &format!("names | names: 'zzz' is not a mark: {mark}"),
+            &format!("names | names: 'x4' is not a mark: {mark}"),
+            "names | names: '33' is named more than once: the first is used",
+            "names | names: the name of '5' has 41 characters, at most 40 are allowed: its beginning is used",
+        ];
+        assert_eq!(messages, expected.join("\n"));
+        let all = |count: u32| (0..count).map(|i| format!("{i}.a")).collect::<Vec<_>>().join("_");
+        let too_many = "names | names: there are 41 names, at most 40 are allowed: the first 40 are used";
+        assert_eq!(told(&all(41)), (all(40), too_many.into()));
+        let hidden = "names | names: the text holds a character that cannot be shown: it is left out";
+        assert_eq!(told("1.a%E2%80%AEb"), ("1.ab".into(), hidden.into()));
+        // However many are wrong, what is told stays short.
+        assert!(told(&"z_".repeat(600)).1.len() < 10_000);
     }
 
     #[test]

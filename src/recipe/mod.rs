@@ -31,6 +31,7 @@ pub use choice::{
     Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Word,
 };
 pub use error::RecipeError;
+pub(crate) use hidden::is_hidden;
 pub use hidden::{shown, visible};
 pub use key::{IntegerKey, Key, NumberKey};
 pub use names::{Mark, NamesError, OwnNames};

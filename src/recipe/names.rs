@@ -122,6 +122,19 @@ pub enum NamesError {
     NotText,
 }
 
+impl NamesError {
+    /// Says what is used in place of what was wrong, as a message ends.
+    pub(super) fn correction(&self) -> &'static str {
+        match self {
+            Self::TooLong { .. } => "the rest is left out",
+            Self::TooMany { .. } => "the first 40 are used",
+            Self::Repeated { .. } => "the first is used",
+            Self::LongName { .. } => "its beginning is used",
+            Self::Mark { .. } | Self::NotText => "it is left out",
+        }
+    }
+}
+
 /// Own names, in the order in which they were given.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OwnNames {
@@ -132,50 +145,43 @@ impl OwnNames {
     /// Reads a text strictly.
     ///
     /// # Errors
-    /// Names the fault and the entry.
+    /// Names the first fault and its entry.
     pub fn parse(text: &str) -> Result<Self, NamesError> {
-        let length = text.chars().count();
-        if length > LONGEST {
-            return Err(NamesError::TooLong { length });
-        }
-        if text.chars().any(is_hidden) {
-            return Err(NamesError::NotText);
-        }
-        let count = entries(text).count();
-        if count > MOST {
-            return Err(NamesError::TooMany { count });
-        }
-        let mut names = Self::default();
-        entries(text).try_for_each(|entry| names.add(entry))?;
-        Ok(names)
+        let (names, faults) = Self::corrected(text);
+        faults.into_iter().next().map_or(Ok(names), Err)
     }
 
-    /// Reads a text leniently: drops wrong entries and characters that cannot be shown.
+    /// Reads a text leniently, as [`corrected`](Self::corrected) does, and passes over its faults.
     pub fn readable(text: &str) -> Self {
-        let text: String = text.chars().filter(|&c| !is_hidden(c)).take(LONGEST).collect();
-        let mut names = Self::default();
-        for entry in entries(&text) {
-            // The last may have been cut off.
-            if names.entries.len() < MOST {
-                let _ = names.add(entry);
-            }
-        }
-        names
+        Self::corrected(text).0
     }
 
+    /// Reads as many names as there are, and returns the faults of the others, each by itself: what cannot be shown, is no name or is one
+    /// too many is left out, and what is too long is cut.
+    pub fn corrected(text: &str) -> (Self, Vec<NamesError>) {
+        let (length, mut faults) = (text.chars().count(), Vec::new());
+        faults.extend((length > LONGEST).then_some(NamesError::TooLong { length }));
+        faults.extend(text.chars().any(is_hidden).then_some(NamesError::NotText));
+        let text: String = text.chars().take(LONGEST).filter(|&c| !is_hidden(c)).collect();
+        let count = entries(&text).count();
+        faults.extend((count > MOST).then_some(NamesError::TooMany { count }));
+        let mut names = Self::default();
+        faults.extend(entries(&text).take(MOST).filter_map(|entry| names.add(entry).err()));
+        (names, faults)
+    }
+
+    /// Adds the name of an entry, cut where it is too long.
     fn add(&mut self, entry: &str) -> Result<(), NamesError> {
         let (mark, name) = entry.split_once('.').unwrap_or((entry, ""));
         let known = Mark::parse(mark.trim()).filter(|_| entry.contains('.'));
         let mark = known.ok_or_else(|| NamesError::Mark { mark: shown(mark) })?;
-        let (name, length) = (name.trim(), name.trim().chars().count());
-        if length > LONGEST_NAME {
-            return Err(NamesError::LongName { mark, length });
-        }
         if self.get(mark).is_some() {
             return Err(NamesError::Repeated { mark });
         }
-        self.entries.push((mark, name.into()));
-        Ok(())
+        let (name, length) = (name.trim(), name.trim().chars().count());
+        let kept: String = name.chars().take(LONGEST_NAME).collect();
+        self.entries.push((mark, kept.trim_end().into()));
+        if length > LONGEST_NAME { Err(NamesError::LongName { mark, length }) } else { Ok(()) }
     }
 
     /// Returns these names with one of them replaced, added or, for `None`, removed.
@@ -266,6 +272,7 @@ mod tests {
         assert_eq!(names.to_string(), "1.ab_t.Home");
         let many = (0..99).map(|i| format!("{i}.a_")).collect::<String>();
         assert_eq!(OwnNames::readable(&many).marks().count(), MOST);
+        assert_eq!(OwnNames::readable(&format!("5.{}_6.b", "é ".repeat(30))).to_string().chars().count(), 45);
     }
 
     #[test]

@@ -79,12 +79,21 @@ place of the kind takes the name, if its midst is within 48 units and half its s
 its area, that of a bay the width of its mouth, that of a strait or range its length). So a name stays where it is when the coast moves a little. A mark that the map has
 not is kept and does nothing.
 
-A seed that can be a name (one to three words of letters, with apostrophes and hyphens, at most 24 characters, all of which EB Garamond has) is the name of the
-country: the title, and the name of the main land. Other seeds get a made-up word. If only one of `t` and `i0` is given, the other follows it.
+A seed that can be a name is the name of the country: the title, and the name of the main land. It has letters and digits that EB Garamond has, with spaces, `&`,
+`.`, apostrophes and hyphens between them, at most 24 characters. Other seeds get a made-up word; but a seed in a script that EB Garamond has not is the country's name as it
+was typed, on pages and in files, and its words in such letters are left out on the map. If only one of `t` and `i0` is given, the other follows it.
+
+Case does not count for what grows from a seed: `Kauri` and `kauri` are one country, with the same names of rivers, and only the title keeps what was typed. That holds for the
+Latin letters of Latin-1, Latin Extended-A and Vietnamese but `İ` and `ẞ`, for Greek without its ancient accents and for Cyrillic; case counts in all other alphabets. Links,
+files and their names keep the seed as it was typed.
+
+Own names get their places before any made-up one, on pictures some 560 pixels wide and larger in any way that can be read: in letters down to 70 % of their size, level in two
+lines beside the river, or with a hairline that leads to it. Where even that has no room, the river's card on the page says so.
 
 Each name makes a link longer by its own length and some seven characters more; letters other than those of English count six or nine each. Ten names take some 200
 characters. Links of 2,000 characters work everywhere; longer ones, to which 1,200 characters of names in another script can come, may be cut by mail and chat programs.
-Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On the map a character that EB Garamond has no letter for is left out.
+Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On pages an entry that is wrong is left out, a name that is too long is cut, and each
+is told by itself; the command line refuses them. On the map a character that EB Garamond has no letter for is left out.
 
 ## Limits
 

@@ -39,6 +39,20 @@ pub(super) fn is_refused(word: &str) -> bool {
     is_winding_word(&folded) || starts.into_iter().any(holds)
 }
 
+/// English words that would make a river or a place disgusting, as in *Foul Water*. Longer words may hold them.
+const FOUL: [&str; 42] = [
+    "acid", "bile", "bilge", "drool", "dung", "filth", "foul", "gore", "grime", "hell", "kill", "lice", "louse",
+    "maggot", "manure", "mould", "muck", "offal", "ooze", "pest", "plague", "poison", "pox", "puke", "pus", "putrid",
+    "reek", "rot", "scab", "scum", "septic", "sewer", "slime", "slum", "smut", "snot", "spit", "stench", "stink",
+    "urine", "vermin", "vomit",
+];
+
+/// Returns `true` for a foul word.
+pub(super) fn is_foul(word: &str) -> bool {
+    let folded = folded(word);
+    FOUL.iter().any(|foul| foul.as_bytes() == folded)
+}
+
 /// Returns a word as it is read: in lower-case ASCII letters, without accents.
 fn folded(word: &str) -> Vec<u8> {
     let mut folded = Vec::new();
@@ -86,6 +100,12 @@ mod tests {
     #[test]
     fn words_for_winding_rivers_are_refused() {
         assert!(is_refused("Links") && is_refused("Ouroboros") && !is_refused("Kauri"));
+    }
+
+    #[test]
+    fn foul_words_are_told_from_those_that_hold_them() {
+        assert!(is_foul("Foul") && is_foul("slime"));
+        assert!(!is_foul("Foulden") && !is_foul("Budapest") && !is_foul(""));
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 
-use super::PlaceKind;
 use super::lattice::SIDE;
 use super::places::Place;
+use super::{PlaceKind, PlaceName};
 use crate::base::sort;
 use crate::recipe::{Mark, OwnNames};
 
@@ -25,6 +25,13 @@ pub(super) fn mark(kind: PlaceKind, number: u32) -> Mark {
         PlaceKind::Cape => Mark::Cape(number),
         PlaceKind::Strait => Mark::Strait(number),
         PlaceKind::Range => Mark::Range(number),
+    }
+}
+
+impl PlaceName {
+    /// Returns the mark by which own names know it.
+    pub(crate) fn mark(&self) -> Mark {
+        mark(self.kind, self.number)
     }
 }
 

@@ -28,6 +28,8 @@ mod word;
 
 use glam::Vec2;
 
+pub(crate) use title::on_map;
+
 /// The name of a river.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]

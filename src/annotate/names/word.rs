@@ -1,7 +1,7 @@
 //! Words by number. They are not drawn but counted: of all words of a pattern a number has one, and different numbers have different words.
 //! No list of words in use is kept; only great rivers, of which there are few, make way for each other.
 
-use super::filter::is_refused;
+use super::filter::{is_foul, is_refused};
 use super::language::{CAPITALS, Language};
 use super::sounds::{fits, is_vowel};
 use super::syllables::{LONGEST, Series, Syllables};
@@ -117,7 +117,7 @@ impl Words {
     }
 
     fn is_fit(&self, word: &str) -> bool {
-        !word.is_empty() && !is_refused(word) && capitals(word) != self.taken
+        !word.is_empty() && !is_refused(word) && !is_foul(word) && capitals(word) != self.taken
     }
 }
 

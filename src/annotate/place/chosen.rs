@@ -6,7 +6,7 @@ use super::background::Background;
 use super::baseline::{Line, is_upright};
 use super::costs::Turns;
 use super::input::Input;
-use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text};
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Stroke, Text};
 use super::search::belongs;
 
 /// The least distance of letters from the coast, and of names of seas and lakes, in ems.
@@ -42,6 +42,8 @@ pub enum Shrinks {
     ToMiddle,
     /// Towards the island or cape that it stands beside, on the water.
     Towards(Vec2),
+    /// Towards a point of its own edge, the one nearest to its river: it covers nothing then that it has not covered before.
+    ToPoint(Vec2),
 }
 
 impl Shrinks {
@@ -74,10 +76,12 @@ impl Chosen {
                 self.along(line, em).find(|letters| is_clear(letters) && is_off_coast(letters) && belongs(letters))
             }
             Shrinks::ToMiddle => shrunk(self.middle()),
+            Shrinks::ToPoint(place) => Some(self.shrunk(*place, em)),
             Shrinks::Towards(place) => shrunk(*place).or_else(|| shrunk(self.middle())),
         };
         let mut resized = self.clone();
         if let Some(letters) = letters {
+            resized.label.strokes.iter_mut().for_each(|line| line.half *= em / self.label.em);
             (resized.label.em, resized.label.letters) = (em, letters);
         }
         resized
@@ -115,10 +119,16 @@ impl Chosen {
         middle(&self.label)
     }
 
-    /// Returns the boxes of its letters, with the number of its river.
+    /// Returns the boxes of its letters and its hairline, with the number of its river.
     pub fn boxes(&self) -> impl Iterator<Item = (u32, Box)> + '_ {
         let river = self.label.river.unwrap_or(super::background::NONE);
-        self.label.letters.iter().map(move |letter| (river, letter.around(self.label.em)))
+        let letters = self.label.letters.iter().map(|letter| letter.around(self.label.em));
+        letters.chain(self.label.strokes.iter().map(Stroke::box_along)).map(move |around| (river, around))
+    }
+
+    /// Returns `true` if another label names the same river or reach.
+    pub fn is_of_same(&self, other: &Self) -> bool {
+        self.label.river.is_some() && self.label.river == other.label.river && self.label.kind == other.label.kind
     }
 
     /// Returns the area that it covers, in square units.

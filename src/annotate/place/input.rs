@@ -5,7 +5,7 @@ use std::rc::Rc;
 use glam::Vec2;
 
 use super::letters::Box;
-use crate::annotate::names::{Names, ReachName};
+use crate::annotate::names::{Names, PlaceKind, ReachName};
 use crate::base::geometry::distance;
 use crate::base::random::Seed;
 use crate::land::{CoastDistance, Region};
@@ -178,6 +178,17 @@ pub struct Marks<'a> {
     pub seal: Option<Seal>,
 }
 
+/// A thing that a person has named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Own {
+    /// The river of a number.
+    River(usize),
+    /// The reach of the river of a number.
+    Reach(usize),
+    /// A place, by the number in its mark.
+    Place(PlaceKind, u32),
+}
+
 /// The part of the input that is the same for pictures of all sizes: a map with its names. Lengths are units.
 #[derive(Debug)]
 pub struct MapInput<'a> {
@@ -189,6 +200,8 @@ pub struct MapInput<'a> {
     pub total_discharge: u32,
     /// The names of rivers, reaches and places.
     pub names: Names,
+    /// What has an own name: rivers, the greatest first, then reaches and places.
+    pub own: Vec<Own>,
     /// The region of each place; empty for those that are no sea, lake or island.
     pub regions: Vec<Region>,
     /// Lakes that rivers have left, which only letters of reaches may touch.

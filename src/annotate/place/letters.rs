@@ -209,6 +209,12 @@ impl Stroke {
     pub fn around(&self) -> Box {
         Box::level(self.ends[0].min(self.ends[1]) - self.half, self.ends[0].max(self.ends[1]) + self.half)
     }
+
+    /// Returns the box around it that is turned as it is.
+    pub fn box_along(&self) -> Box {
+        let (middle, along) = ((self.ends[0] + self.ends[1]) * 0.5, (self.ends[1] - self.ends[0]) * 0.5);
+        Box { middle, along, down: crate::base::geometry::direction(along).perp() * self.half }
+    }
 }
 
 impl<'face> LabelIn<'face> {
@@ -230,7 +236,9 @@ impl LabelIn<'_> {
         };
         let is_wide = |ends: &[Vec2; 2]| distance(ends[0], ends[1]) > LEAST * self.em;
         let is_together = self.kind != Kind::Region;
-        self.letters.windows(2).filter(move |_| is_together).map(space).filter(is_wide)
+        // From a line to the next one there is none.
+        let is_onward = |pair: &&[PlacedIn<'_>]| (pair[1].at - pair[0].at).dot(pair[0].along) > 0.0;
+        self.letters.windows(2).filter(move |_| is_together).filter(is_onward).map(space).filter(is_wide)
     }
 }
 

@@ -41,7 +41,7 @@ impl Level {
     pub const USUAL: Self = Self { least_em: 0.0, shrink: 1.0 };
 
     /// Returns all levels, the smallest picture first.
-    fn all() -> impl Iterator<Item = Self> {
+    pub fn all() -> impl Iterator<Item = Self> {
         let wholes = LEAST_EMS.map(|least_em| Self { least_em, shrink: 1.0 });
         wholes.into_iter().chain(SHRINKS.map(|shrink| Self { least_em: 0.0, shrink }))
     }
@@ -64,6 +64,11 @@ impl Level {
         /// The em of the smallest letters on a phone.
         const PHONE: f32 = 38.0;
         self.least_em <= PHONE
+    }
+
+    /// Returns `true` if pictures are large enough, from some 560 pixels on, for own names to stand in any way in which they can be read.
+    pub fn has_any_way(self) -> bool {
+        self.least_em <= LEAST_EMS[4]
     }
 
     /// Makes a map one for labels of this level.

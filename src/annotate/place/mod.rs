@@ -15,6 +15,7 @@ mod areas;
 mod background;
 mod banks;
 mod baseline;
+mod beside;
 mod blocks;
 mod cartouche;
 mod chosen;
@@ -36,6 +37,7 @@ mod lengths;
 mod letters;
 mod levels;
 mod neat_line;
+mod own;
 mod panel;
 mod pen;
 mod places;
@@ -60,8 +62,8 @@ pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use heading::heading;
 pub use input::{
-    Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Legend, LongProfile, MapInput, Marks, NorthPoint, Plate,
-    RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary,
+    Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Legend, LongProfile, MapInput, Marks, NorthPoint, Own,
+    Plate, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary,
 };
 pub use letters::{Box, Kind, Label, LabelIn, Placed, PlacedIn, Stroke};
 pub use levels::{STEPS, least_em_of, step_for};

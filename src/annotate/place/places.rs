@@ -7,7 +7,8 @@ use super::blocks::blocks;
 use super::chosen::Chosen;
 use super::input::{Input, Marks};
 use super::letters::{Box, Kind, Label, Placed, Stroke};
-use super::levels::Level;
+use super::levels::{Level, STEPS};
+use super::own::OwnPlaces;
 use super::placing::Map;
 use super::{grid_letters, spot_heights};
 
@@ -24,13 +25,15 @@ pub struct Places {
     frame: [Vec2; 2],
     /// The labels of each level, from the smallest pictures on.
     levels: Vec<Vec<Chosen>>,
+    /// Those of own names, which come before all others.
+    own: OwnPlaces,
 }
 
 impl Places {
     /// Does the same as [`place`], and keeps what it has chosen for other pictures of the same map.
     pub fn place<G: Background>(&mut self, input: &Input<'_>, background: &G) -> Vec<Label> {
         if self.frame != input.frame {
-            *self = Self { frame: input.frame, levels: Vec::new() };
+            *self = Self { frame: input.frame, ..Self::default() };
         }
         let mut at_level = input.clone();
         let levels: Vec<Level> = Level::up_to(input).collect();
@@ -39,11 +42,18 @@ impl Places {
             let mut reserved = Vec::new();
             Level::USUAL.set(&mut at_level);
             blocks(&at_level, background, &mut reserved);
-            for &level in &levels[self.levels.len()..] {
+            if !input.map.own.is_empty() {
+                // Pictures of the whole map of all sizes keep the same places free.
+                let levels: Vec<Level> = Level::all().take(levels.len().max(STEPS)).collect();
+                self.own.extend(input, background, &levels, &reserved);
+            }
+            for (number, &level) in levels.iter().enumerate().skip(self.levels.len()) {
                 level.set(&mut at_level);
-                let before = self.levels.last().map_or(&[][..], |chosen| chosen);
-                let chosen = Map::new(&at_level, background, level, before, &reserved).choose();
-                self.levels.push(chosen);
+                let own = self.own.on(number);
+                let stays = |before: &&Chosen| !own.iter().any(|own| own.is_of_same(before));
+                let before: Vec<Chosen> = self.levels.last().into_iter().flatten().filter(stays).cloned().collect();
+                let kept: Vec<(u32, Box)> = reserved.iter().copied().chain(self.own.after(number)).collect();
+                self.levels.push(Map::new(&at_level, background, level, &before, &kept).choose(own));
             }
         }
         let chosen = self.levels[..levels.len()].last().map_or(&[][..], |chosen| chosen);

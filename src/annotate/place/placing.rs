@@ -7,7 +7,7 @@ use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
 use super::blocks::blocks;
 use super::chosen::{Chosen, Shrinks};
-use super::input::{Input, MapInput, Reach};
+use super::input::{Input, MapInput, Own, Reach};
 use super::letters::{Box, Kind, Text};
 use super::levels::Level;
 use super::search::{MOST_COST, MOST_COST_SMALL, Search};
@@ -23,7 +23,7 @@ const SIZES: [(f32, f32); 5] = [(0.10, 18.5), (0.045, 16.0), (0.018, 14.0), (0.0
 
 /// The size of smaller letters, which are tried for reaches, and for rivers with this share of all water, if there is no room for those of
 /// the usual size.
-const SMALLER: f32 = 0.85;
+pub(super) const SMALLER: f32 = 0.85;
 const GREAT: f32 = 0.018;
 
 /// The least length of a river that has a label, and the length beyond which a river is no more important for being longer, in units.
@@ -73,11 +73,11 @@ struct Within<'a> {
 
 /// A map with the labels that it has so far, on pictures of one size.
 pub struct Map<'a, G> {
-    input: &'a Input<'a>,
-    background: &'a G,
-    level: Level,
-    chosen: Vec<Chosen>,
-    boxes: Vec<(u32, Box)>,
+    pub(super) input: &'a Input<'a>,
+    pub(super) background: &'a G,
+    pub(super) level: Level,
+    pub(super) chosen: Vec<Chosen>,
+    pub(super) boxes: Vec<(u32, Box)>,
     /// The box that the names of seas keep off, besides those that all labels do.
     beside: Option<Box>,
 }
@@ -104,11 +104,17 @@ impl<'a, G: Background> Map<'a, G> {
         this
     }
 
-    /// Chooses all labels that there is room for, those of smaller pictures included.
-    pub fn choose(mut self) -> Vec<Chosen> {
+    /// Chooses all labels that there is room for, those of smaller pictures included, and first of all some that have their places.
+    pub fn choose(mut self, own: &[Chosen]) -> Vec<Chosen> {
+        own.iter().for_each(|chosen| self.take(chosen.clone()));
         self.label_rivers();
         self.label_areas();
         self.chosen
+    }
+
+    /// Returns `true` if something waits for pictures on which its own name has room.
+    fn waits(&self, own: Own) -> bool {
+        self.input.map.own.contains(&own)
     }
 
     /// Lets a label that has become smaller stand as near to its river as such letters do, and in full, if nothing is in the way.
@@ -159,15 +165,18 @@ impl<'a, G: Background> Map<'a, G> {
             if !std::mem::replace(&mut is_done[number], true) {
                 let reach = reach_of(reaches, number);
                 self.label(number, reach);
-                reach.into_iter().for_each(|reach| self.label_reach(reach));
+                if !self.waits(Own::Reach(number)) {
+                    reach.into_iter().for_each(|reach| self.label_reach(reach));
+                }
             }
         }
     }
 
     /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones; but only if the river has its name.
-    fn label_reach(&mut self, (name, course): Reach<'_>) {
+    pub(super) fn label_reach(&mut self, (name, course): Reach<'_>) {
         let of_river = |kind| self.labels_of(name.river).any(|chosen| chosen.label.kind == kind);
-        if of_river(Kind::Reach) || !of_river(Kind::River) {
+        let is_own = self.waits(Own::Reach(name.river as usize));
+        if of_river(Kind::Reach) || !(of_river(Kind::River) || is_own) {
             return;
         }
         for size in [1.0, SMALLER] {
@@ -192,13 +201,13 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Returns the usual size of a river's letters.
-    fn usual(&self, number: usize) -> f32 {
+    pub(super) fn usual(&self, number: usize) -> f32 {
         let share = self.share(number);
         SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size)
     }
 
     /// Returns the em of letters whose usual em is `usual`, in units.
-    fn em(&self, usual: f32) -> f32 {
+    pub(super) fn em(&self, usual: f32) -> f32 {
         self.input.em(usual, 1.0)
     }
 
@@ -218,6 +227,9 @@ impl<'a, G: Background> Map<'a, G> {
             }
             return;
         }
+        if self.waits(Own::River(number)) {
+            return;
+        }
         let usual = self.usual(number);
         let belt = reach.map(|(_, course)| belt_of(course));
         let sizes = if self.share(number) >= GREAT { &[1.0, SMALLER][..] } else { &[1.0] };
@@ -235,14 +247,15 @@ impl<'a, G: Background> Map<'a, G> {
         if self.labels_of(number as u32).next().is_none() {
             self.label(number, reach);
         }
-        if self.labels_of(number as u32).next().is_none() && self.level.is_readable() {
+        let waits = self.waits(Own::River(number));
+        if !waits && self.labels_of(number as u32).next().is_none() && self.level.is_readable() {
             let usual = self.usual(number);
             let _ = [1.0, SMALLER, 0.6].into_iter().any(|size| self.label_in_size(number, usual * size, &[], true));
         }
     }
 
     /// Labels a river in letters of a size. Returns whether there was room.
-    fn label_in_size(&mut self, number: usize, usual: f32, away: &[(Vec2, f32)], is_lenient: bool) -> bool {
+    pub(super) fn label_in_size(&mut self, number: usize, usual: f32, away: &[(Vec2, f32)], is_lenient: bool) -> bool {
         let (map, em) = (&self.input.map, self.em(usual));
         let subject =
             Subject { kind: Kind::River, river: number as u32, name: map.names.rivers[number].forms(), usual };
@@ -302,7 +315,7 @@ impl<'a, G: Background> Map<'a, G> {
         })
     }
 
-    fn take(&mut self, chosen: Chosen) {
+    pub(super) fn take(&mut self, chosen: Chosen) {
         self.boxes.extend(chosen.boxes());
         self.chosen.push(chosen);
     }
@@ -314,7 +327,9 @@ impl<'a, G: Background> Map<'a, G> {
             return;
         }
         let (mut waters, mut seas, mut coastal) = (Vec::new(), Vec::new(), [(); 3].map(|()| Vec::new()));
-        for (place, region) in map.names.places.iter().zip(&map.regions) {
+        let is_no_own = |(place, _): &(&PlaceName, &Region)| !self.waits(Own::Place(place.kind, place.number));
+        let places: Vec<_> = map.names.places.iter().zip(&map.regions).filter(is_no_own).collect();
+        for (place, region) in places {
             match place.kind {
                 PlaceKind::Sea => seas.push((place, region)),
                 PlaceKind::Strait => coastal[0].push((place, region)),
@@ -342,7 +357,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels a place, unless a label of something that is no river says the same.
-    fn label_place(&mut self, place: &PlaceName, region: &Region) {
+    pub(super) fn label_place(&mut self, place: &PlaceName, region: &Region) {
         let forms = forms(&place.name);
         let says_it = |chosen: &Chosen| chosen.label.river.is_none() && forms.contains(&chosen.label.text.as_str());
         if self.chosen.iter().any(says_it) {
@@ -370,12 +385,12 @@ fn is_region(place: &PlaceName) -> bool {
 }
 
 /// Returns the reach of a river; `None` if it has none.
-fn reach_of<'a>(reaches: &[Reach<'a>], river: usize) -> Option<Reach<'a>> {
+pub(super) fn reach_of<'a>(reaches: &[Reach<'a>], river: usize) -> Option<Reach<'a>> {
     reaches.iter().copied().find(|(name, _)| name.river as usize == river)
 }
 
 /// Returns the middle of a reach, and the distance from there to the farther of its ends.
-fn belt_of(course: &[Place]) -> (Vec2, f32) {
+pub(super) fn belt_of(course: &[Place]) -> (Vec2, f32) {
     let line: Vec<Vec2> = course.iter().map(|place| place.at).collect();
     let along = lengths(&line);
     let half = along.last().copied().unwrap_or(0.0) * 0.5;

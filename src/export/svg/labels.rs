@@ -74,6 +74,7 @@ fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
     let names = of(&|kind| !kind.is_block() && !kind.is_mark());
     if !names.is_empty() {
         out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
+        names.iter().for_each(|label| draw_lines(out, &label.strokes, look.ink));
         draw_each(out, &names, look, is_text, "baseline");
         out.text("</g>\n");
     }

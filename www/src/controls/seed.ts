@@ -21,7 +21,8 @@ export class SeedBox {
     field.addEventListener("blur", () => this.#leave());
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      this.#tell();
+      if (this.#isBlank) this.replace(this.#shown);
+      else this.#tell();
     });
   }
 
@@ -37,6 +38,10 @@ export class SeedBox {
     this.#cancel();
     this.#shown = seed;
     setValue(this.field, seed);
+  }
+
+  get #isBlank(): boolean {
+    return this.field.value.trim() === "";
   }
 
   #soon(): void {
@@ -55,9 +60,9 @@ export class SeedBox {
     this.#timer = undefined;
   }
 
-  /** Reports the typed seed. An empty box keeps the river. */
+  /** Reports the typed seed. An empty box keeps the river; Enter brings its word back. */
   #tell(): void {
     this.#cancel();
-    if (this.field.value.trim() !== "") this.change(this.field.value);
+    if (!this.#isBlank) this.change(this.field.value);
   }
 }

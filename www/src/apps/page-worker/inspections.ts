@@ -81,7 +81,9 @@ export class Inspections {
     const inspected = await kept.made;
     if (!inspected || this.#kept !== kept || player.link !== kept.link) return;
     const { link } = kept;
-    return { link, size: inspected.size, things: nameablesAt(place, inspected, player.labels) };
+    const { labels } = player;
+    const labelled = labels.map(({ mark }) => mark);
+    return { link, size: inspected.size, things: nameablesAt(place, inspected, labels), labelled };
   }
 
   /** Returns an overlay of a player's map, if there is one of this name. */

@@ -59,6 +59,8 @@ export interface Nameables {
   /** Width and height of the map, in units. */
   size: readonly [width: number, height: number];
   things: readonly Nameable[];
+  /** The marks of rivers and meanders whose names stand on the picture. */
+  labelled: readonly string[];
 }
 
 export type { Moment } from "../../engine/types.ts";

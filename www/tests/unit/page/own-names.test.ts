@@ -26,6 +26,7 @@ test.each([
     ],
     false,
   ],
+  ["the seed with a capital, in which case does not count", [["seed", "Kauri"]], false],
   ["a slider", [["attractors", "900"]], false],
   ["a style", [["style", "night"]], false],
   [

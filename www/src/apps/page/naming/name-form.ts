@@ -27,6 +27,7 @@ export class NameForm {
     "aria-describedby": "own-name-said",
   });
   readonly #said = el("p", { class: "name-said", id: "own-name-said", role: "alert" });
+  readonly #noRoom = el("p", { class: "name-said", hidden: true }, "This name has no room at this size; zoom in.");
   readonly #save = el("button", { type: "submit", class: "act" }, "Save");
   readonly #madeUp = el("button", { type: "button", class: "quiet" }, "Use the made-up name");
   readonly #rename = el("button", { type: "button", class: "act" }, "Rename");
@@ -55,7 +56,7 @@ export class NameForm {
   }
 
   get elements(): HTMLElement[] {
-    return [this.#closed, this.#form, this.#besides];
+    return [this.#noRoom, this.#closed, this.#form, this.#besides];
   }
 
   /** The typed name, if it is another than the present one. */
@@ -64,13 +65,14 @@ export class NameForm {
     return this.#form.hidden || typed === this.#name ? undefined : typed;
   }
 
-  /** Asks for the name of a thing; `others` are at the same place. */
-  show(thing: Nameable, isOwn: boolean, others: readonly Nameable[]): void {
+  /** Asks for the name of a thing, and says if the one that it was given is not on the picture; `others` are at the same place. */
+  show(thing: Nameable, isOwn: boolean, hasRoom: boolean, others: readonly Nameable[]): void {
     this.#name = thing.name;
     this.#field.value = thing.name;
     setText(this.#label, `Name of this ${wordFor(thing.kind)}`);
     this.refuse("");
     this.#madeUp.hidden = !isOwn;
+    this.#noRoom.hidden = hasRoom;
     this.#besides.hidden = others.length === 0;
     this.#besides.replaceChildren("Also here:", ...others.map((other) => this.#choice(other)));
     this.#form.hidden = true;

@@ -125,7 +125,9 @@ export class Naming {
   /** Pins the card of a thing. `isTyped` opens its field, too. */
   async #show(thing: Nameable, found: Nameables, isTyped: boolean): Promise<void> {
     const others = found.things.filter(({ mark }) => mark !== thing.mark).slice(0, MOST_BESIDES);
-    this.#form.show(thing, this.events.isOwn(thing.mark), others);
+    const isOwn = this.events.isOwn(thing.mark);
+    const isShown = thing.kind !== "river" || thing.name === "" || found.labelled.includes(thing.mark);
+    this.#form.show(thing, isOwn, !isOwn || isShown || !this.events.hasLabels(), others);
     this.#open = { thing, found };
     if (!(await this.pointer.pin(thing, found, this.#form.elements))) return;
     if (isTyped) this.#form.begin();

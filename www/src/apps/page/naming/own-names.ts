@@ -11,9 +11,14 @@ const COUNTRY: readonly string[] = ["seed", "land"];
  * nothing of another country. Changes that bring names keep those.
  */
 export function withoutForeignNames(changes: Changes, values: Values): Changes {
-  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && values.get(key) !== value);
+  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && small(values.get(key)) !== small(value));
   const bringsNames = changes.some(([key]) => key === "names");
   return isOther && !bringsNames && values.get("names") ? [...changes, ["names", ""]] : changes;
+}
+
+/** Returns a text in small letters: case does not count in a seed. Where it does, in rare alphabets, names that are kept name nothing. */
+function small(text = ""): string {
+  return text.toLowerCase();
 }
 
 /** Returns whether the parameter `names` gives something a name. */
