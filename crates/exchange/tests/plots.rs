@@ -5,19 +5,15 @@ use std::collections::BTreeSet;
 use kurbo::{BezPath, PathEl, Point};
 use riverseed::domain::Domain;
 use riverseed::recipe::link;
-use riverseed_exchange::{Form, Sheet, Source, write};
+use riverseed_exchange::{Form, Options, Sheet};
 
-use crate::maps::{LINKS, file, map};
+use crate::maps::{LINKS, file, file_with, map};
 
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 fn on(sheet: Sheet, text: &str) -> String {
-    let mut out = Vec::new();
-    let map = map(text);
-    let (rasters, picture, attractors, has_svg_text, has_beds) = (None, None, None, false, false);
-    let source = Source { map: &map, rasters, picture, attractors, has_svg_text, sheet, has_beds };
-    write(Form::Plot, &mut out, &source).unwrap();
-    String::from_utf8(out).unwrap()
+    let options = Options { sheet: Some(sheet), ..Options::default() };
+    String::from_utf8(file_with(Form::Plot, &map(text), None, None, &options)).unwrap()
 }
 
 /// Reads the width and the height of a sheet, in millimetres: the unit that the view box counts in.
