@@ -213,15 +213,16 @@ class Map:
         flat: bool = False,
         crs: str | None = None,
     ) -> bytes:
-        return self._grown.file(
-            form,
-            pixels("size", size, _native.LONGEST_SIDE),
-            ratio,
-            pixels("raster_size", raster_size, _native.LONGEST_RASTER),
-            text,
-            (segments, flat),
-            crs,
-        )
+        options = {
+            "size": pixels("size", size, _native.LONGEST_SIDE),
+            "ratio": ratio,
+            "raster_size": pixels("raster_size", raster_size, _native.LONGEST_RASTER),
+            "text": text,
+            "segments": segments,
+            "flat": flat,
+            "crs": crs,
+        }
+        return self._grown.file(form, options)
 
     @cached_property
     def link(self) -> str:

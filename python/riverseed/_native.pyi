@@ -9,16 +9,7 @@ LONGEST_RASTER: int
 
 @final
 class Map:
-    def file(
-        self,
-        form: str,
-        size: int | None,
-        ratio: float | None,
-        raster_size: int | None,
-        svg_text: bool,
-        geojson: tuple[bool, bool],
-        crs: str | None,
-    ) -> bytes: ...
+    def file(self, form: str, options: dict[str, Any]) -> bytes: ...
     def link(self) -> str: ...
     def recipe(self) -> dict[str, str | int | float]: ...
     def size(self) -> tuple[float, float]: ...

@@ -38,10 +38,42 @@ fn name(setting: Setting) -> &'static str {
     }
 }
 
-/// Reads a coordinate system; the map's own if none is given.
-pub fn crs(text: Option<&str>) -> Done<Crs> {
-    let refused = |text, error| Failure::Refused(format!("crs: '{}' {error}", shown(text)));
-    text.map_or(Ok(Crs::Own), |text| text.parse().map_err(|error: UnknownCrs| refused(text, error)))
+/// The options of a file as Python gives them: a dictionary of all.
+#[derive(FromPyObject)]
+pub struct Given {
+    #[pyo3(item)]
+    size: Option<u32>,
+    #[pyo3(item)]
+    ratio: Option<f32>,
+    #[pyo3(item)]
+    raster_size: Option<u32>,
+    #[pyo3(item)]
+    text: bool,
+    #[pyo3(item)]
+    segments: bool,
+    #[pyo3(item)]
+    flat: bool,
+    #[pyo3(item)]
+    crs: Option<String>,
+}
+
+impl Given {
+    /// Reads the options, and refuses an unknown coordinate system.
+    pub fn read(self) -> Done<Options> {
+        let Self { size, ratio, raster_size, text, segments, flat, crs } = self;
+        let refused = |text: &str, error: UnknownCrs| Failure::Refused(format!("crs: '{}' {error}", shown(text)));
+        let crs = crs.map_or(Ok(Crs::Own), |text| text.parse().map_err(|error| refused(&text, error)))?;
+        Ok(Options {
+            size,
+            ratio,
+            raster_size,
+            has_svg_text: text,
+            has_segments: segments,
+            is_flat: flat,
+            crs,
+            ..Options::default()
+        })
+    }
 }
 
 /// Lists the forms of a file, as the endings of their names.

@@ -3,7 +3,6 @@
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use riverseed::recipe::link;
-use riverseed_exchange::Options;
 
 use crate::map::Map;
 use crate::order::Parameters;
@@ -18,28 +17,8 @@ pub fn grow(py: Python<'_>, link: &str, parameters: Parameters) -> PyResult<Map>
 /// The members of `riverseed.Map`, each made anew whenever it is asked for.
 #[pymethods]
 impl Map {
-    fn file<'py>(
-        &self,
-        py: Python<'py>,
-        form: &str,
-        size: Option<u32>,
-        ratio: Option<f32>,
-        raster_size: Option<u32>,
-        svg_text: bool,
-        geojson: (bool, bool),
-        crs: Option<&str>,
-    ) -> PyResult<Bound<'py, PyBytes>> {
-        let (has_segments, is_flat) = geojson;
-        let options = Options {
-            size,
-            ratio,
-            raster_size,
-            has_svg_text: svg_text,
-            has_segments,
-            is_flat,
-            crs: file::crs(crs)?,
-            ..Options::default()
-        };
+    fn file<'py>(&self, py: Python<'py>, form: &str, options: file::Given) -> PyResult<Bound<'py, PyBytes>> {
+        let options = options.read()?;
         let bytes = file::bytes(py, self, file::read(form, &options)?, options)?;
         Ok(PyBytes::new(py, &bytes))
     }
