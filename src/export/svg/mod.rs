@@ -185,7 +185,7 @@ fn draw_rivers(out: &mut Text, network: &Network, basins: Option<&InBasins>, wid
     for order in 1..=highest {
         out.text("<g id=\"order-").whole(order.into()).text("\">\n");
         for (id, river) in (0..).zip(&network.rivers).filter(|(_, river)| river.order == order) {
-            out.text("<path id=\"river-").whole(id);
+            out.text("<path id=\"river-").whole(id).text("\" data-river=\"").whole(id);
             fill(out, basins, id);
             describe(out, network, river);
             shape(out, &Banks::of_river(network, river, width, courses), courses);
