@@ -73,6 +73,13 @@ impl Annotator {
     }
 }
 
+#[cfg(test)]
+impl Annotator {
+    pub fn places(&mut self) -> &mut Places {
+        &mut self.places.1
+    }
+}
+
 impl Picture {
     /// Returns the labels of the annotation that this picture made last.
     #[doc(hidden)]

@@ -159,3 +159,29 @@ fn whatever_becomes_of_the_session_the_picture_is_that_of_a_fresh_one() {
         assert!(picture.pixmap().data() == painted(&session), "another session");
     }
 }
+
+#[test]
+fn the_places_of_labels_are_chosen_once_for_a_map_however_its_pictures_are_moved() {
+    let link = SMALL.replace("labels=none", "labels=many");
+    let mut session = finished(&link);
+    let names = |picture: &Picture| picture.labels().iter().filter(|label| label.river.is_some()).count();
+    let paint_at = |picture: &mut Picture, session: &Session, x: f32| {
+        picture.frame(session, Framing::new(x, 0.1, 0.6));
+        picture.paint(session);
+        names(picture)
+    };
+    let new = || Picture::new(600, 480).unwrap();
+    let mut picture = new();
+    assert!(paint_at(&mut picture, &session, 0.1) > 0);
+    // What is not chosen again is missing from now on.
+    picture.annotator.places().empty();
+    for x in [0.15, 0.2, 0.25] {
+        assert_eq!(paint_at(&mut picture, &session, x), 0, "moved to {x}");
+    }
+    let mut picture = new().in_place_of(picture);
+    assert_eq!(paint_at(&mut picture, &session, 0.1), 0, "another picture in its place");
+    // Another map has its own places.
+    session.change(link::read(&link.replace("trim=0", "trim=2")).unwrap()).unwrap();
+    while session.advance(1000).unwrap() {}
+    assert!(paint_at(&mut picture, &session, 0.1) > 0);
+}

@@ -61,6 +61,14 @@ impl Places {
     }
 }
 
+#[cfg(test)]
+impl Places {
+    /// Takes all chosen labels away, but not the levels that they were chosen for: a test sees then whether any is chosen anew.
+    pub fn empty(&mut self) {
+        self.levels.iter_mut().for_each(Vec::clear);
+    }
+}
+
 /// Returns the labels that a picture shows whole, with those in its corners and margin.
 fn finish<G: Background>(input: &Input<'_>, background: &G, chosen: Vec<Chosen>) -> Vec<Label> {
     let mut in_corners = Vec::new();

@@ -114,7 +114,7 @@ impl Inspector {
         let RiverFacts { identity, order, order_here, length, share, area, into } = self.rivers.facts(spot);
         let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
         let Vec2 { x, y } = spot.place.at / self.size;
-        let square = f64::from(KILOMETRE).powi(2);
+        let square = f64::from(KILOMETRE) * f64::from(KILOMETRE);
         object(&[
             ("mark", identity.into()),
             ("order", order.into()),
