@@ -78,6 +78,13 @@ fn own_names_touch_no_other_label_and_not_their_river() {
     }
 }
 
+#[test]
+fn a_map_without_names_has_no_own_ones() {
+    let session = finished("seed=tay&attractors=1000&labels=none&cartouche=plain&names=0.Silver+Run_i0.Home");
+    let labels = on_picture(&session.map().unwrap(), [1200.0, 750.0]);
+    assert!(!labels.is_empty() && labels.iter().all(|label| label.kind.is_block()));
+}
+
 /// The boxes of a label's letters.
 fn letters(label: &Label) -> impl Iterator<Item = Box> + '_ {
     label.letters.iter().map(|letter| letter.around(label.em))

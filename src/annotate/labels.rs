@@ -122,8 +122,11 @@ fn map_input<'a>(
     }
 }
 
-/// Lists what a recipe gives a name of its own: rivers, the greatest first, then reaches and places.
+/// Lists what a recipe gives a name of its own: rivers, the greatest first, then reaches and places. Nothing if there are to be no names.
 fn own(recipe: &Recipe, network: &Network, names: &Names) -> Vec<Own> {
+    if recipe.get::<Labels>() == Labels::None {
+        return Vec::new();
+    }
     let own = recipe.own_names();
     let is_own = |mark: &Mark| own.get(*mark).is_some_and(|name| !name.is_empty());
     let river = |identity: u32| network.rivers.iter().position(|river| river.identity == identity);

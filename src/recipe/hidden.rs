@@ -2,6 +2,7 @@
 
 /// Returns `true` if nobody sees a character: control characters, tags, what is no character, and those that separate
 /// lines, join or divide letters or turn the direction of writing.
+#[inline(never)] // each copy weighs some hundred bytes
 pub(crate) fn is_hidden(c: char) -> bool {
     let is_unseen = matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffd}'..='\u{ffff}' | '\u{e0000}'..='\u{e007f}');
     c.is_control() || is_unseen

@@ -10,7 +10,7 @@ use std::str::FromStr;
 use super::error::RecipeError;
 use super::hidden::{shown, visible};
 use super::key::Key;
-use super::names::{NamesError, OwnNames};
+use super::names::OwnNames;
 use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
 use super::value::{Decimal, Value};
@@ -158,13 +158,11 @@ pub(super) fn apply_leniently(pairs: &[(String, String)], notices: &mut Vec<Noti
 
 /// Returns the notice that there is no parameter of a name.
 pub(super) fn unknown(name: &str) -> Notice {
-    let error = RecipeError::UnknownKey { key: shown(name) };
-    Notice { key: shown(name), message: format!("{error}: it is left out") }
+    told(&shown(name), &RecipeError::UnknownKey { key: shown(name) }, "it is left out")
 }
 
 fn repeated(name: &str) -> Notice {
-    let error = RecipeError::Duplicate { key: name.into() };
-    Notice { key: name.into(), message: format!("{error}: the first is used") }
+    told(name, &RecipeError::Duplicate { key: name.into() }, "the first is used")
 }
 
 fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
@@ -180,11 +178,16 @@ fn take_names(recipe: &mut Recipe, text: &str, notices: &mut Vec<Notice>) {
     let (names, faults) = OwnNames::corrected(text);
     recipe.put(Key::Names, Value::Text(names.to_string()));
     let key = Key::Names.parameter().name;
-    let notice = |reason: NamesError| {
+    for reason in faults {
         let correction = reason.correction();
-        Notice { key: key.into(), message: format!("{}: {correction}", RecipeError::Names { key, reason }) }
-    };
-    notices.extend(faults.into_iter().map(notice));
+        notices.push(told(key, &RecipeError::Names { key, reason }, correction));
+    }
+}
+
+/// Makes a notice of a fault and what is done about it.
+#[inline(never)] // one copy
+fn told(key: &str, error: &RecipeError, correction: &str) -> Notice {
+    Notice { key: key.into(), message: format!("{error}: {correction}") }
 }
 
 /// Replaces a refused value by the nearest allowed one, if there is one.
@@ -194,11 +197,12 @@ fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> No
         recipe.put(key, value);
     }
     let used = parameter.text_of(recipe.value(key));
-    let message = match error {
-        RecipeError::UnknownEdition { .. } => format!("{error}: the picture may differ from the one shared"),
-        _ => format!("{error}: {} is used", if used.is_empty() { "nothing".into() } else { visible(&used) }),
+    let correction = match error {
+        RecipeError::UnknownEdition { .. } => "the picture may differ from the one shared".into(),
+        _ if used.is_empty() => "nothing is used".into(),
+        _ => visible(&used) + " is used",
     };
-    Notice { key: parameter.name.into(), message }
+    told(parameter.name, error, &correction)
 }
 
 fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {

@@ -147,8 +147,8 @@ impl OwnNames {
     /// # Errors
     /// Names the first fault and its entry.
     pub fn parse(text: &str) -> Result<Self, NamesError> {
-        let (names, faults) = Self::corrected(text);
-        faults.into_iter().next().map_or(Ok(names), Err)
+        let (names, mut faults) = Self::corrected(text);
+        if faults.is_empty() { Ok(names) } else { Err(faults.swap_remove(0)) }
     }
 
     /// Reads a text leniently, as [`corrected`](Self::corrected) does, and passes over its faults.
@@ -158,15 +158,33 @@ impl OwnNames {
 
     /// Reads as many names as there are, and returns the faults of the others, each by itself: what cannot be shown, is no name or is one
     /// too many is left out, and what is too long is cut.
+    #[inline(never)] // one copy
     pub fn corrected(text: &str) -> (Self, Vec<NamesError>) {
-        let (length, mut faults) = (text.chars().count(), Vec::new());
-        faults.extend((length > LONGEST).then_some(NamesError::TooLong { length }));
-        faults.extend(text.chars().any(is_hidden).then_some(NamesError::NotText));
-        let text: String = text.chars().take(LONGEST).filter(|&c| !is_hidden(c)).collect();
-        let count = entries(&text).count();
-        faults.extend((count > MOST).then_some(NamesError::TooMany { count }));
-        let mut names = Self::default();
-        faults.extend(entries(&text).take(MOST).filter_map(|entry| names.add(entry).err()));
+        let (mut names, mut faults) = (Self::default(), Vec::new());
+        let (mut kept, mut length, mut has_hidden) = (String::new(), 0, false);
+        for c in text.chars() {
+            length += 1;
+            match is_hidden(c) {
+                true => has_hidden = true,
+                false if length <= LONGEST => kept.push(c),
+                false => {}
+            }
+        }
+        if length > LONGEST {
+            faults.push(NamesError::TooLong { length });
+        }
+        if has_hidden {
+            faults.push(NamesError::NotText);
+        }
+        let count = entries(&kept).count();
+        if count > MOST {
+            faults.push(NamesError::TooMany { count });
+        }
+        for entry in entries(&kept).take(MOST) {
+            if let Err(fault) = names.add(entry) {
+                faults.push(fault);
+            }
+        }
         (names, faults)
     }
 
@@ -178,10 +196,14 @@ impl OwnNames {
         if self.get(mark).is_some() {
             return Err(NamesError::Repeated { mark });
         }
-        let (name, length) = (name.trim(), name.trim().chars().count());
-        let kept: String = name.chars().take(LONGEST_NAME).collect();
+        let name = name.trim();
+        let end = name.char_indices().nth(LONGEST_NAME).map(|(end, _)| end);
+        let kept = end.and_then(|end| name.get(..end)).unwrap_or(name);
         self.entries.push((mark, kept.trim_end().into()));
-        if length > LONGEST_NAME { Err(NamesError::LongName { mark, length }) } else { Ok(()) }
+        match end {
+            Some(_) => Err(NamesError::LongName { mark, length: name.chars().count() }),
+            None => Ok(()),
+        }
     }
 
     /// Returns these names with one of them replaced, added or, for `None`, removed.

@@ -129,6 +129,7 @@ impl<G: Background> Beside<'_, G> {
     }
 
     /// Sets lines of type in letters of this size.
+    #[inline(never)] // one copy
     fn lines(&self, texts: &[&str]) -> Lines {
         let texts: Vec<Text> = texts.iter().map(|text| Text::new(text, Kind::River)).collect();
         let width = texts.iter().map(|text| text.length).fold(0.0, f32::max);
@@ -137,6 +138,7 @@ impl<G: Background> Beside<'_, G> {
     }
 
     /// Puts lines so far from the river in a direction; `None` if something forbids that.
+    #[inline(never)] // one copy
     fn placed(&self, lines: &Lines, place: &Place, towards: Vec2, gap: f32) -> Option<Found> {
         let at = place.at + towards * (place.half + gap * self.em);
         let middle = at + lines.half * towards / towards.abs().max_element();

@@ -7,6 +7,7 @@ use super::{cartouche, legend, seal};
 
 /// Places the cartouche, the legend and the seal, as far as there are to be any. Adds the boxes that all else keeps off to `boxes`; the
 /// second result is the box that names of seas keep off besides.
+#[inline(never)] // one copy
 pub fn blocks<G: Background>(
     input: &Input<'_>,
     background: &G,

@@ -96,7 +96,8 @@ impl<G: Background> Map<'_, G> {
         if way > 0 && !self.level.has_any_way() {
             return false;
         }
-        let any_size = |label: &mut dyn FnMut(f32) -> bool| SIZES.iter().any(|size| label(usual * size));
+        let sizes = input.sizes(&SIZES.map(|size| usual * size), 1.0);
+        let any_size = |label: &mut dyn FnMut(f32) -> bool| sizes.iter().any(|usual| label(*usual));
         match way {
             0 => {
                 let reaches = input.map.reaches();

@@ -84,6 +84,7 @@ pub struct Map<'a, G> {
 
 impl<'a, G: Background> Map<'a, G> {
     /// Makes a map with the labels of smaller pictures, and with places that are kept for other labels.
+    #[inline(never)] // one copy
     pub fn new(
         input: &'a Input<'a>,
         background: &'a G,
@@ -173,6 +174,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones; but only if the river has its name.
+    #[inline(never)] // one copy
     pub(super) fn label_reach(&mut self, (name, course): Reach<'_>) {
         let of_river = |kind| self.labels_of(name.river).any(|chosen| chosen.label.kind == kind);
         let is_own = self.waits(Own::Reach(name.river as usize));
@@ -255,6 +257,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels a river in letters of a size. Returns whether there was room.
+    #[inline(never)] // one copy
     pub(super) fn label_in_size(&mut self, number: usize, usual: f32, away: &[(Vec2, f32)], is_lenient: bool) -> bool {
         let (map, em) = (&self.input.map, self.em(usual));
         let subject =
@@ -270,6 +273,7 @@ impl<'a, G: Background> Map<'a, G> {
         is_found
     }
 
+    #[inline(never)] // one copy
     fn attempt(
         &self,
         subject: Subject<'_>,
@@ -315,6 +319,7 @@ impl<'a, G: Background> Map<'a, G> {
         })
     }
 
+    #[inline(never)] // one copy
     pub(super) fn take(&mut self, chosen: Chosen) {
         self.boxes.extend(chosen.boxes());
         self.chosen.push(chosen);
@@ -357,6 +362,7 @@ impl<'a, G: Background> Map<'a, G> {
     }
 
     /// Labels a place, unless a label of something that is no river says the same.
+    #[inline(never)] // one copy
     pub(super) fn label_place(&mut self, place: &PlaceName, region: &Region) {
         let forms = forms(&place.name);
         let says_it = |chosen: &Chosen| chosen.label.river.is_none() && forms.contains(&chosen.label.text.as_str());
