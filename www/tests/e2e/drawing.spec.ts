@@ -323,6 +323,19 @@ test("what a picture has too much of is said, and a long one is not squeezed", a
   );
 });
 
+test("a picture of heights is told", async ({ page }) => {
+  const rise = (at: number, side: number): number => Math.min(at, side - 1 - at);
+  const heights = png(200, 100, (x, y) => {
+    const grey = Math.min(255, 6 * Math.min(rise(x, 200), rise(y, 100)));
+    return [grey, grey, grey];
+  });
+  await openFinished(page, SMALL);
+  await choose(page, heights);
+  await expect(page.locator("#drawing-status")).toContainText(/Kept of the picture: .* It looks like a heightmap, /);
+  await choose(page, ISLAND);
+  await expect(page.locator("#drawing-status")).toContainText(/Kept of the picture: 1 coast and 1 ridge, [^.]*\.$/);
+});
+
 test("a picture can be dropped onto the map, and pasted", async ({ page }) => {
   for (const type of ["drop", "paste"]) {
     await openFinished(page, SMALL);
