@@ -106,7 +106,7 @@ mod tests {
             ("tay2", "Tay2"),
             ("st. john's", "St. John's"),
             ("one two three four", "One Two Three Four"),
-            ("a--b-", "A--b-"),
+            ("a--b-", "A--B-"),
             // In other scripts as it is, of whatever length.
             (" \u{9577}\u{6c5f}", "\u{9577}\u{6c5f}"),
             ("\u{646}\u{64e}\u{647}\u{631} nile", "\u{646}\u{64e}\u{647}\u{631} nile"),
