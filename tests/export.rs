@@ -108,12 +108,14 @@ fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
     }
 }
 
-/// Checks basins, land and ridges: valid polygons, each basin with a mouth of its own, and all of them within the
+/// Checks basins, land, lakes and ridges: valid polygons, each basin with a mouth of its own, and all of them within the
 /// land's area.
 fn check_ground(session: &Session, ground: &[geojson::Feature]) {
     let kind = |feature: &geojson::Feature| feature.property("kind").unwrap().as_str().unwrap().to_owned();
     let kinds: Vec<String> = ground.iter().map(kind).collect();
-    assert!(kinds.is_sorted_by_key(|kind| ["basin", "land", "ridge"].iter().position(|own| own == kind).unwrap()));
+    assert!(
+        kinds.is_sorted_by_key(|kind| ["basin", "land", "water", "ridge"].iter().position(|own| own == kind).unwrap())
+    );
     let rings = |feature: &geojson::Feature| match feature.geometry.clone().unwrap().value {
         GeometryValue::Polygon { coordinates } => vec![coordinates],
         GeometryValue::MultiPolygon { coordinates } => coordinates,
@@ -139,7 +141,11 @@ fn check_ground(session: &Session, ground: &[geojson::Feature]) {
             let cells = number("area") as f64;
             assert!((area - cells).abs() <= 0.5 * cells, "{area} of {cells}");
         }
-        areas[usize::from(kind == "land")] += if kind == "ridge" { 0.0 } else { area };
+        match kind.as_str() {
+            "basin" => areas[0] += area,
+            "land" => areas[1] += area,
+            _ => {}
+        }
     }
     assert!(areas[0] <= areas[1] * 1.02 + 500.0, "basins of {} on land of {}", areas[0], areas[1]);
     assert_eq!(

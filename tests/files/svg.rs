@@ -33,7 +33,8 @@ fn data_are_what_the_network_says() {
             assert_eq!(data("magnitude"), Some(magnitudes[id as usize].into()));
             let discharge = network.vertices[river.vertex_range()].last().unwrap().discharge;
             assert_eq!(data("discharge"), Some(discharge.into()));
-            assert_eq!(all, 3 + usize::from(river.parent != NONE));
+            assert_eq!(data("river"), Some(id.into()));
+            assert_eq!(all, 4 + usize::from(river.parent != NONE));
             assert_eq!(path.parent().unwrap().attribute("id"), Some(format!("order-{}", river.order).as_str()));
             assert!(begins_at(path.attribute("d").unwrap(), network.vertices[river.start as usize].at), "river {id}");
             rivers.push(id);
