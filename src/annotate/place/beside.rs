@@ -84,36 +84,31 @@ impl<G: Background> Beside<'_, G> {
     /// Returns the label, in two lines close to the river or with a hairline to it, its text in one line, and how it becomes smaller; `None`
     /// if there is no room.
     pub fn label(&self, name: &str, is_bridged: bool) -> Option<(Label, Text, Shrinks)> {
-        let layouts = [&self.lines(&halves(name)), &self.lines(&[name])];
-        let found = if is_bridged { self.bridged(&layouts)? } else { self.beside(layouts[0])? };
+        let layouts = [self.lines(&halves(name)), self.lines(&[name])];
+        let found = self.found(if is_bridged { &layouts } else { &layouts[..1] }, is_bridged)?;
         let mut label = Label::new(Kind::River, Some(self.river), name, self.em, found.letters);
         label.strokes.extend(found.hairline);
         Some((label, Text::new(name, Kind::River), Shrinks::ToPoint(found.at)))
     }
 
-    /// Finds a place close to the river.
-    fn beside(&self, lines: &Lines) -> Option<Found> {
-        let mut best = None;
-        for (place, _) in self.places() {
-            for (gap, (towards, cost)) in BESIDE.iter().flat_map(|gap| DIRECTIONS.map(|towards| (gap, towards))) {
-                let Some(found) = self.placed(lines, &place, towards, *gap) else { continue };
-                let is_own = belongs(self.background, &found.letters, self.em, self.river, 2.0 * place.half);
-                take_cheaper(&mut best, Found { cost: found.cost + cost + gap, ..found }, is_own);
-            }
-        }
-        best
-    }
-
-    /// Finds a place farther off, with a hairline to the river.
-    fn bridged(&self, layouts: &[&Lines]) -> Option<Found> {
+    /// Finds the best place for one of the layouts: close to the river, or farther off with a hairline to it.
+    fn found(&self, layouts: &[Lines], is_bridged: bool) -> Option<Found> {
+        let gaps: &[f32] = if is_bridged { &BRIDGED } else { &BESIDE };
         let mut best = None;
         for (place, off_mouth) in self.places() {
-            for (gap, (towards, cost)) in BRIDGED.iter().flat_map(|gap| DIRECTIONS.map(|towards| (gap, towards))) {
+            for (gap, (towards, cost)) in gaps.iter().flat_map(|gap| DIRECTIONS.map(|towards| (gap, towards))) {
                 for (number, lines) in (0..).zip(layouts) {
-                    let Some(found) = self.placed(lines, &place, towards, *gap) else { continue };
-                    let Some((hairline, crossed)) = self.hairline(&place, &found) else { continue };
-                    let cost = found.cost + cost + gap + OFF_MOUTH * off_mouth + 2.0 * crossed + 0.3 * number as f32;
-                    take_cheaper(&mut best, Found { cost, hairline: Some(hairline), ..found }, true);
+                    let Some(mut found) = self.placed(lines, &place, towards, *gap) else { continue };
+                    found.cost += cost + gap;
+                    let is_its_own = if is_bridged {
+                        let Some((hairline, crossed)) = self.hairline(&place, &found) else { continue };
+                        found.cost += OFF_MOUTH * off_mouth + 2.0 * crossed + 0.3 * number as f32;
+                        found.hairline = Some(hairline);
+                        true
+                    } else {
+                        belongs(self.background, &found.letters, self.em, self.river, 2.0 * place.half)
+                    };
+                    take_cheaper(&mut best, found, is_its_own);
                 }
             }
         }
