@@ -50,7 +50,7 @@ pub enum Purpose {
 }
 
 impl Seed {
-    /// Hashes a text, in [small letters](small): `Kauri` and `kauri` have one seed. Every text has a seed, even an empty one.
+    /// Hashes a text, in small letters: `Kauri` and `kauri` have one seed. Every text has a seed, even an empty one.
     #[inline(never)] // each copy weighs some hundred bytes
     pub fn from_text(text: &str) -> Self {
         const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;

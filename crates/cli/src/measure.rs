@@ -101,7 +101,7 @@ fn value(measure: &Measure, measures: &Measures) -> String {
     (measure.value)(measures).map_or("too small".into(), |value| format!("{value:.places$}"))
 }
 
-/// Writes nature's values and the number of their source, such as "4.1 (3.5 to 5.2) [1]".
+/// Writes nature's values and the number of their source, such as `4.1 (3.5 to 5.2) [1]`.
 fn in_words(nature: Nature, sources: &[&str]) -> String {
     let Nature { median, least, most, source, .. } = nature;
     let note = sources.iter().position(|other| *other == source).map_or(0, |i| i + 1);

@@ -52,7 +52,7 @@ pub enum Setting {
     RasterSize,
     /// [`Options::has_svg_text`].
     SvgText,
-    /// [`Options::sheet`].
+    /// [`Options::sheet`](field@Options::sheet).
     Sheet,
     /// [`Options::beds`].
     Beds,
