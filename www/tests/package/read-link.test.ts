@@ -78,6 +78,7 @@ test("what the element would draw smaller is told with its limit, and the link s
   expect(large).toEqual({
     link: "seed=kauri&edition=1&attractors=30000",
     seed: "kauri",
+    alternative: "Rivers grown from “kauri”",
     isMended: false,
     beyondElement: ["attractors: 30000 exceeds the element's limit of 20000"],
   });
