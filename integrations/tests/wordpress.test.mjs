@@ -9,7 +9,6 @@ import { build, copied, LOOKS, PACKAGE, run, SOURCES, theirs, without, write } f
 
 const { strFromU8, unzipSync } = theirs("fflate");
 const sharp = theirs("sharp");
-const { parameters } = await import(join(PACKAGE, "node.js"));
 
 const WORDPRESS = process.env["RIVERSEED_WORDPRESS"] ?? "";
 const skip =

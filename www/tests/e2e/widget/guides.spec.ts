@@ -38,7 +38,9 @@ test("docs/for/javascript.md: the programs for pages put an element in and hear 
   page: tab,
   blog,
 }) => {
-  const programs = blocks("docs/for/javascript.md", "js").filter((program) => !program.includes("riverseed/node"));
+  const programs = blocks("docs/for/javascript.md", "js").filter(
+    (program) => program.includes("<river-seed") || program.includes('"river-seed"'),
+  );
   expect(programs).toHaveLength(2);
   const logged: unknown[] = [];
   tab.on("console", async (message) => logged.push(await message.args()[0]?.jsonValue()));
