@@ -47,6 +47,6 @@ test("docs/for/javascript.md: the programs for pages put an element in and hear 
   const map = '<script type="importmap">{ "imports": { "riverseed/define": "/widget/river-seed.js" } }</script>';
   blog.answer("/", { body: page(`${map}<script type="module">${programs.join("\n")}</script>`) });
   await tab.goto(blog.origin);
-  await expect.poll(() => logged).toEqual([expect.objectContaining({ rivers: expect.any(Number) })]);
+  await expect.poll(() => logged).toEqual([expect.objectContaining({ sources: expect.any(Number) })]);
   await expect(tab.locator("river-seed")).toHaveJSProperty("seed", "rimu");
 });
