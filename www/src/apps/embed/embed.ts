@@ -2,7 +2,7 @@
 
 import "./embed.css";
 import "../widget/define.ts";
-import { asQuery, linkOf } from "../../browser/address.ts";
+import { linkOf } from "../../browser/address.ts";
 import { el, find } from "../../browser/dom.ts";
 import { aspectOf } from "../widget/attributes.ts";
 import { Heights } from "./heights.ts";
@@ -18,7 +18,7 @@ const root = document.documentElement;
 const host = new HostPage(window);
 const heights = new Heights((height) => host.tell(heightMessage(height)));
 const { recipe, attributes } = readQuery(linkOf(location));
-const river = el("river-seed", { ...Object.fromEntries(attributes), recipe: asQuery(recipe) });
+const river = el("river-seed", { ...Object.fromEntries(attributes), recipe });
 let aspect = 1;
 
 /** Passes the river's shape to the frame's style sheet, which needs it to fit the whole river in. */
