@@ -98,6 +98,8 @@ test("a fault is told without a repair, which does not happen", () => {
     `seed=\u202e${long}`,
     `preset=x`,
     "seed=%00",
+    `names=${Array.from({ length: 41 }, (_, i) => `${i}.a`).join("_")}`,
+    `names=5.${"a".repeat(41)}`,
   ).map(({ error }) => error);
   expect(errors).toEqual([
     "there is no parameter 'frog'",
@@ -109,5 +111,7 @@ test("a fault is told without a repair, which does not happen", () => {
     "seed: the text has 100 characters, at most 64 are allowed",
     expect.stringMatching(/^there is no preset 'x': choose from /),
     "seed: the text holds a character that cannot be shown",
+    "names: there are 41 names, at most 40 are allowed",
+    "names: the name of '5' has 41 characters, at most 40 are allowed",
   ]);
 });

@@ -164,6 +164,8 @@ const REPAIRS = [
   ": it is left out",
   ": the rest is left out",
   ": the first is used",
+  ": the first 40 are used",
+  ": its beginning is used",
   ": the picture may differ from the one shared",
 ];
 /** The number of steps between two checks whether it is finished. */
