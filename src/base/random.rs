@@ -47,6 +47,8 @@ pub enum Purpose {
     Country = 12,
     /// Detail of coasts in large pictures.
     CoastDetail = 13,
+    /// The kind of country, and its values.
+    Kind = 14,
 }
 
 impl Seed {
@@ -128,6 +130,12 @@ impl Stream {
 pub struct ItemHash(u64);
 
 impl ItemHash {
+    /// Returns random numbers for what has a name, one for each item.
+    #[inline(never)] // each copy weighs a hundred bytes
+    pub fn of(self, name: &str) -> Self {
+        Self(mix(self.0 ^ Seed::from_text(name).0))
+    }
+
     /// Returns the number of an item, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(self, item: [u32; 3]) -> f32 {
         unit_from_bits(self.bits(item))

@@ -56,6 +56,11 @@ impl<'a> Json<'a> {
 pub(super) struct Members<'a>(Vec<(&'static str, Json<'a>)>);
 
 impl<'a> Members<'a> {
+    /// Returns `true` if there is a member of this name.
+    pub fn holds(&self, name: &str) -> bool {
+        self.0.iter().any(|(other, _)| *other == name)
+    }
+
     #[inline(never)]
     pub fn value(&mut self, name: &'static str, value: Json<'a>) -> &mut Self {
         self.0.push((name, value));

@@ -11,8 +11,9 @@ use crate::grow::Ending;
 use crate::map::Map;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
+use crate::recipe::country::is_decided;
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, IntegerKey, Key, NumberKey, Recipe, Stage};
+use crate::recipe::{self, IntegerKey, Key, NumberKey, Parameter, Recipe, Stage};
 use crate::tree::NO_PARENT;
 
 /// Makes the JSON of a map's network, ready to be written. It includes the attractors that the tree grew to if they are
@@ -78,7 +79,7 @@ pub fn write(out: impl std::io::Write, map: &Map, attractors: Option<&[Vec2]>) -
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// Writes all values of a recipe as JSON, including defaults, so that the recipe keeps its meaning if a default
+/// Writes a recipe as JSON: all values but those that the country decides, so that the recipe keeps its meaning if a default
 /// changes. Numbers are numbers, everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     values(recipe, true)
@@ -86,14 +87,21 @@ pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
 
 fn values<'a>(recipe: &Recipe, is_named: bool) -> Json<'a> {
     let mut members = Members::default();
+    let is_written = |parameter: &Parameter| !is_decided(parameter.key) || recipe.is_named(parameter.key);
     for parameter in TABLE.iter().filter(|parameter| is_named || parameter.stage != Stage::Name) {
-        match recipe.value(parameter.key) {
-            recipe::Value::Integer(number) => members.whole(parameter.name, *number),
-            recipe::Value::Number(number) => members.double(parameter.name, number.to_f64()),
-            other => members.owned(parameter.name, parameter.text_of(other)),
-        };
+        if is_written(parameter) {
+            value(&mut members, recipe, parameter);
+        }
     }
     members.into()
+}
+
+fn value(members: &mut Members, recipe: &Recipe, parameter: &Parameter) {
+    match recipe.value(parameter.key) {
+        recipe::Value::Integer(number) => members.whole(parameter.name, *number),
+        recipe::Value::Number(number) => members.double(parameter.name, number.to_f64()),
+        other => members.owned(parameter.name, parameter.text_of(other)),
+    };
 }
 
 /// Writes the values that a map was made with as JSON, with lengths in domain units.
@@ -126,7 +134,13 @@ fn resolved<'a>(map: &Map) -> Members<'a> {
         .single("flat-share", shaped.flat_share)
         .single("neck", shaped.neck)
         .single("clearance", shaped.min_clearance)
-        .single("taper", shaped.taper);
+        .single("taper", shaped.taper)
+        .text("country", recipe.country());
+    for parameter in TABLE.iter().filter(|parameter| is_decided(parameter.key)) {
+        if !members.holds(parameter.name) {
+            value(&mut members, recipe, parameter);
+        }
+    }
     members
 }
 

@@ -193,7 +193,7 @@ mod tests {
     fn check<C: Choice + std::fmt::Debug>() -> Key {
         let row = C::KEY.parameter();
         assert_eq!(row.kind, Kind::Choice { choices: C::WORDS, default: C::DEFAULT });
-        assert_eq!(*Recipe::default().value(C::KEY), Value::Choice(C::DEFAULT));
+        assert_eq!(*link::read("country=usual").unwrap().value(C::KEY), Value::Choice(C::DEFAULT));
         assert_eq!(C::ALL.len(), C::WORDS.len());
         for (&choice, word) in C::ALL.iter().zip(C::WORDS) {
             assert_eq!(link::read(&format!("{}={}", row.name, word.name)).unwrap().get::<C>(), choice);

@@ -13,7 +13,7 @@ use super::link;
 /// The longest JSON recipe that is read, in bytes. A network of a million nodes fits.
 pub const LONGEST: usize = 256 << 20;
 
-/// Reads a recipe; missing keys keep their defaults.
+/// Reads a recipe; missing keys keep their defaults, or are the country's.
 ///
 /// # Errors
 /// Refuses JSON that is not an object, and everything that [`link::read`] refuses.

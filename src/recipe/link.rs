@@ -1,6 +1,6 @@
 //! Link text: `seed=kauri&edition=1&curl=0.6`, the form that people share.
 //!
-//! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests;
+//! Defaults and what the country decides are left out, the edition never is. [`read`] is strict, for the command line and for tests;
 //! [`read_leniently`] is total, for pages: a shared link must never leave a blank page, so invalid values are corrected
 //! and reported.
 
@@ -46,12 +46,12 @@ pub fn write_for_file(recipe: &Recipe) -> String {
     write_if(recipe, |parameter, is_default| parameter.key == Key::Style || !is_default)
 }
 
-/// Writes the seed, the edition and each parameter that `is_written` selects, given whether it has its default.
+/// Writes the seed, the edition and each parameter that `is_written` selects, given whether it is left at its default or to the country.
 pub(crate) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());
     for parameter in &TABLE {
         let value = recipe.value(parameter.key);
-        let is_default = *value == parameter.default_value();
+        let is_default = !recipe.is_named(parameter.key);
         if matches!(parameter.key, Key::Seed | Key::Edition) || is_written(parameter, is_default) {
             link.append_pair(parameter.name, &parameter.text_of(value));
         }

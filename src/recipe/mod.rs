@@ -8,6 +8,7 @@
 
 mod annotation;
 pub mod choice;
+pub mod country;
 mod error;
 pub mod given;
 mod hidden;
@@ -47,15 +48,21 @@ use table::TABLE;
 /// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.
 pub const EDITION: u32 = 1;
 
-/// Everything that decides a picture: a seed and a value, within its range, for each parameter of the table.
+/// Everything that decides a picture: a seed and a value, within its range, for each parameter of the table. What nobody
+/// named has the value of its [country].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recipe {
+    /// The values that are drawn.
     values: [Value; COUNT],
+    /// The keys that somebody named, of those that the country decides.
+    named: u128,
 }
 
 impl Default for Recipe {
     fn default() -> Self {
-        Self { values: std::array::from_fn(|i| TABLE[i].default_value()) }
+        let mut recipe = Self { values: std::array::from_fn(|i| TABLE[i].default_value()), named: 0 };
+        recipe.settle_all();
+        recipe
     }
 }
 
@@ -176,12 +183,17 @@ impl Recipe {
         if self.rivers().is_empty() { self.sides() } else { Sides::ALL }
     }
 
-    /// Sets a parameter from text, spelled as in a link, an option or a JSON string.
+    /// Sets a parameter from text, spelled as in a link, an option or a JSON string. `auto` takes back the value of one that
+    /// the country decides.
     ///
     /// # Errors
     /// Names the key, the value and the allowed range or words; the recipe is then unchanged.
     pub fn set(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
-        self.values[key as usize] = key.parameter().parse(text)?;
+        if text.trim() == country::AUTO && country::is_decided(key) {
+            self.forget(key);
+        } else {
+            self.put(key, key.parameter().parse(text)?);
+        }
         Ok(())
     }
 
@@ -189,6 +201,7 @@ impl Recipe {
     pub(crate) fn put(&mut self, key: Key, value: Value) {
         debug_assert!(key.parameter().accepts(&value), "{key:?} cannot be {value:?}");
         self.values[key as usize] = value;
+        self.settle(key);
     }
 
     /// Returns `true` if another recipe has the same values for all parameters but these.

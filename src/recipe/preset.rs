@@ -1,11 +1,7 @@
 //! Presets: named sets of values. A preset is not a parameter: a link that names one is written without it.
 
-mod countries;
-
 use super::key::Key;
-use super::style::Style;
 use super::texts::explained;
-pub use countries::COUNTRIES;
 
 /// A named set of values. Parameters that it leaves out keep their defaults.
 #[derive(Clone, Copy, Debug)]
@@ -19,15 +15,14 @@ pub struct Preset {
     pub help: &'static str,
     /// Keys, each with its value as text.
     pub values: &'static [(Key, &'static str)],
-    /// The style that is best on such a map, if it needs one: beside that style the page offers this country.
-    pub style: Option<Style>,
 }
 
 /// Returns the values of a pattern from the paper, from its momentum, curl, stretch and trim. They cover everything
 /// that shapes a tree, so that no default of the table shows through, and nothing that the tree grows on: land, mouths,
 /// number of attractors, looks.
-const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 15] {
+const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 16] {
     [
+        (Key::Country, "usual"),
         (Key::Growth, "colonize"),
         (Key::Scatter, "random"),
         (Key::Reach, "2.3"),
@@ -56,42 +51,36 @@ pub static PRESETS: &[Preset] = &all([
         label: "Original",
         help: "Space colonization as it is, with all its short side branches. Suits veins and roots.",
         values: &pattern("0", "0", "8", "0"),
-        style: None,
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag. Suits restless rivers.",
         values: &pattern("0.45", "0", "8", "0"),
-        style: None,
     },
     Preset {
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled country.",
         values: &pattern("0", "0.9", "7", "0"),
-        style: None,
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
         help: "The plain procedure without its short side branches. Suits calm, schematic maps.",
         values: &pattern("0", "0", "8", "29"),
-        style: None,
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches. Suits rugged country.",
         values: &pattern("0.45", "0", "8", "29"),
-        style: None,
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones. Suits natural maps.",
         values: &pattern("0", "0.9", "7", "29"),
-        style: None,
     },
 ]);
 
@@ -117,16 +106,10 @@ mod tests {
 
     #[test]
     fn every_preset_holds_valid_values() {
-        for preset in PRESETS.iter().chain(COUNTRIES) {
+        for preset in PRESETS {
             for (key, text) in preset.values {
                 assert!(key.parameter().parse(text).is_ok(), "{}: {key:?}", preset.name);
             }
         }
-    }
-
-    #[test]
-    fn a_style_is_best_on_one_country_at_most() {
-        let best: Vec<_> = COUNTRIES.iter().filter_map(|country| Some((country.style?, country.name))).collect();
-        assert_eq!(best, [(Style::PastCourses, "old-river")]);
     }
 }

@@ -86,19 +86,25 @@ enum WidgetLimit {
     AtLeast(IntegerKey, u32),
 }
 
+/// The greatest number of attractors, or of parcels on land, that a country or a widget has.
+const MOST_PARCELS: f32 = 30_000.0;
+
+/// Returns the greatest number of attractors that a country or a widget has. With less sea than suits the land there are more
+/// parcels on land than the recipe says.
+pub(super) fn most_attractors(recipe: &Recipe) -> u32 {
+    let more_land = (1.0 - recipe.sea()) / (1.0 - recipe.get::<LandKind>().usual_sea());
+    (MOST_PARCELS / more_land.max(1.0)).round() as u32
+}
+
 /// Returns a widget's limit for a recipe's growth method. Within it no step, not even those that turn the tree into rivers,
 /// holds up a page noticeably, even where the page's policy forbids workers. With workers the limits are the same, so
 /// that a tag gives the same river everywhere. Authors who want more can use a picture.
 fn widget_limit(recipe: &Recipe) -> WidgetLimit {
-    /// The greatest number of attractors or parcels on land.
-    const MOST: f32 = 20_000.0;
     match recipe.get() {
         GrowthMethod::Colonize | GrowthMethod::Drainage => {
-            // With less sea than suits the land there are more parcels on land than the recipe says.
-            let more_land = (1.0 - recipe.sea()) / (1.0 - recipe.get::<LandKind>().usual_sea());
-            WidgetLimit::AtMost(IntegerKey::Attractors, (MOST / more_land.max(1.0)).round() as u32)
+            WidgetLimit::AtMost(IntegerKey::Attractors, most_attractors(recipe))
         }
-        GrowthMethod::Brownian => WidgetLimit::AtLeast(IntegerKey::Sensitivity, 16),
+        GrowthMethod::Brownian => WidgetLimit::AtLeast(IntegerKey::Sensitivity, 12),
     }
 }
 

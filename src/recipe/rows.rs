@@ -20,6 +20,9 @@ macro_rules! rows {
                 Edition = "edition", "Edition": Land, Integer(EDITION to EDITION, default EDITION);
             }
             "Land" {
+                /// The kind of country. It decides all values of land, growth, rivers and relief that are left out. Automatic: the
+                /// word draws a country, and its own values within it.
+                Country = "country", "Country": Paint, Choice(Country);
                 /// Width of the map over its height. The area is always a million square units.
                 Aspect = "aspect", "Aspect": Land, Number(0.25 to 4.0 by 0.01, default 1.6, logarithmic);
                 /// The shape of the land that rivers run through.

@@ -2,6 +2,7 @@
 
 use super::EDITION;
 use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter};
+use super::country::Country;
 use super::key::{COUNT, Key};
 use super::parameter::{Kind, Parameter, Stage};
 use super::rows::rows;

@@ -65,6 +65,13 @@ impl Decimal {
         Some(Self { ten_thousandths: if is_negative { -rounded } else { rounded } })
     }
 
+    /// Returns its multiple that is nearest to a number.
+    pub(super) fn nearest_multiple(self, number: f64) -> Self {
+        let step = self.ten_thousandths;
+        let times = (number * Self::ONE as f64 / step as f64 + 0.5) as i64;
+        Self { ten_thousandths: times * step }
+    }
+
     /// Returns `true` if it has no decimal places.
     pub fn is_whole(self) -> bool {
         self.ten_thousandths % Self::ONE == 0

@@ -100,9 +100,9 @@ fn option(name: &str, value: &str) -> Result<Vec<(String, String)>, Failure> {
     if is_link { handed_over(value) } else { Ok(vec![(name.into(), value.into())]) }
 }
 
-/// Returns `true` if a recipe's value of a parameter is not the default.
+/// Returns `true` if a recipe's value of a parameter is neither the default nor its country's.
 fn is_set(recipe: &Recipe, name: &str) -> bool {
-    Key::from_name(name).is_some_and(|key| *recipe.value(key) != key.parameter().default_value())
+    Key::from_name(name).is_some_and(|key| recipe.is_named(key))
 }
 
 /// Reads a recipe's file, up to a limit.

@@ -2,7 +2,8 @@
 
 use std::io::{self, Write};
 
-use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
+use riverseed::recipe::country::{COUNTRIES, Country, is_decided};
+use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Choice, Decimal, Key, Kind, LONGEST_OUTLINE, LandKind, Parameter};
 use serde_json::{Map, Value, json};
@@ -11,7 +12,8 @@ use serde_json::{Map, Value, json};
 pub fn print() -> io::Result<()> {
     let mut out = io::stdout().lock();
     let rows: Vec<Value> = TABLE.iter().map(row).collect();
-    let [presets, countries] = [PRESETS, COUNTRIES].map(|list| list.iter().map(preset).collect::<Vec<_>>());
+    let presets: Vec<Value> = PRESETS.iter().map(preset).collect();
+    let countries: Vec<Value> = COUNTRIES.iter().map(country).collect();
     let table = json!({ "parameters": rows, "presets": presets, "countries": countries });
     writeln!(out, "{table:#}")
 }
@@ -28,6 +30,9 @@ fn row(parameter: &Parameter) -> Value {
     set("unit", parameter.unit.into());
     set("scale", if parameter.logarithmic { "log" } else { "linear" }.into());
     set("default", parameter.text_of(&parameter.default_value()).into());
+    if is_decided(parameter.key) {
+        set("decided", true.into());
+    }
     row.extend(range(parameter.kind));
     if parameter.key == Key::Sea {
         row.insert("automatic".into(), usual_seas());
@@ -85,8 +90,12 @@ fn preset(preset: &Preset) -> Value {
     let values =
         preset.values.iter().map(|&(key, text)| json!([key.parameter().name, canonical(key.parameter(), text)]));
     let values: Vec<Value> = values.collect();
-    let mut data = json!({ "name": preset.name, "label": preset.label, "help": preset.help, "values": values });
-    if let Some(style) = preset.style {
+    json!({ "name": preset.name, "label": preset.label, "help": preset.help, "values": values })
+}
+
+fn country(country: &Country) -> Value {
+    let mut data = json!({ "name": country.name, "label": country.label, "help": country.help });
+    if let Some(style) = country.style {
         data["style"] = style.word().name.into();
     }
     data

@@ -1,0 +1,174 @@
+use super::*;
+use crate::recipe::Parameter;
+use crate::recipe::link;
+use crate::recipe::table::TABLE;
+
+fn read(text: &str) -> Recipe {
+    link::read(text).unwrap()
+}
+
+/// Returns words that nobody chose.
+fn words(count: u32) -> impl Iterator<Item = String> {
+    (0..count).map(|i| format!("word {i}"))
+}
+
+/// Lists all items of the table of countries: keys and what is drawn for them, with the row's name.
+fn items() -> Vec<(&'static str, &'static str)> {
+    let rows = COUNTRIES.iter().map(|country| (country.name, country.draws));
+    let climates = rows::CLIMATES.iter().copied();
+    let texts = rows.chain(climates).chain([("common", rows::COMMON), ("own", rows::OWN)]);
+    texts.flat_map(|(name, draws)| draws.split_ascii_whitespace().map(move |item| (name, item))).collect()
+}
+
+#[test]
+fn every_item_of_every_row_can_be_read() {
+    for (row, item) in items() {
+        let (keys, from) = item.split_once('=').unwrap_or_else(|| item.split_once('~').unwrap());
+        let keys: Vec<_> =
+            keys.split(',').map(|key| Key::from_name(key).unwrap_or_else(|| panic!("{row}: {item}"))).collect();
+        for alternative in from.split('|') {
+            let values: Vec<_> = if keys.len() > 1 { alternative.split(',').collect() } else { vec![alternative] };
+            assert_eq!(values.len(), keys.len(), "{row}: {item}");
+            for (key, value) in keys.iter().zip(values) {
+                assert!(is_decided(*key), "{row}: {item}");
+                let (value, spread) = value.split_once('~').unwrap_or((value, "0"));
+                assert!(spread.parse::<f32>().is_ok_and(|spread| spread < 1.0), "{row}: {item}");
+                for end in value.split("..") {
+                    let is_spread = !item.contains('=');
+                    assert!(is_spread || key.parameter().parse(end).is_ok(), "{row}: {item}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_decided_is_what_rows_draw() {
+    let is_drawn = |key: Key| {
+        items().iter().any(|(_, item)| {
+            let keys = item.split(['=', '~']).next().unwrap();
+            keys.split(',').any(|name| name == key.parameter().name)
+        })
+    };
+    for Parameter { key, name, .. } in &TABLE {
+        assert_eq!(is_decided(*key), is_drawn(*key), "{name}");
+    }
+}
+
+#[test]
+fn countries_have_climates_and_names_of_their_own() {
+    for (i, country) in COUNTRIES.iter().enumerate() {
+        let climates: Vec<_> = country.climates.split(' ').collect();
+        assert!(climates.iter().all(|name| rows::CLIMATES.iter().any(|(other, _)| other == name)), "{}", country.name);
+        assert!(COUNTRIES[..i].iter().all(|other| other.name != country.name && other.label != country.label));
+        assert!(country.weight > 0 && country.help.ends_with('.'));
+    }
+}
+
+#[test]
+fn words_spread_over_the_rows_by_weight() {
+    const WORDS: u32 = 3000;
+    let drawn: Vec<_> = words(WORDS).map(|word| read(&format!("seed={word}")).country()).collect();
+    let all: u32 = COUNTRIES.iter().map(|country| country.weight).sum();
+    for country in &COUNTRIES {
+        let count = drawn.iter().filter(|name| **name == country.name).count() as f32;
+        let expected = (WORDS * country.weight) as f32 / all as f32;
+        assert!((count - expected).abs() < 4.0 * expected.sqrt(), "{}: {count}, expected {expected}", country.name);
+    }
+}
+
+#[test]
+fn a_row_that_goes_gives_up_its_own_words_alone() {
+    let winner = |word: &str, without: &str| {
+        let chance = read(&format!("seed={word}")).chance();
+        let rows = COUNTRIES.iter().filter(|country| country.name != without);
+        rows.max_by_key(|country| country.best_ticket(chance)).unwrap().name
+    };
+    for word in words(300) {
+        let before = winner(&word, "");
+        assert!(before == "coast" || winner(&word, "coast") == before, "{word}");
+    }
+}
+
+#[test]
+fn naming_the_value_that_is_drawn_changes_nothing() {
+    for word in words(40) {
+        let drawn = read(&format!("seed={word}"));
+        // A marsh that somebody names as a Brownian tree is one like the document's.
+        let is_marsh = drawn.country() == "marsh";
+        for key in DECIDED.iter().filter(|key| !(is_marsh && **key == Key::Growth)) {
+            let mut named = drawn.clone();
+            named.put(*key, drawn.value(*key).clone());
+            assert!(named.is_named(*key) && named.first_difference(&drawn).is_none(), "{word}: {key:?}");
+            named.set(*key, "auto").unwrap();
+            assert_eq!(named, drawn, "{word}: {key:?}");
+        }
+        let country = drawn.country();
+        assert_eq!(read(&format!("seed={word}&country={country}")).first_difference(&drawn), Some(Stage::Paint));
+    }
+}
+
+#[test]
+fn what_a_link_names_wins_and_moves_nothing_else() {
+    let rivers = [Key::Width, Key::Trim, Key::Mountains, Key::Sea];
+    for word in words(20) {
+        let drawn = read(&format!("seed={word}"));
+        let named = read(&format!("width=9.5&seed={word}&trim=77&sea=0.31&mountains=0.9"));
+        assert!(drawn.differs_in(&named, &[&rivers[..], &[Key::Attractors]].concat()), "{word}");
+        assert_eq!(rivers.map(|key| key.parameter().text_of(named.value(key))), ["9.5", "77", "0.9", "0.31"]);
+        assert_eq!(read(&named.to_string()), named);
+    }
+}
+
+#[test]
+fn a_word_is_drawn_among_the_rows_that_agree_with_what_is_named() {
+    for word in words(60) {
+        for (named, key, value) in [
+            ("land=basin", "land", "basin"),
+            ("pattern=trellis", "pattern", "trellis"),
+            ("growth=brownian", "growth", "brownian"),
+        ] {
+            let recipe = read(&format!("seed={word}&{named}"));
+            let key = Key::from_name(key).unwrap();
+            assert_eq!(key.parameter().text_of(recipe.value(key)), value);
+        }
+        let island = find(read(&format!("seed={word}&land=island")).country()).unwrap();
+        assert!(island.draws.contains("land=island"), "{}", island.name);
+        let folded = read(&format!("seed={word}&pattern=trellis&land=continent")).country();
+        assert!(["folded-hills", "fjords"].contains(&folded), "{folded}");
+        assert_eq!(read(&format!("seed={word}&land=rectangle")).country(), OWN);
+    }
+}
+
+#[test]
+fn ways_of_growing_from_the_documents_have_usual_rivers() {
+    let usual = read("country=usual");
+    for word in words(40) {
+        let grown = read(&format!("seed={word}&growth=colonize"));
+        for key in DECIDED.iter().filter(|key| !matches!(key, Key::Growth)) {
+            let is_river = matches!(key.parameter().stage, Stage::Grow | Stage::Prune | Stage::Shape);
+            assert!(!is_river || grown.value(*key) == usual.value(*key), "{word}: {key:?}");
+        }
+        assert_ne!(grown.country(), USUAL);
+    }
+}
+
+#[test]
+fn the_usual_country_is_the_same_for_every_word() {
+    for word in words(20) {
+        let recipe = read(&format!("seed={word}&country=usual"));
+        for row in TABLE.iter().filter(|row| !matches!(row.key, Key::Seed | Key::Country)) {
+            assert_eq!(*recipe.value(row.key), row.default_value(), "{}", row.name);
+        }
+    }
+}
+
+#[test]
+fn no_country_has_more_parcels_than_a_widget_may_draw() {
+    use crate::recipe::reading::{ReadOptions, read_given};
+    for word in words(400) {
+        let options = ReadOptions { widget: true, dark: false };
+        let reading = read_given(&format!("seed={word}"), "", options);
+        assert_eq!((reading.recipe, reading.notices), (read(&format!("seed={word}")), vec![]), "{word}");
+    }
+}
