@@ -13,12 +13,12 @@ use riverseed::{Map, Session};
 
 /// Lands on which great rivers have room, by both models, and how long they meander.
 const ROOMY: [&str; 6] = [
-    "seed=s6&aspect=1.6&land=island&sea=0.55&attractors=5600&channel-area=6&width=16",
-    "seed=s2&land=continent&sea=0.4&sides=sw&attractors=20000&width=18",
-    "seed=s3&aspect=1.3&land=valley&sea=0.15&attractors=18000&channel-area=8&width=20",
-    "seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5",
-    "seed=s10&land=continent&sea=0.3&sides=e&attractors=30000&channel-area=3&width=24&meander=flow",
-    "seed=fisk&land=rectangle&mouths=1&attractors=1500&channel-area=20&trim=30&width=26&meander-mix=0.8&great-rivers=2&flat-share=0.6&meander=flow",
+    "country=usual&seed=s6&aspect=1.6&land=island&sea=0.55&attractors=5600&channel-area=6&width=16",
+    "country=usual&seed=s2&land=continent&sea=0.4&sides=sw&attractors=20000&width=18",
+    "country=usual&seed=s3&aspect=1.3&land=valley&sea=0.15&attractors=18000&channel-area=8&width=20",
+    "country=usual&seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5",
+    "country=usual&seed=s10&land=continent&sea=0.3&sides=e&attractors=30000&channel-area=3&width=24&meander=flow",
+    "country=usual&seed=fisk&land=rectangle&mouths=1&attractors=1500&channel-area=20&trim=30&width=26&meander-mix=0.8&great-rivers=2&flat-share=0.6&meander=flow",
 ];
 const ROUNDS: [u32; 3] = [18, 100, 400];
 

@@ -12,7 +12,7 @@ use riverseed::recipe::link;
 use riverseed::recipe::reading::{ReadOptions, read};
 use riverseed::{Map, Picture, Session};
 
-const SMALL: &str = "seed=kauri&attractors=1500";
+const SMALL: &str = "country=usual&seed=kauri&attractors=1500";
 
 fn finished(link: &str) -> Map {
     Session::new(link::read(link).unwrap()).unwrap().finish().unwrap()
@@ -31,11 +31,11 @@ fn view(map: &Map, width: u32) -> View {
 fn carried_letters_are_painted_as_placed_ones_at_every_width() {
     for link in [
         SMALL,
-        "seed=rimu&attractors=1500&labels=many&style=survey&label-size=1.3",
-        "seed=matai&attractors=1500&style=blueprint&aspect=0.7&language=3",
-        "seed=totara&attractors=1500&style=ink-wash&cartouche=framed",
-        "seed=miro&attractors=1500&style=parchment&cartouche=profile&labels=few",
-        "seed=tawa&attractors=1500&land=continent&names=t.Ängström",
+        "country=usual&seed=rimu&attractors=1500&labels=many&style=survey&label-size=1.3",
+        "country=usual&seed=matai&attractors=1500&style=blueprint&aspect=0.7&language=3",
+        "country=usual&seed=totara&attractors=1500&style=ink-wash&cartouche=framed",
+        "country=usual&seed=miro&attractors=1500&style=parchment&cartouche=profile&labels=few",
+        "country=usual&seed=tawa&attractors=1500&land=continent&names=t.Ängström",
     ] {
         let map = finished(link);
         let letters = carried(&map);

@@ -6,8 +6,8 @@ use riverseed::domain::Domain;
 use riverseed::paint::{Painted, View};
 use riverseed::{Picture, Recipe, Session};
 
-const BARE: &str = "seed=skye&attractors=1500&land=island&labels=none";
-const NAMED: &str = "seed=skye&attractors=1500&land=island&labels=many&cartouche=framed";
+const BARE: &str = "country=usual&seed=skye&attractors=1500&land=island&labels=none";
+const NAMED: &str = "country=usual&seed=skye&attractors=1500&land=island&labels=many&cartouche=framed";
 
 fn finished(text: &str) -> Session {
     let recipe: Recipe = text.parse().unwrap();
@@ -84,9 +84,9 @@ fn without_its_paper_a_drawing_has_its_lines_alone() {
 #[test]
 fn a_picture_says_how_far_it_is() {
     for recipe in [
-        "seed=skye&attractors=300&style=atlas",
-        "seed=skye&attractors=300&style=ink&land=island",
-        "seed=skye&attractors=300&style=ink&land=rectangle",
+        "country=usual&seed=skye&attractors=300&style=atlas",
+        "country=usual&seed=skye&attractors=300&style=ink&land=island",
+        "country=usual&seed=skye&attractors=300&style=ink&land=rectangle",
     ] {
         let session = finished(recipe);
         let mut picture = Picture::new(1600, 1000).unwrap();

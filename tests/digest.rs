@@ -54,7 +54,7 @@ fn links_of_new_styles() -> Vec<String> {
     styles
         .filter(|style| !DIGESTS.lines().any(|line| names(line, style)))
         .map(|style| {
-            format!("seed=tui&growth=drainage&land=island&attractors=3000&aspect=1.5&style={style}&labels=none")
+            format!("country=usual&seed=tui&growth=drainage&land=island&attractors=3000&aspect=1.5&style={style}&labels=none")
         })
         .collect()
 }
@@ -62,9 +62,21 @@ fn links_of_new_styles() -> Vec<String> {
 #[test]
 fn digest_tells_recipes_apart() {
     let links = [
-        ["seed=a", "seed=b", "seed=a&trim=125", "seed=a&style=skeleton", "seed=a&width=15"].as_slice(),
-        &["seed=a&labels=many", "seed=a&labels=many&language=7", "seed=a&woods=0.5", "seed=a&hills=0.5"],
-        &["seed=a&cartouche=plain", "seed=a&cartouche=plain&names=t.Kea"],
+        [
+            "country=usual&seed=a",
+            "country=usual&seed=b",
+            "country=usual&seed=a&trim=125",
+            "country=usual&seed=a&style=skeleton",
+            "country=usual&seed=a&width=15",
+        ]
+        .as_slice(),
+        &[
+            "country=usual&seed=a&labels=many",
+            "country=usual&seed=a&labels=many&language=7",
+            "country=usual&seed=a&woods=0.5",
+            "country=usual&seed=a&hills=0.5",
+        ],
+        &["country=usual&seed=a&cartouche=plain", "country=usual&seed=a&cartouche=plain&names=t.Kea"],
     ]
     .concat();
     let mut digests: Vec<String> = links.iter().map(|link| now(&format!("{link}&attractors=300"))).collect();

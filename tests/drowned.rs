@@ -93,7 +93,7 @@ impl Cells {
 
 fn sea_covers_its_share_in_one_piece_and_no_island_is_a_speck() {
     for ((land, seed), drowning) in one_in(20, pairs(pairs(LANDS, SEEDS), ["0.02", "0.3", "0.6", "1"])) {
-        let text = format!("seed={seed}&land={land}&drowning={drowning}");
+        let text = format!("country=usual&seed={seed}&land={land}&drowning={drowning}");
         let map = map(&text);
         let cells = Cells::of(map.land().unwrap());
         let sea = map.recipe().sea();
@@ -111,7 +111,7 @@ tiers!(sea_covers_its_share_in_one_piece_and_no_island_is_a_speck);
 #[test]
 fn every_river_ends_in_the_sea_at_its_one_mouth() {
     for (land, more) in pairs(LANDS, ["drowning=0.5", "drowning=1&meander=none&trim=0&mouths=3"]) {
-        let text = format!("seed=skye&land={land}&attractors=6000&{more}");
+        let text = format!("country=usual&seed=skye&land={land}&attractors=6000&{more}");
         let map = map(&text);
         let (land, network, tree) = (map.land().unwrap(), map.network(), map.tree());
         assert!(network.rivers.len() > 50, "{text}");
@@ -137,7 +137,8 @@ fn every_river_ends_in_the_sea_at_its_one_mouth() {
 #[test]
 fn rivers_that_are_left_keep_identity_and_discharge() {
     let mut session =
-        Session::new(link::read("seed=galicia&land=island&attractors=5000&drowning=0.6").unwrap()).unwrap();
+        Session::new(link::read("country=usual&seed=galicia&land=island&attractors=5000&drowning=0.6").unwrap())
+            .unwrap();
     while session.phase() == Phase::Growing {
         session.advance(1).unwrap();
     }
@@ -170,7 +171,8 @@ fn rivers_that_are_left_keep_identity_and_discharge() {
 fn coasts_are_as_winding_as_natural_ones() {
     for land in one_in(3, LANDS) {
         let dimension = |seed: usize| {
-            Cells::of(&self::land(&format!("seed=s{seed}&land={land}&attractors=20000"))).coast_dimension()
+            Cells::of(&self::land(&format!("country=usual&seed=s{seed}&land={land}&attractors=20000")))
+                .coast_dimension()
         };
         let mut all: Vec<f64> = (0..12).map(dimension).collect();
         all.sort_by(f64::total_cmp);
@@ -187,7 +189,8 @@ fn islands_stay_apart() {
     let (mut all_before, mut all_after) = (0, 0);
     for seed in one_in(2, SEEDS) {
         let islands = |drowning: &str| {
-            Cells::of(&land(&format!("seed={seed}&land=archipelago&attractors=6000&drowning={drowning}"))).islands(500)
+            Cells::of(&land(&format!("country=usual&seed={seed}&land=archipelago&attractors=6000&drowning={drowning}")))
+                .islands(500)
         };
         let (before, after) = (islands("0"), islands("0.24"));
         println!("{seed}: {before} islands, {after} after drowning");
@@ -202,17 +205,17 @@ tiers!(islands_stay_apart);
 
 #[test]
 fn keys_of_the_relief_never_move_the_coast() {
-    let text = "seed=kauri&attractors=3000&drowning=0.7";
+    let text = "country=usual&seed=kauri&attractors=3000&drowning=0.7";
     let expected = land(text);
     for other in ["mountains=4", "plains=0", "shade=0", "style=atlas&mountains=0.2&plains=400"] {
         assert!(land(&format!("{text}&{other}")) == expected, "{other}");
     }
-    assert!(land("seed=kauri&attractors=3000&drowning=0.72") != expected);
+    assert!(land("country=usual&seed=kauri&attractors=3000&drowning=0.72") != expected);
 }
 
 #[test]
 fn a_session_that_goes_back_or_on_to_another_recipe_has_the_same_land_as_a_new_one() {
-    const TEXT: &str = "seed=skye&attractors=2000&land=island";
+    const TEXT: &str = "country=usual&seed=skye&attractors=2000&land=island";
     let read = |more: &str| link::read(&format!("{TEXT}&{more}")).unwrap();
     let mut session = Session::new(read("drowning=0.5")).unwrap();
     session.finish().unwrap();
@@ -262,7 +265,7 @@ fn no_step_of_the_rise_takes_long() {
 #[test]
 fn no_part_of_a_valley_is_left_without_a_coast() {
     for seed in ["skye", "mara", "b", "c"] {
-        let text = format!("seed={seed}&land=valley&attractors=3000&drowning=");
+        let text = format!("country=usual&seed={seed}&land=valley&attractors=3000&drowning=");
         let unreached = |drowning: &str| map(&format!("{text}{drowning}")).grown().unreached;
         let (before, after) = (unreached("0"), unreached("1"));
         assert!(after < before + 150, "{seed}: {after} parcels have no way to the sea, and {before} without drowning");

@@ -79,7 +79,7 @@ fn rivers_run_on_a_land_of_one_s_own() {
 
 #[test]
 fn statistics_are_those_of_a_network() {
-    let all = statistics::statistics("seed=kauri&growth=drainage&land=rectangle").unwrap();
+    let all = statistics::statistics("country=usual&seed=kauri&growth=drainage&land=rectangle").unwrap();
     assert!(all.rivers.windows(2).all(|pair| pair[0] > pair[1]) && all.rivers.len() > 3, "{all:?}");
     assert!((2.0..6.0).contains(&all.bifurcation) && all.sinuosity > 1.0 && all.density > 0.01, "{all:?}");
 }

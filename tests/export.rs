@@ -224,7 +224,7 @@ tiers!(lakes_are_valid_polygons_and_none_is_lost);
 #[test]
 fn network_whose_lake_crossed_itself_can_be_read() {
     check_files(
-        "seed=o&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&shores=nesw&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=30&sides=nes&attractors=687&scatter=grid&reach=7.528&kill=1.278&step=0.200&momentum=0.843&curl=0.000&stretch=1&trim=0&width=21.95&style=ink&simplify=9&bank-variation=0.000&meander=flow&meander-rounds=217&meander-strength=0.615&meander-mix=0.000&meander-elsewhere=0.391&great-rivers=0&flat-share=0.000&neck=2.22&clearance=0.25&taper=6.08",
+        "country=usual&seed=o&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&shores=nesw&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=30&sides=nes&attractors=687&scatter=grid&reach=7.528&kill=1.278&step=0.200&momentum=0.843&curl=0.000&stretch=1&trim=0&width=21.95&style=ink&simplify=9&bank-variation=0.000&meander=flow&meander-rounds=217&meander-strength=0.615&meander-mix=0.000&meander-elsewhere=0.391&great-rivers=0&flat-share=0.000&neck=2.22&clearance=0.25&taper=6.08",
     );
 }
 
@@ -232,7 +232,7 @@ fn network_whose_lake_crossed_itself_can_be_read() {
 #[test]
 fn network_of_few_attractors_in_a_tower_can_be_read() {
     check_files(
-        "seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
+        "country=usual&seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
     );
 }
 
@@ -240,7 +240,7 @@ fn network_of_few_attractors_in_a_tower_can_be_read() {
 fn hostile_seeds_are_text_and_nothing_else() {
     let seed = r#"<script>alert("&'")</script>]]>-->"#;
     let query: String = seed.bytes().map(|byte| format!("%{byte:02x}")).collect();
-    let session = finished(&format!("seed={query}&attractors=100"));
+    let session = finished(&format!("country=usual&seed={query}&attractors=100"));
     check_svg(&session);
     let text = svg::svg(&session.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();

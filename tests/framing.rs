@@ -6,8 +6,8 @@ use riverseed::paint::Framing;
 use riverseed::recipe::Style;
 use riverseed::{Picture, Recipe, Session};
 
-const SMALL: &str = "seed=skye&attractors=2000&labels=none";
-const LABELLED: &str = "seed=skye&attractors=2000";
+const SMALL: &str = "country=usual&seed=skye&attractors=2000&labels=none";
+const LABELLED: &str = "country=usual&seed=skye&attractors=2000";
 
 fn finished(text: &str) -> Session {
     let recipe: Recipe = text.parse().unwrap();

@@ -109,7 +109,8 @@ fn every_golden_picture_is_still_drawn() {
 
 #[test]
 fn a_card_is_its_golden_one() {
-    const LINK: &str = "seed=Ardenwold&land=island&style=ink&labels=none&attractors=400&meander=none&cartouche=none";
+    const LINK: &str =
+        "country=usual&seed=Ardenwold&land=island&style=ink&labels=none&attractors=400&meander=none&cartouche=none";
     let mut session = Session::new(link::read(LINK).unwrap()).unwrap();
     let map = session.finish().unwrap();
     let mut picture = Picture::new(1200, 630).unwrap();

@@ -88,7 +88,7 @@ fn measured(link: &str) -> (f32, f32, f32) {
     let sum = |a: [f32; 2], b: [f32; 2]| [a[0] + b[0], a[1] + b[1]];
     let (mut grown, mut drawn, mut length) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     for seed in 0..4 {
-        let session = finished(&format!("seed=s{seed}&attractors=3000&mouths=3&{link}"));
+        let session = finished(&format!("country=usual&seed=s{seed}&attractors=3000&mouths=3&{link}"));
         let (tree, rivers) = (Lines::of_tree(&session), Lines::of_rivers(&session));
         (grown, drawn) = (sum(grown, tree.turns()), sum(drawn, rivers.turns()));
         length = sum(length, [rivers.length(), tree.length()]);

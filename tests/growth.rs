@@ -54,7 +54,7 @@ fn a_river_that_nothing_reaches_runs_straight_inland() {
     let mut pilots = 0;
     for seed in 0..60 {
         // So few attractors, so short a reach and so many mouths that some see none.
-        let link = format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1&step=0.2&curl=1");
+        let link = format!("country=usual&seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1&step=0.2&curl=1");
         assert_equals_twin(&link);
         let growth = grown(&link);
         let (settings, tree) = (growth.settings(), growth.tree());
@@ -76,7 +76,7 @@ fn a_river_that_nothing_reaches_runs_straight_inland() {
 #[test]
 fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
     for seed in [8311, 59489, 107513, 123817] {
-        let link = format!("seed={seed}&attractors=100&mouths=64&sides=ns&reach=2.1&aspect=4");
+        let link = format!("country=usual&seed={seed}&attractors=100&mouths=64&sides=ns&reach=2.1&aspect=4");
         assert_equals_twin(&link);
         assert!(grown(&link).unreached() < 50, "{link}");
     }
@@ -85,7 +85,9 @@ fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
 #[test]
 fn a_reach_across_a_narrow_land_loses_no_attractor() {
     for seed in ["rc", "a", "b", "c"] {
-        let link = format!("seed={seed}&land=valley&sea=0.1&roughness=0&aspect=0.25&sides=ne&mouths=1&attractors=100");
+        let link = format!(
+            "country=usual&seed={seed}&land=valley&sea=0.1&roughness=0&aspect=0.25&sides=ne&mouths=1&attractors=100"
+        );
         assert_equals_twin(&format!("{link}&reach=11.585&kill=0.5&step=0.2"));
     }
 }
@@ -106,7 +108,7 @@ fn no_preset_and_no_default_runs_dry() {
     // The table's defaults, whatever they are, and the first ones.
     for base in bases.chain(["attractors=3000".into(), plain("mouths=1&attractors=3000")]) {
         for (seed, mouths) in one_in(5, (0..150).flat_map(|seed| [(seed, 1), (seed, 3)])) {
-            let link = format!("seed=w{seed}&{}", base.replace("mouths=1", &format!("mouths={mouths}")));
+            let link = format!("country=usual&seed=w{seed}&{}", base.replace("mouths=1", &format!("mouths={mouths}")));
             let unreached = grown_by(GrowthSettings::of(&link::read(&link).unwrap())).unreached();
             assert!(unreached < 300, "{link} leaves {unreached} of 3000 unreached");
         }
@@ -119,7 +121,7 @@ tiers!(no_preset_and_no_default_runs_dry);
 fn no_kind_of_land_is_left_dry() {
     let lands = every_land();
     for (land, seed) in lands.iter().flat_map(|land| (0..40).map(move |seed| (land, seed))) {
-        let growth = grown(&format!("{land}&seed={seed}&attractors=1500"));
+        let growth = grown(&format!("{land}&country=usual&seed={seed}&attractors=1500"));
         let (unreached, all) = (growth.unreached(), growth.attractors());
         assert!(unreached * 20 <= all, "{land}, seed {seed}: {unreached} of {all} are unreached");
     }
@@ -128,7 +130,7 @@ fn no_kind_of_land_is_left_dry() {
 #[test]
 fn every_island_of_some_size_has_rivers() {
     for seed in 0..10 {
-        let settings = settings(&format!("land=archipelago&seed={seed}&mouths=1"));
+        let settings = settings(&format!("land=archipelago&country=usual&seed={seed}&mouths=1"));
         let land = settings.land().unwrap().clone();
         let mouths = riverseed::grow::mouths(&settings);
         let all: u32 = land.regions().iter().map(|region| region.cells).sum();
@@ -141,7 +143,7 @@ fn every_island_of_some_size_has_rivers() {
 #[test]
 fn a_lake_has_thrice_the_mouths_and_from_every_side() {
     for seed in 0..8 {
-        let settings = settings(&format!("land=basin&seed={seed}&mouths=4&roughness=0.2"));
+        let settings = settings(&format!("land=basin&country=usual&seed={seed}&mouths=4&roughness=0.2"));
         let mouths = riverseed::grow::mouths(&settings);
         assert!(mouths.len() >= 12, "seed {seed}: {}", mouths.len());
         let centre = settings.domain.size / 2.0;
@@ -157,7 +159,8 @@ fn a_lake_has_thrice_the_mouths_and_from_every_side() {
 fn mouths_lie_on_the_chosen_shores() {
     for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..5).map(move |seed| (kind, seed))) {
         for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
-            let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&roughness=0.2");
+            let link =
+                format!("land={kind}&country=usual&seed={seed}&shores={shores}&mouths=5&attractors=1000&roughness=0.2");
             let growth = grown(&link);
             let (tree, centre) = (growth.tree(), growth.settings().domain.size / 2.0);
             for mouth in (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()) {
@@ -179,7 +182,7 @@ fn mouths_of_drainage(link: &str) -> (Vec<Vec2>, GrowthSettings) {
 #[test]
 fn mouths_of_drainage_are_as_many_as_far_apart_and_on_the_shores_that_are_asked_for() {
     for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..4).map(move |seed| (kind, seed))) {
-        let land = format!("land={kind}&seed={seed}&roughness=0.2");
+        let land = format!("land={kind}&country=usual&seed={seed}&roughness=0.2");
         let (all, _) = mouths_of_drainage(&format!("{land}&mouths=0"));
         let (chosen, settings) = mouths_of_drainage(&format!("{land}&mouths=5"));
         let asked: u32 = settings.basins.iter().sum();
@@ -280,11 +283,11 @@ proptest! {
 
 /// Each of these once broke a promise.
 const FOUND_BY_CHANCE: [&str; 5] = [
-    "seed=Jc-%F0%9F%9F%A2%C3%9Dxs%F0%9F%95%B2%27%60%E1%A6%B27%24%F0%90%A3%A9ML%28%F0%90%9D%A4%C2%A3%E1%A7%95%E0%A7%9C%3D%E0%A7%9D%F0%9F%81%86.%5C-%5C%F0%91%A3%9B&growth=colonize&valleys=0.01&sensitivity=40&mouth-spacing=0&shores=nesw&land=archipelago&outline=&sea=0.657&roughness=0.325&aspect=2.908&mouths=1&sides=n&attractors=223&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&courses=smooth&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
-    "seed=a&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=h&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=sxpmpaa&land=continent&sea=0.211&roughness=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=unbisoy&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=277&shores=sw&land=continent&outline=&sea=0.674&roughness=0.124&aspect=1.991&mouths=3&sides=esw&attractors=133&scatter=random&reach=6.194&kill=0.500&step=0.745&momentum=0.729&curl=0.239&stretch=6&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
+    "country=usual&seed=Jc-%F0%9F%9F%A2%C3%9Dxs%F0%9F%95%B2%27%60%E1%A6%B27%24%F0%90%A3%A9ML%28%F0%90%9D%A4%C2%A3%E1%A7%95%E0%A7%9C%3D%E0%A7%9D%F0%9F%81%86.%5C-%5C%F0%91%A3%9B&growth=colonize&valleys=0.01&sensitivity=40&mouth-spacing=0&shores=nesw&land=archipelago&outline=&sea=0.657&roughness=0.325&aspect=2.908&mouths=1&sides=n&attractors=223&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&courses=smooth&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
+    "country=usual&seed=a&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "country=usual&seed=h&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "country=usual&seed=sxpmpaa&land=continent&sea=0.211&roughness=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "country=usual&seed=unbisoy&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=277&shores=sw&land=continent&outline=&sea=0.674&roughness=0.124&aspect=1.991&mouths=3&sides=esw&attractors=133&scatter=random&reach=6.194&kill=0.500&step=0.745&momentum=0.729&curl=0.239&stretch=6&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
 ];
 
 #[test]
@@ -335,7 +338,8 @@ fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
 #[test]
 fn no_river_crosses_a_ridge_however_it_grows() {
     for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian", "drainage"].map(|growth| (seed, growth))) {
-        let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&roughness=1&attractors=1500");
+        let link =
+            format!("country=usual&seed={seed}&growth={growth}&sensitivity=40&land=valley&roughness=1&attractors=1500");
         let mut grown = Growth::new(settings(&link)).unwrap();
         while grown.tick() {}
         let (tree, land) = (grown.tree(), grown.settings().land().unwrap().clone());

@@ -112,7 +112,8 @@ fn where_rivers_cross_nearly_all_keep_their_identity() {
         for bends in ["curl=0.9", "curl=1.6&momentum=0.4", "curl=1&momentum=0.8"] {
             for trim in [10, 22, 60] {
                 let growth = format!("growth=colonize&{bends}");
-                let (kept, all) = kept(&format!("land=rectangle&attractors=2000&seed=s{seed}"), &growth, trim, 1);
+                let (kept, all) =
+                    kept(&format!("land=rectangle&attractors=2000&country=usual&seed=s{seed}"), &growth, trim, 1);
                 kept_of_all += kept;
                 all_of_all += all;
             }
@@ -124,7 +125,8 @@ fn where_rivers_cross_nearly_all_keep_their_identity() {
 #[test]
 fn a_brownian_tree_keeps_its_identities() {
     for seed in 0..3 {
-        let (kept, all) = kept(&format!("land=island&sensitivity=24&seed=s{seed}"), "growth=brownian", 60, 1);
+        let (kept, all) =
+            kept(&format!("land=island&sensitivity=24&country=usual&seed=s{seed}"), "growth=brownian", 60, 1);
         assert!(all > 10 && kept == all, "{kept} of {all}");
     }
 }
@@ -150,7 +152,11 @@ fn a_small_change_of_the_land_or_of_growth_renames_few_great_rivers() {
         let lands = lands::every_land();
         let lost: usize = lands
             .iter()
-            .map(|land| (0..seeds).map(|seed| renamed(&format!("{land}&sea=0.55&seed=s{seed}"), notch)).sum::<usize>())
+            .map(|land| {
+                (0..seeds)
+                    .map(|seed| renamed(&format!("{land}&sea=0.55&country=usual&seed=s{seed}"), notch))
+                    .sum::<usize>()
+            })
             .sum();
         // A tenth; by land and over many seeds two tenths at most were seen.
         assert!(lost <= lands.len() * seeds, "{notch}: {lost} of {}", 10 * lands.len() * seeds);

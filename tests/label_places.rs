@@ -144,7 +144,9 @@ tiers!(
 
 /// Winding rivers on four lands, on which names of stretches ask for room.
 fn winding(seed: u32, land: &str, labels: &str) -> Session {
-    finished(&format!("land={land}&attractors=2000&great-rivers=3&meander-rounds=40&seed={seed}&labels={labels}"))
+    finished(&format!(
+        "land={land}&attractors=2000&great-rivers=3&meander-rounds=40&country=usual&seed={seed}&labels={labels}"
+    ))
 }
 
 const LANDS: [&str; 4] = ["island", "continent", "rectangle", "valley"];
@@ -176,7 +178,7 @@ proptest! {
         let labels = ["few", "some", "many"][labels];
         let land = LANDS[land];
         let session = finished(&format!(
-            "land={land}&attractors=2000&great-rivers=2&meander-rounds={rounds}&seed={seed}&labels={labels}"
+            "land={land}&attractors=2000&great-rivers=2&meander-rounds={rounds}&country=usual&seed={seed}&labels={labels}"
         ));
         let network = session.network().unwrap();
         let greatest = (0..network.rivers.len()).max_by_key(|&i| network.discharge(&network.rivers[i])).unwrap();
@@ -193,7 +195,8 @@ tiers!(the_greatest_river_has_its_name_at_any_number_of_rounds);
 fn a_survey_sheet_has_the_labels_of_smaller_ones_in_their_places_with_its_grid_and_without() {
     let mut kept = 0;
     for (seed, land) in (0..6).zip(["island", "archipelago", "continent"].into_iter().cycle()) {
-        let session = finished(&format!("land={land}&attractors=1500&seed={seed}&style=survey&labels=some"));
+        let session =
+            finished(&format!("land={land}&attractors=1500&country=usual&seed={seed}&style=survey&labels=some"));
         let map = session.map().unwrap();
         let size = map.domain().size;
         let picture = |width: f32| {

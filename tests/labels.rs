@@ -294,8 +294,9 @@ fn islands_and_lakes_have_names_too() {
     };
     let mut all = [0; 4];
     for seed in ["kea", "moa", "tui", "skye", "lofoten", "kauri"] {
-        let (islands, [inside, beside, water]) =
-            counts(&format!("seed={seed}&land=archipelago&sea=0.75&roughness=1&attractors=4000&labels=many"));
+        let (islands, [inside, beside, water]) = counts(&format!(
+            "country=usual&seed={seed}&land=archipelago&sea=0.75&roughness=1&attractors=4000&labels=many"
+        ));
         println!("{seed}: {islands} islands, {inside} named on them, {beside} beside them, {water} waters");
         all = [all[0] + islands, all[1] + inside, all[2] + beside, all[3] + water];
     }
@@ -315,7 +316,7 @@ fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind
     for seed in [8, 38, 51, 58] {
         let link =
             "land=continent&attractors=2000&great-rivers=8&flat-share=0.6&meander-rounds=40&labels=few&label-size=1.5";
-        let session = finished(&format!("{link}&seed={seed}"));
+        let session = finished(&format!("{link}&country=usual&seed={seed}"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1400.0);
         let greatest = (0..input.map.discharges.len()).max_by_key(|&river| input.map.discharges[river]).unwrap();
@@ -327,7 +328,7 @@ fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind
 #[test]
 fn no_letter_of_a_sea_climbs_by_more_than_20_degrees() {
     for (seed, land) in (0..24).flat_map(|seed| ["island", "continent"].map(|land| (seed, land))) {
-        let session = finished(&format!("seed={seed}&land={land}&attractors=500&labels=few"));
+        let session = finished(&format!("country=usual&seed={seed}&land={land}&attractors=500&labels=few"));
         let map = session.map().unwrap();
         let (labels, _) = placed(&map, 1400.0);
         let waters = labels.iter().filter(|label| label.kind == Kind::Water);
@@ -340,14 +341,16 @@ fn no_letter_of_a_sea_climbs_by_more_than_20_degrees() {
 /// Where rivers lie close together, and labels would often be nearer to another.
 #[test]
 fn labels_belong_to_their_rivers_on_a_dense_map_too() {
-    let session = finished("land=rectangle&growth=brownian&sensitivity=12&seed=kea&labels=many&label-size=0.7");
+    let session =
+        finished("land=rectangle&growth=brownian&sensitivity=12&country=usual&seed=kea&labels=many&label-size=0.7");
     let count = check(&session, 1400.0).unwrap();
     assert!(count > 20, "{count}");
 }
 
 #[test]
 fn no_two_rivers_have_one_label_in_short_either() {
-    let session = finished("seed=skye&land=continent&growth=drainage&meander-rounds=60&great-rivers=3&labels=many");
+    let session =
+        finished("country=usual&seed=skye&land=continent&growth=drainage&meander-rounds=60&great-rivers=3&labels=many");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1200.0);
     let rivers: BTreeMap<_, _> = labels.iter().map(|label| (&label.text, label.river)).collect();
@@ -357,8 +360,9 @@ fn no_two_rivers_have_one_label_in_short_either() {
 #[test]
 fn most_great_rivers_have_their_name() {
     let maps = ["island", "continent", "archipelago", "valley", "rectangle"].into_iter().flat_map(|land| {
-        ["drainage", "colonize"]
-            .map(|growth| format!("land={land}&sea=0.55&growth={growth}&attractors=6000&labels=some&seed=kea"))
+        ["drainage", "colonize"].map(|growth| {
+            format!("land={land}&sea=0.55&growth={growth}&attractors=6000&labels=some&country=usual&seed=kea")
+        })
     });
     let labelled = |link: String| {
         let session = finished(&link);
@@ -378,7 +382,7 @@ fn most_great_rivers_have_their_name() {
 #[test]
 fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_for() {
     let count = |labels: &str| {
-        let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels={labels}"));
+        let session = finished(&format!("land=island&attractors=4000&country=usual&seed=kauri&labels={labels}"));
         let size = session.domain().size;
         labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0)
             .map_or(0, |input| place(&input, &Raster::new(&input)).len())
@@ -392,7 +396,8 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
 
 #[test]
 fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
-    let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
+    let session =
+        finished("land=island&attractors=4000&country=usual&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
     let size = session.domain().size;
     let map = session.map().unwrap();
     let input = labels::input(&map, [Vec2::ZERO, size], 1.0).unwrap();
@@ -405,8 +410,9 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(titles, names.map(|label| label.text).collect::<Vec<_>>());
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
     assert!(by_id("halo").unwrap().descendants().count() > titles.len());
-    let titled =
-        finished("land=island&attractors=500&style=atlas&labels=none&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
+    let titled = finished(
+        "land=island&attractors=500&style=atlas&labels=none&country=usual&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed",
+    );
     let text = riverseed::export::svg::svg(&titled.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
@@ -414,8 +420,9 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 5);
     assert!(!text.contains("id=\"labels\""));
     // As text on paths, a line each, all letters included.
-    let session =
-        finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&cartouche=plain&names=t.A+B");
+    let session = finished(
+        "land=island&attractors=4000&country=usual&seed=kauri&style=atlas&labels=some&cartouche=plain&names=t.A+B",
+    );
     let texts: Vec<String> =
         placed(&session.map().unwrap(), session.domain().size.x).0.into_iter().map(|label| label.text).collect();
     let text = riverseed::export::svg::svg_with_text(&session.map().unwrap()).unwrap();
@@ -429,7 +436,7 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
         path.text().unwrap().to_owned()
     };
     assert_eq!(paths.map(on_path).collect::<Vec<_>>(), texts);
-    let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=none");
+    let bare = finished("land=island&attractors=4000&country=usual&seed=kauri&style=atlas&labels=none");
     let bare = riverseed::export::svg::svg(&bare.map().unwrap()).unwrap();
     assert!(!bare.contains("id=\"labels\"") && !bare.contains("mask"));
 }
@@ -466,7 +473,7 @@ proptest! {
 fn a_cartouche_is_at_sea_on_islands_and_coasts() {
     for land in ["island", "continent", "archipelago", "valley"] {
         for (seed, width) in (0..4).zip([1400.0, 700.0, 1000.0, 500.0]) {
-            let link = format!("land={land}&attractors=500&seed={seed}&labels=few&cartouche=framed");
+            let link = format!("land={land}&attractors=500&country=usual&seed={seed}&labels=few&cartouche=framed");
             check(&finished(&link), width).unwrap();
         }
     }
@@ -475,7 +482,8 @@ fn a_cartouche_is_at_sea_on_islands_and_coasts() {
 #[test]
 fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
     let texts = |seed: &str| -> Vec<String> {
-        let link = format!("land=island&attractors=500&labels=none&cartouche=framed&names=t.Home&seed={seed}");
+        let link =
+            format!("land=island&attractors=500&labels=none&cartouche=framed&names=t.Home&country=usual&seed={seed}");
         let session = finished(&link);
         let labels = placed(&session.map().unwrap(), 1200.0).0.into_iter();
         let of_title = labels.filter(|label| matches!(label.kind, Kind::Title | Kind::Seed));
@@ -493,13 +501,15 @@ fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
 
 #[test]
 fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
-    let session = finished("land=island&attractors=4000&seed=kauri&labels=some");
+    let session = finished("land=island&attractors=4000&country=usual&seed=kauri&labels=some");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1400.0);
     let river = labels[0].river.unwrap();
     let identity = session.network().unwrap().rivers[river as usize].identity;
     let texts = |own: &str| -> Vec<String> {
-        let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels=some&names={identity}.{own}"));
+        let session = finished(&format!(
+            "land=island&attractors=4000&country=usual&seed=kauri&labels=some&names={identity}.{own}"
+        ));
         let map = session.map().unwrap();
         let (labels, _) = placed(&map, 1400.0);
         labels

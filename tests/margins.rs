@@ -38,7 +38,7 @@ const LANDS: [&str; 5] = ["island", "archipelago", "continent", "valley", "recta
 fn a_title_has_one_place_at_all_sizes_and_one_size_where_that_can_be_read() {
     for land in LANDS {
         for seed in ["tay", "elbe", "mara", "two"] {
-            let session = finished(&format!("land={land}&attractors=900&seed={seed}&labels=few"));
+            let session = finished(&format!("land={land}&attractors=900&country=usual&seed={seed}&labels=few"));
             let map = session.map().unwrap();
             let middle = map.domain().size * 0.5;
             let mut places: Vec<[i32; 2]> = Vec::new();
@@ -67,8 +67,9 @@ fn the_smallest_pictures_of_islands_have_their_title_on_open_water() {
     let mut shown = 0;
     for seed in ["tay", "elbe", "kauri", "mara", "two", "rimu"] {
         for cartouche in ["auto", "framed"] {
-            let session =
-                finished(&format!("land=island&attractors=900&seed={seed}&labels=some&cartouche={cartouche}"));
+            let session = finished(&format!(
+                "land=island&attractors=900&country=usual&seed={seed}&labels=some&cartouche={cartouche}"
+            ));
             let map = session.map().unwrap();
             let (labels, input) = placed(&map, 370.0);
             let coast = input.as_ref().unwrap().map.coast.unwrap();
@@ -96,7 +97,7 @@ fn maps_with_names_show_their_title_unless_they_are_told_not_to() {
         ("labels=none&cartouche=lengths", true),
         ("labels=none&cartouche=profile", true),
     ] {
-        let session = finished(&format!("land=island&attractors=900&seed=kea&{link}"));
+        let session = finished(&format!("land=island&attractors=900&country=usual&seed=kea&{link}"));
         let map = session.map().unwrap();
         let (labels, _) = placed(&map, 1400.0);
         assert_eq!(title(&labels).is_some(), is_shown, "{link}");
@@ -108,7 +109,7 @@ fn maps_with_names_show_their_title_unless_they_are_told_not_to() {
 fn no_sea_is_named_on_the_title_s_line() {
     let mut seas = 0;
     for seed in ["elbe", "kauri", "tay", "mara", "ardea", "thera"] {
-        let session = finished(&format!("land=island&attractors=900&seed={seed}&labels=some"));
+        let session = finished(&format!("land=island&attractors=900&country=usual&seed={seed}&labels=some"));
         let map = session.map().unwrap();
         for width in [700.0, 1400.0] {
             let (labels, _) = placed(&map, width);
@@ -130,7 +131,7 @@ fn no_sea_is_named_on_the_title_s_line() {
 fn a_scale_bar_is_as_long_as_it_says_and_so_is_that_of_a_legend() {
     // GeoJSON has a hundredth of a degree for a unit.
     let kilometres = 40_075.017 / 360.0 / 100.0;
-    let session = finished("land=island&attractors=900&seed=kauri&labels=some&style=atlas");
+    let session = finished("land=island&attractors=900&country=usual&seed=kauri&labels=some&style=atlas");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1400.0);
     let bar = labels.iter().find(|label| label.kind == Kind::Margin).unwrap();
@@ -150,7 +151,7 @@ fn a_scale_bar_is_as_long_as_it_says_and_so_is_that_of_a_legend() {
 
 #[test]
 fn a_part_of_a_map_shows_a_title_or_a_scale_bar_whole_or_not_at_all() {
-    let session = finished("seed=kauri&attractors=900&labels=some");
+    let session = finished("country=usual&seed=kauri&attractors=900&labels=some");
     let map = session.map().unwrap();
     let size = map.domain().size;
     let of = |labels: &[Label], kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
@@ -174,9 +175,11 @@ fn a_part_of_a_map_shows_a_title_or_a_scale_bar_whole_or_not_at_all() {
 
 #[test]
 fn the_plate_of_lengths_tells_those_of_the_network_the_longest_first() {
-    for link in
-        ["land=island&seed=tay", "land=rectangle&seed=elbe&style=survey", "land=continent&seed=kauri&growth=colonize"]
-    {
+    for link in [
+        "land=island&country=usual&seed=tay",
+        "land=rectangle&country=usual&seed=elbe&style=survey",
+        "land=continent&country=usual&seed=kauri&growth=colonize",
+    ] {
         let session = finished(&format!("{link}&attractors=2000&labels=some&cartouche=lengths"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1600.0);
@@ -222,8 +225,11 @@ fn the_plate_of_lengths_tells_those_of_the_network_the_longest_first() {
 
 #[test]
 fn a_profile_never_falls_upstream_and_ends_at_the_river_s_length() {
-    for link in ["seed=tay&style=ink", "seed=elbe&land=continent&style=atlas", "seed=kauri&growth=colonize&style=atlas"]
-    {
+    for link in [
+        "country=usual&seed=tay&style=ink",
+        "country=usual&seed=elbe&land=continent&style=atlas",
+        "country=usual&seed=kauri&growth=colonize&style=atlas",
+    ] {
         let session = finished(&format!("{link}&attractors=2000&labels=some&cartouche=profile"));
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1600.0);
@@ -241,7 +247,8 @@ fn a_profile_never_falls_upstream_and_ends_at_the_river_s_length() {
         assert!(joining == 0 || profile.tributaries.iter().any(|tributary| !tributary.name.is_empty()), "{link}");
     }
     // Without heights, and where there is no room, the title stands alone.
-    let session = finished("seed=kauri&growth=colonize&style=ink&attractors=900&labels=some&cartouche=profile");
+    let session =
+        finished("country=usual&seed=kauri&growth=colonize&style=ink&attractors=900&labels=some&cartouche=profile");
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1400.0);
     assert!(title(&labels).is_some() && labels.iter().all(|label| label.kind != Kind::Plate));
@@ -255,8 +262,10 @@ fn plates_and_titles_stay_within_the_map_and_apart_from_all_else_with_any_title(
         for (title, style) in
             titles.iter().zip([Style::Atlas, Style::Parchment, Style::Survey, Style::Ink, Style::Blueprint])
         {
-            let mut recipe =
-                link::read(&format!("land=island&attractors=900&seed=kea&labels=many&cartouche={cartouche}")).unwrap();
+            let mut recipe = link::read(&format!(
+                "land=island&attractors=900&country=usual&seed=kea&labels=many&cartouche={cartouche}"
+            ))
+            .unwrap();
             recipe.set(Key::Style, style.word().name).unwrap();
             recipe.set(Key::Names, &format!("t.{title}")).unwrap();
             let mut session = Session::new(recipe).unwrap();

@@ -184,7 +184,7 @@ tiers!(heights_are_those_of_files_on_summits_and_saddles_and_in_nothing_s_way, m
 fn maps_with_mountains_tell_the_heights_of_summits_and_of_saddles() {
     let maps = [("island", "drainage"), ("archipelago", "colonize"), ("continent", "drainage")];
     for (land, growth) in one_in(3, maps) {
-        let link = format!("land={land}&growth={growth}&seed=kauri&attractors=4000&style=survey");
+        let link = format!("land={land}&growth={growth}&country=usual&seed=kauri&attractors=4000&style=survey");
         let mut session = finished_link(&link);
         let counts = ["few", "some", "many"].map(|labels| {
             session.change(recipe(&link, &[(Key::Labels, labels)])).unwrap();
@@ -203,7 +203,7 @@ tiers!(maps_with_mountains_tell_the_heights_of_summits_and_of_saddles);
 fn the_highest_place_is_told_and_has_a_triangle() {
     // On some maps a river or a name is.
     let is_told = |seed: &str| {
-        let link = format!("land=island&sea=0.55&attractors=5600&seed={seed}&style=survey&labels=some");
+        let link = format!("land=island&sea=0.55&attractors=5600&country=usual&seed={seed}&style=survey&labels=some");
         let (labels, _) = placed(&finished_link(&link).map().unwrap(), 1440.0);
         let highest = of(&labels, Kind::SpotHeight).max_by_key(|label| label.text.parse::<u32>().unwrap()).unwrap();
         highest.strokes.len() == 4 && of(&labels, Kind::SpotHeight).any(|label| label.strokes.len() == 1)
@@ -214,7 +214,7 @@ fn the_highest_place_is_told_and_has_a_triangle() {
 /// In each picture, the whole and a part of the map.
 #[test]
 fn grid_letters_and_lines_are_those_of_the_grid() {
-    let session = finished_link("land=archipelago&seed=moa&attractors=3000&style=survey&labels=some");
+    let session = finished_link("land=archipelago&country=usual&seed=moa&attractors=3000&style=survey&labels=some");
     let size = session.domain().size;
     for sheet in [[Vec2::ZERO, size], [Vec2::new(190.0, 100.0), Vec2::new(1010.0, 640.0)]] {
         let map = session.map().unwrap();
@@ -267,7 +267,7 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         [("island", "none"), ("continent", "framed"), ("archipelago", "plain"), ("rectangle", "none")]
     {
         let link = format!(
-            "land={land}&sea=0.7&drowning=0&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}"
+            "land={land}&sea=0.7&drowning=0&country=usual&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}"
         );
         let session = finished_link(&link);
         let map = session.map().unwrap();
@@ -373,7 +373,7 @@ proptest! {
 fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
     let (mut with, mut all) = (0, 0);
     for style in <Style as riverseed::recipe::Choice>::WORDS {
-        let link = format!("land=island&seed=kauri&attractors=1000&labels=none&style={}", style.name);
+        let link = format!("land=island&country=usual&seed=kauri&attractors=1000&labels=none&style={}", style.name);
         let mut session = finished_link(&link);
         let size = session.domain().size;
         assert!(labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
@@ -394,7 +394,8 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
 #[test]
 fn svg_has_marks_a_legend_and_a_seal() {
     let svg = |style: &str| {
-        let session = finished_link(&format!("land=island&seed=kauri&attractors=3000&labels=some&style={style}"));
+        let session =
+            finished_link(&format!("land=island&country=usual&seed=kauri&attractors=3000&labels=some&style={style}"));
         let map = session.map().unwrap();
         let (labels, _) = placed(&map, session.domain().size.x);
         let texts = [
@@ -429,7 +430,7 @@ fn svg_has_marks_a_legend_and_a_seal() {
 /// Letters are left out of a seal: where they are, the paper shows.
 #[test]
 fn a_seal_is_red_with_letters_left_out() {
-    let session = finished_link("land=island&seed=kauri&attractors=500&style=ink-wash&labels=few");
+    let session = finished_link("land=island&country=usual&seed=kauri&attractors=500&style=ink-wash&labels=few");
     let mut picture = Picture::new(1440, 900).unwrap();
     picture.paint(&session);
     let map = session.map().unwrap();

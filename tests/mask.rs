@@ -71,7 +71,7 @@ impl Mask {
 }
 
 fn recipe(text: &str) -> Recipe {
-    link::read(&format!("seed=matai&land=drawn&aspect=1.5&{text}")).unwrap()
+    link::read(&format!("country=usual&seed=matai&land=drawn&aspect=1.5&{text}")).unwrap()
 }
 
 #[test]

@@ -7,27 +7,26 @@ use geo::{LineString, Polygon, Validation};
 use glam::Vec2;
 use riverseed::base::work;
 use riverseed::network::{Meander, NONE, Network, NetworkSettings, Place, Shaping, gap};
-use riverseed::recipe::preset::COUNTRIES;
-use riverseed::recipe::{CourseShape, Key, link};
+use riverseed::recipe::{CourseShape, link};
 use riverseed::{Oxbow, River, Session};
 
 /// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can
 /// be.
 const OLD: [&str; 6] = [
-    "seed=skye&attractors=4000",
-    "seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&trim-variation=0&tributary-spacing=0&width=22&great-rivers=2&flat-share=0.6",
-    "seed=needle&land=rectangle&aspect=1.5&sides=s&mouths=2&growth=colonize&attractors=800&trim=30&trim-variation=0&tributary-spacing=0&width=34&flat-share=0.6&meander=flow",
-    "seed=fisk&land=rectangle&aspect=2&sides=s&mouths=1&growth=colonize&attractors=700&trim=30&trim-variation=0&tributary-spacing=0&width=26&flat-share=0.7&meander-mix=0.8",
-    "seed=danube&land=continent&growth=brownian&sensitivity=30&trim=20&width=10&great-rivers=6&meander=flow&meander-strength=1",
-    "seed=anduin&land=continent&growth=drainage&attractors=3000&width=24&great-rivers=16&flat-share=1&meander-strength=1&meander-elsewhere=1&clearance=0",
+    "country=usual&seed=skye&attractors=4000",
+    "country=usual&seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&trim-variation=0&tributary-spacing=0&width=22&great-rivers=2&flat-share=0.6",
+    "country=usual&seed=needle&land=rectangle&aspect=1.5&sides=s&mouths=2&growth=colonize&attractors=800&trim=30&trim-variation=0&tributary-spacing=0&width=34&flat-share=0.6&meander=flow",
+    "country=usual&seed=fisk&land=rectangle&aspect=2&sides=s&mouths=1&growth=colonize&attractors=700&trim=30&trim-variation=0&tributary-spacing=0&width=26&flat-share=0.7&meander-mix=0.8",
+    "country=usual&seed=danube&land=continent&growth=brownian&sensitivity=30&trim=20&width=10&great-rivers=6&meander=flow&meander-strength=1",
+    "country=usual&seed=anduin&land=continent&growth=drainage&attractors=3000&width=24&great-rivers=16&flat-share=1&meander-strength=1&meander-elsewhere=1&clearance=0",
 ];
 
 /// Rivers that either model spoils most easily: wide ones and narrow ones, with many junctions that hold them.
 const HELD: [&str; 4] = [
-    "seed=weka&land=rectangle",
-    "seed=rata&flat-share=0.5",
-    "seed=weka&land=rectangle&growth=colonize&attractors=2000&width=24",
-    "seed=skye&attractors=4000",
+    "country=usual&seed=weka&land=rectangle",
+    "country=usual&seed=rata&flat-share=0.5",
+    "country=usual&seed=weka&land=rectangle&growth=colonize&attractors=2000&width=24",
+    "country=usual&seed=skye&attractors=4000",
 ];
 
 /// The rivers of a recipe before they meander.
@@ -203,7 +202,7 @@ fn share_within(from: Vec2, to: Vec2, [least, most]: [Vec2; 2]) -> f32 {
 }
 
 /// Great rivers that nothing but the frame keeps from running along it.
-const BESIDE_FRAME: &str = "seed=z0&land=rectangle&aspect=1.5&growth=colonize&attractors=600&trim=20&width=20&great-rivers=8&flat-share=1&meander-strength=1";
+const BESIDE_FRAME: &str = "country=usual&seed=z0&land=rectangle&aspect=1.5&growth=colonize&attractors=600&trim=20&width=20&great-rivers=8&flat-share=1&meander-strength=1";
 
 /// Rivers grow near it, and reach the sea there, but no bend comes to it.
 fn no_river_comes_to_run_along_the_frame() {
@@ -223,18 +222,18 @@ tiers!(no_river_comes_to_run_along_the_frame);
 
 /// All kinds of country, both models, the three ways of growing, widths to 40.
 const DRAWN: [&str; 12] = [
-    "seed=s0&land=island",
-    "seed=s1&land=archipelago&attractors=12000&meander=flow",
-    "seed=s2&land=continent&sea=0.4&roughness=0.9&sides=sw&width=18",
-    "seed=s3&aspect=1.3&land=valley&sea=0.15&roughness=0.7&attractors=18000&channel-area=8&width=20",
-    "seed=s4&aspect=1.3&land=basin&sea=0.25&meander=flow&width=40",
-    "seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5&oxbows=1",
-    "seed=s8&land=island&sea=0.45&growth=brownian&sensitivity=11&width=18",
-    "seed=s9&land=continent&growth=brownian&sensitivity=30&trim=20&width=40&meander=flow",
-    "seed=s10&land=continent&sea=0.3&sides=e&attractors=30000&channel-area=3&width=24",
-    "seed=s12&land=rectangle&growth=colonize&attractors=2000&width=24&curl=0.9&stretch=7",
-    "seed=s13&land=rectangle&growth=colonize&attractors=1500&momentum=0.45&trim=8&width=40&meander=flow&clearance=0",
-    "seed=fisk&land=rectangle&mouths=1&attractors=1500&channel-area=20&trim=30&width=26&meander-mix=0.8&great-rivers=2&flat-share=0.6",
+    "country=usual&seed=s0&land=island",
+    "country=usual&seed=s1&land=archipelago&attractors=12000&meander=flow",
+    "country=usual&seed=s2&land=continent&sea=0.4&roughness=0.9&sides=sw&width=18",
+    "country=usual&seed=s3&aspect=1.3&land=valley&sea=0.15&roughness=0.7&attractors=18000&channel-area=8&width=20",
+    "country=usual&seed=s4&aspect=1.3&land=basin&sea=0.25&meander=flow&width=40",
+    "country=usual&seed=s7&aspect=2&land=valley&sea=0.15&attractors=5000&channel-area=20&width=26&great-rivers=5&flat-share=0.6&neck=2.5&oxbows=1",
+    "country=usual&seed=s8&land=island&sea=0.45&growth=brownian&sensitivity=11&width=18",
+    "country=usual&seed=s9&land=continent&growth=brownian&sensitivity=30&trim=20&width=40&meander=flow",
+    "country=usual&seed=s10&land=continent&sea=0.3&sides=e&attractors=30000&channel-area=3&width=24",
+    "country=usual&seed=s12&land=rectangle&growth=colonize&attractors=2000&width=24&curl=0.9&stretch=7",
+    "country=usual&seed=s13&land=rectangle&growth=colonize&attractors=1500&momentum=0.45&trim=8&width=40&meander=flow&clearance=0",
+    "country=usual&seed=fisk&land=rectangle&mouths=1&attractors=1500&channel-area=20&trim=30&width=26&meander-mix=0.8&great-rivers=2&flat-share=0.6",
 ];
 
 /// The banks of a river from its source to its end, as the geo crate sees them; `None` if the river has no width anywhere.
@@ -269,12 +268,9 @@ tiers!(no_river_covers_itself);
 /// *Old river* promises oxbow lakes, however long it meanders.
 #[test]
 fn old_rivers_have_oxbow_lakes() {
-    let country = COUNTRIES.iter().find(|country| country.name == "old-river").unwrap();
-    let others = country.values.iter().filter(|(key, _)| *key != Key::MeanderRounds);
-    let values: Vec<String> = others.map(|(key, text)| format!("{}={text}", key.parameter().name)).collect();
     for rounds in [120, 400] {
         let lakes = |seed: u32| {
-            let link = format!("seed=o{seed}&{}&meander-rounds={rounds}", values.join("&"));
+            let link = format!("seed=o{seed}&country=old-river&meander-rounds={rounds}");
             let mut session = Session::new(link::read(&link).unwrap()).unwrap();
             session.finish().unwrap().network().oxbows.len()
         };

@@ -22,7 +22,7 @@ fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
 }
 
 /// A map on which several great rivers wind.
-const MANY_REACHES: &str = "seed=s0&land=island&sea=0.55&attractors=5600&bending=1&bending-variation=0&growth=drainage&great-rivers=8&style=ink";
+const MANY_REACHES: &str = "country=usual&seed=s0&land=island&sea=0.55&attractors=5600&bending=1&bending-variation=0&growth=drainage&great-rivers=8&style=ink";
 
 proptest! {
     #![proptest_config(large(500))]
@@ -110,13 +110,14 @@ fn the_longest_names_and_seed_fit_a_link() {
     assert_eq!(link::read(&link::write(&recipe)), Ok(recipe));
 }
 
-const SMALL: &str = "growth=drainage&land=archipelago&attractors=2000&seed=s2&style=ink&meander-rounds=40";
+const SMALL: &str =
+    "growth=drainage&land=archipelago&attractors=2000&country=usual&seed=s2&style=ink&meander-rounds=40";
 
 #[test]
 fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
     let plain = Names::of(&finished(SMALL, "").map().unwrap());
     let fork = (0..30).find_map(|seed| {
-        let link = format!("{SMALL}&trim=0").replace("seed=s2", &format!("seed=f{seed}"));
+        let link = format!("{SMALL}&trim=0").replace("country=usual&seed=s2", &format!("country=usual&seed=f{seed}"));
         let names = Names::of(&finished(&link, "").map().unwrap());
         let fork = names.rivers.iter().find(|river| river.name.contains("Fork of the"))?;
         let parent = names.rivers.iter().find(|river| fork.name.ends_with(&format!(" {}", river.short)))?;
@@ -146,8 +147,9 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
 
 #[test]
 fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
-    let of_seed =
-        |seed: u32, own: &str| Names::of(&finished(MANY_REACHES, &format!("seed=s{seed}&names={own}")).map().unwrap());
+    let of_seed = |seed: u32, own: &str| {
+        Names::of(&finished(MANY_REACHES, &format!("country=usual&seed=s{seed}&names={own}")).map().unwrap())
+    };
     // Another reach may be called The Meanders, after no river.
     let is_named_after_a_river = |name: &str| name.ends_with(" Meanders") && name != "The Meanders";
     let meanders = |names: Names| names.reaches.into_iter().find(|reach| is_named_after_a_river(&reach.name));
@@ -162,7 +164,7 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
 
 #[test]
 fn a_reach_keeps_its_word_however_long_it_winds() {
-    let link = "growth=drainage&land=island&attractors=6000&seed=kauri&style=ink&meander=bend";
+    let link = "growth=drainage&land=island&attractors=6000&country=usual&seed=kauri&style=ink&meander=bend";
     let reaches = |over: &str| -> BTreeMap<u32, String> {
         let names = Names::of(&finished(link, over).map().unwrap());
         names.reaches.into_iter().map(|reach| (reach.identity, reach.name)).collect()
@@ -302,7 +304,7 @@ fn a_seed_that_can_be_a_name_is_the_country_s_and_own_names_of_map_and_land_foll
 #[test]
 fn case_counts_for_nothing_but_the_title() {
     let of = |seed: &str| {
-        let session = finished(SMALL, &format!("seed={seed}"));
+        let session = finished(SMALL, &format!("country=usual&seed={seed}"));
         let names = Names::of(&session.map().unwrap());
         let (vertices, rivers) = (session.network().unwrap().vertices.clone(), names.rivers);
         (session.recipe().seed().to_owned(), names.title, vertices.len(), rivers)
@@ -319,7 +321,7 @@ fn case_counts_for_nothing_but_the_title() {
 
 #[test]
 fn nothing_is_called_by_a_foul_word() {
-    let session = finished("", "seed=anna");
+    let session = finished("", "country=usual&seed=anna");
     let names = Names::of(&session.map().unwrap());
     let marked = names.marked(session.network().unwrap());
     let greatest: Vec<&str> = marked.iter().map(|(_, name)| *name).skip(1).take(2).collect();
@@ -328,7 +330,7 @@ fn nothing_is_called_by_a_foul_word() {
 
 #[test]
 fn the_title_is_the_first_of_all_names() {
-    let session = finished(SMALL, "seed=tay");
+    let session = finished(SMALL, "country=usual&seed=tay");
     let names = Names::of(&session.map().unwrap());
     let marked = names.marked(session.network().unwrap());
     assert_eq!((marked[0].0.to_string().as_str(), marked[0].1), ("t", "Tay"));
@@ -355,7 +357,7 @@ fn coasts_have_bays_capes_and_straits_and_mountains_have_ranges() {
     let mut found = [0; 5];
     for land in ["island", "archipelago", "continent", "valley"] {
         for seed in ["tay", "kauri"] {
-            let link = format!("land={land}&seed={seed}&attractors=3000&style=atlas");
+            let link = format!("land={land}&country=usual&seed={seed}&attractors=3000&style=atlas");
             let session = finished(&link, "");
             let (places, coast) = (Names::of(&session.map().unwrap()).places, session.land().unwrap().clone());
             let height = |at| coast.coast_distance().height(at);
@@ -391,7 +393,7 @@ fn coasts_have_bays_capes_and_straits_and_mountains_have_ranges() {
 fn own_names_stay_on_their_places_when_sliders_move() {
     let (mut kept, mut all) = (0, 0);
     for (land, seed) in [("island", "tay"), ("archipelago", "kauri"), ("continent", "rimu")] {
-        let link = format!("land={land}&seed={seed}&attractors=3000&sea=0.6&roughness=0.5&style=atlas");
+        let link = format!("land={land}&country=usual&seed={seed}&attractors=3000&sea=0.6&roughness=0.5&style=atlas");
         let before: Vec<PlaceName> = places(&link, "").into_iter().filter(|place| place.number > 0).take(30).collect();
         let letter = |kind| match kind {
             PlaceKind::Sea => 's',

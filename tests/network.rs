@@ -242,7 +242,7 @@ fn check_elevations(network: &Network, total_discharge: u32) {
 /// A wide river's neck lay across a bay, and the river broke through it.
 #[test]
 fn no_river_breaks_through_a_strait() {
-    let link = "seed=ofmcjd&growth=colonize&valleys=0&sensitivity=43&mouth-spacing=373&shores=s&land=basin&sea=0.115&roughness=0.757&aspect=2.850\
+    let link = "country=usual&seed=ofmcjd&growth=colonize&valleys=0&sensitivity=43&mouth-spacing=373&shores=s&land=basin&sea=0.115&roughness=0.757&aspect=2.850\
         &mouths=1&sides=w&attractors=178&scatter=random&reach=6.408&kill=1.237&step=0.932&momentum=0.000&curl=0.920&stretch=25\
         &trim=0&width=36.39&style=dark&simplify=41&bank-variation=0.210&meander=flow&meander-rounds=29&meander-strength=0.199\
         &meander-mix=0.891&meander-elsewhere=0.575&great-rivers=13&flat-share=0.091&neck=3.84&clearance=0.12&taper=2.67";
@@ -267,27 +267,27 @@ tiers!(every_network_holds_its_promises);
 /// Each of these once broke a promise; with the rounds to look at.
 const FOUND_BY_CHANCE: [(&str, u32); 6] = [
     (
-        "seed=a&growth=brownian&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=e&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=1&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=1&flat-share=0.942&neck=3.12&clearance=0.00&taper=1.00",
+        "country=usual&seed=a&growth=brownian&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=e&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=1&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=1&flat-share=0.942&neck=3.12&clearance=0.00&taper=1.00",
         1,
     ),
     (
-        "seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=16&bank-variation=0.000&meander=bend&meander-rounds=131&meander-strength=0.748&meander-mix=0.996&meander-elsewhere=0.000&great-rivers=1&flat-share=0.714&neck=1.00&clearance=1&taper=10.87",
+        "country=usual&seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=16&bank-variation=0.000&meander=bend&meander-rounds=131&meander-strength=0.748&meander-mix=0.996&meander-elsewhere=0.000&great-rivers=1&flat-share=0.714&neck=1.00&clearance=1&taper=10.87",
         1,
     ),
     (
-        "seed=fgycr&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=island&outline=&sea=0.513&roughness=0.052&aspect=1.729&mouths=21&sides=n&attractors=200&scatter=grid&reach=11.217&kill=0.500&step=0.483&momentum=0.731&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=36&bank-variation=0.000&meander=flow&meander-rounds=39&meander-strength=0.736&meander-mix=0.000&meander-elsewhere=0.984&great-rivers=0&flat-share=0.000&neck=2.06&clearance=1&taper=8.48",
+        "country=usual&seed=fgycr&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=island&outline=&sea=0.513&roughness=0.052&aspect=1.729&mouths=21&sides=n&attractors=200&scatter=grid&reach=11.217&kill=0.500&step=0.483&momentum=0.731&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=36&bank-variation=0.000&meander=flow&meander-rounds=39&meander-strength=0.736&meander-mix=0.000&meander-elsewhere=0.984&great-rivers=0&flat-share=0.000&neck=2.06&clearance=1&taper=8.48",
         1,
     ),
     (
-        "seed=ngmweo&growth=brownian&sensitivity=44&mouth-spacing=0&land=island&outline=&sea=0.226&roughness=0.878&aspect=2.909&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.379&meander=bend&meander-rounds=3&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.861&great-rivers=0&flat-share=0.000&neck=3.26&clearance=0.00&taper=1.00",
+        "country=usual&seed=ngmweo&growth=brownian&sensitivity=44&mouth-spacing=0&land=island&outline=&sea=0.226&roughness=0.878&aspect=2.909&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.379&meander=bend&meander-rounds=3&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.861&great-rivers=0&flat-share=0.000&neck=3.26&clearance=0.00&taper=1.00",
         1,
     ),
     (
-        "seed=gslj&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=basin&outline=&sea=0.100&roughness=0.694&aspect=1.287&mouths=1&sides=n&attractors=340&scatter=random&reach=11.924&kill=0.522&step=1.179&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
+        "country=usual&seed=gslj&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=basin&outline=&sea=0.100&roughness=0.694&aspect=1.287&mouths=1&sides=n&attractors=340&scatter=random&reach=11.924&kill=0.522&step=1.179&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
         4,
     ),
     (
-        "seed=xxvwf&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=147&land=archipelago&outline=&sea=0.594&roughness=0.425&aspect=3.775&mouths=49&sides=n&attractors=243&scatter=random&reach=2.100&kill=0.500&step=0.852&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=39&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
+        "country=usual&seed=xxvwf&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=147&land=archipelago&outline=&sea=0.594&roughness=0.425&aspect=3.775&mouths=49&sides=n&attractors=243&scatter=random&reach=2.100&kill=0.500&step=0.852&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=39&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
         1,
     ),
 ];

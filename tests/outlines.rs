@@ -46,13 +46,13 @@ fn checked(recipe: &str) -> usize {
 #[test]
 fn outlines_of_rivers_and_lakes_are_valid_polygons() {
     // Banks of these rivers made loops in narrow bends once, and a third of all rings did not meet their own beginning.
-    assert_eq!(checked("seed=kauri&land=island"), 350);
+    assert_eq!(checked("country=usual&seed=kauri&land=island"), 350);
 }
 
 #[test]
 fn outlines_of_wide_rivers_and_of_lakes_are_valid_polygons() {
     checked(
-        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3&oxbows=1",
+        "country=usual&seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3&oxbows=1",
     );
-    checked("seed=kauri&land=island&style=past-courses&attractors=3000");
+    checked("country=usual&seed=kauri&land=island&style=past-courses&attractors=3000");
 }

@@ -30,13 +30,13 @@ fn on_picture(map: &Map, [width, height]: [f32; 2]) -> Vec<Label> {
 
 /// The recipe of a seed with its three greatest rivers named.
 fn named(seed: &str) -> Session {
-    let mut session = finished(&format!("seed={seed}"));
+    let mut session = finished(&format!("country=usual&seed={seed}"));
     let map = session.map().unwrap();
     let rivers = |(mark, _): &(Mark, &str)| matches!(mark, Mark::River(_));
     let of = Names::of(&map);
     let marks = of.marked(map.network()).into_iter().filter(rivers).map(|(mark, _)| mark);
     let texts: Vec<String> = marks.zip(NAMES).map(|(mark, name)| format!("{mark}.{name}")).collect();
-    session.change(link::read(&format!("seed={seed}&names={}", texts.join("_"))).unwrap()).unwrap();
+    session.change(link::read(&format!("country=usual&seed={seed}&names={}", texts.join("_"))).unwrap()).unwrap();
     session.finish().unwrap();
     session
 }
@@ -80,7 +80,8 @@ fn own_names_touch_no_other_label_and_not_their_river() {
 
 #[test]
 fn a_map_without_names_has_no_own_ones() {
-    let session = finished("seed=tay&attractors=1000&labels=none&cartouche=plain&names=0.Silver+Run_i0.Home");
+    let session =
+        finished("country=usual&seed=tay&attractors=1000&labels=none&cartouche=plain&names=0.Silver+Run_i0.Home");
     let labels = on_picture(&session.map().unwrap(), [1200.0, 750.0]);
     assert!(!labels.is_empty() && labels.iter().all(|label| label.kind.is_block()));
 }

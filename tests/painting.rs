@@ -54,7 +54,7 @@ proptest! {
     }
 
     fn after_each_round_of_drainage_the_picture_is_that_of_painting_at_once(seed in "[a-z]{1,6}", captures in 1u32..6) {
-        let link = format!("growth=drainage&land=island&attractors=900&seed={seed}&captures={captures}&trim=40");
+        let link = format!("growth=drainage&land=island&attractors=900&country=usual&seed={seed}&captures={captures}&trim=40");
         let (mut session, mut kept) = (Session::new(link::read(&link).unwrap()).unwrap(), picture());
         let mut trees = 0;
         while session.growth().ending().is_none() {
@@ -121,7 +121,7 @@ tiers!(
 /// Its picture was another once.
 #[test]
 fn changing_the_procedure_of_growth_alone_gives_its_picture() {
-    let link = "seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink";
+    let link = "country=usual&seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink";
     check_change(link, link);
 }
 
@@ -155,7 +155,7 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
 tiers!(rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it);
 
 /// Rivers that cut off loops, on land with a coast and without.
-const BENDS: &str = "seed=fisk&aspect=1&sea=0.55&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=4&meander-mix=1&style=past-courses";
+const BENDS: &str = "country=usual&seed=fisk&aspect=1&sea=0.55&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=4&meander-mix=1&style=past-courses";
 
 #[test]
 fn past_courses_painted_round_by_round_are_those_painted_at_once() {
@@ -209,7 +209,7 @@ fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
 fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
     for land in one_in(2, ["island", "rectangle"]) {
         let mut fresh = BTreeMap::new();
-        let link = |style: &str| format!("seed=kea&attractors=900&mouths=3&land={land}&style={style}");
+        let link = |style: &str| format!("country=usual&seed=kea&attractors=900&mouths=3&land={land}&style={style}");
         let (mut session, mut picture) = (Session::new(link::read(&link("atlas")).unwrap()).unwrap(), picture());
         for style in Style::WORDS.iter().chain(Style::WORDS.iter().rev()).map(|word| word.name) {
             let recipe = link::read(&link(style)).unwrap();
@@ -246,7 +246,7 @@ proptest! {
         changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),
     ) {
         let land = if has_coast { "island" } else { "rectangle" };
-        let start = link::read(&format!("seed=kea&attractors=300&mouths=3&land={land}&meander-rounds=9")).unwrap();
+        let start = link::read(&format!("country=usual&seed=kea&attractors=300&mouths=3&land={land}&meander-rounds=9")).unwrap();
         let recipe = |&(style, shade, is_grown, _): &Change| {
             let mut recipe = start.clone();
             recipe.set(Key::Style, Style::WORDS[style].name).unwrap();

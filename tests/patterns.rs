@@ -63,7 +63,7 @@ impl Directions {
 
     /// The median of each measure over five seeds.
     fn usual(link: &str) -> Self {
-        let of_seeds = [1, 2, 3, 4, 5].map(|seed| Self::of(&format!("{link}&seed=p{seed}")));
+        let of_seeds = [1, 2, 3, 4, 5].map(|seed| Self::of(&format!("{link}&country=usual&seed=p{seed}")));
         let median = |measure: fn(&Self) -> f64| {
             let mut values = of_seeds.each_ref().map(measure);
             values.sort_by(f64::total_cmp);
@@ -212,7 +212,7 @@ fn nine_of_ten_maps_are_named_after_the_pattern_that_was_asked_for() {
         let name = pattern.word().name;
         for seed in 0..5 {
             let link = format!(
-                "{}&attractors={}&pattern={name}&meander-rounds=4&tributary-spacing={}&seed=unseen{seed}",
+                "{}&attractors={}&pattern={name}&meander-rounds=4&tributary-spacing={}&country=usual&seed=unseen{seed}",
                 lands(pattern)[seed % 2],
                 [8000, 12_000][seed / 2 % 2],
                 [1.6, 0.0][seed / 3],

@@ -72,7 +72,7 @@ fn nature_s_ranges_are_median_least_and_greatest_of_dozens_of_pieces() {
 /// The measures of a recipe's maps, by name: the medians of twelve.
 fn usual(recipe: &str) -> impl Fn(&str) -> f64 + use<> {
     let of_seed = |seed: u32| {
-        let mut session = Session::new(link::read(&format!("{recipe}&seed=s{seed}")).unwrap()).unwrap();
+        let mut session = Session::new(link::read(&format!("{recipe}&country=usual&seed=s{seed}")).unwrap()).unwrap();
         session.finish().unwrap();
         Measures::of(&session.map().unwrap())
     };
@@ -156,7 +156,8 @@ fn junctions_are_the_narrower_the_more_the_land_falls() {
 fn default_drainage_is_named_dendritic() {
     for land in ["rectangle&sides=s", "rectangle", "island", "continent", "archipelago"] {
         for seed in 0..4 {
-            let mut session = Session::new(link::read(&format!("land={land}&seed=s{seed}")).unwrap()).unwrap();
+            let mut session =
+                Session::new(link::read(&format!("land={land}&country=usual&seed=s{seed}")).unwrap()).unwrap();
             session.finish().unwrap();
             let pattern = Measures::of(&session.map().unwrap()).pattern().unwrap();
             assert_eq!(pattern.name(), "dendritic", "{land}, {seed}: {:?}", pattern.nearest_first());

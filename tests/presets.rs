@@ -45,7 +45,7 @@ const TREES: [(&str, u64); 6] = [
     ("trimmed-momentum", 0x200d_5dcd_b1ec_7874),
     ("trimmed-curl", 0xc47c_1a37_4404_7974),
 ];
-const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
+const GROUND: &str = "country=usual&seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
 
 fn tree(recipe: &Recipe) -> u64 {
     let settings = GrowthSettings::of(recipe);

@@ -135,7 +135,7 @@ fn dam(rasters: &Rasters, cell: usize) -> f32 {
 fn no_river_of_finer_grids_stands_on_a_dam() {
     let maps = [("land=basin", 700), ("land=island", 2049), ("land=archipelago", 1025), ("growth=colonize", 1025)];
     for (text, size) in one_in(4, maps) {
-        let session = finished(&format!("seed=kea&{text}&attractors=3000"));
+        let session = finished(&format!("country=usual&seed=kea&{text}&attractors=3000"));
         let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
         let rivers = (0..rasters.columns * rasters.rows).filter(|&cell| rasters.flow().rivers[cell] != NONE);
         let dams: Vec<f32> = rivers.map(|cell| dam(&rasters, cell)).collect();
@@ -169,7 +169,7 @@ tiers!(water_runs_to_the_sea_from_everywhere);
 
 fn water_runs_to_the_sea_on_usual_maps() {
     for (land, growth) in one_in(7, pairs(every_land(), ["drainage", "colonize", "brownian&sensitivity=24"])) {
-        let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
+        let session = finished(&format!("country=usual&seed=kea&{land}&growth={growth}&attractors=3000"));
         let rasters = Rasters::new(&session.map().unwrap()).unwrap();
         check_flow(&session, &rasters);
         let flow = rasters.flow();
@@ -198,7 +198,7 @@ proptest! {
 #[ignore = "second tier"]
 fn water_runs_to_the_sea_on_rasters_of_several_sizes_of_every_land() {
     for land in every_land() {
-        let session = finished(&format!("seed=tui&{land}&attractors=1200"));
+        let session = finished(&format!("country=usual&seed=tui&{land}&attractors=1200"));
         for size in [800, 1400] {
             let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
             check_flow(&session, &rasters);
@@ -210,7 +210,7 @@ fn water_runs_to_the_sea_on_rasters_of_several_sizes_of_every_land() {
 fn mouths_at_the_border_without_a_cell_of_sea_beside_them_lead_off_the_map() {
     for (seed, size) in one_in(4, pairs(["a", "d", "g", "k", "m", "t"], [None, Some(800), Some(1025), Some(1400)])) {
         let session = finished(&format!(
-            "seed={seed}&land=valley&sea=0.1767&sides=nsw&growth=brownian&sensitivity=10&meander=flow\
+            "country=usual&seed={seed}&land=valley&sea=0.1767&sides=nsw&growth=brownian&sensitivity=10&meander=flow\
              &meander-rounds=40&great-rivers=16"
         ));
         let map = session.map().unwrap();
@@ -236,7 +236,10 @@ fn distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
 fn water_follows_rivers() {
     // Within a cell's diagonal: a path may take a corner.
     const NEAR: f32 = 3.0;
-    for text in ["seed=kea&attractors=3000", "seed=rimu&attractors=3000&growth=colonize&land=rectangle"] {
+    for text in [
+        "country=usual&seed=kea&attractors=3000",
+        "country=usual&seed=rimu&attractors=3000&growth=colonize&land=rectangle",
+    ] {
         let session = finished(text);
         let (rasters, network) = (Rasters::new(&session.map().unwrap()).unwrap(), session.network().unwrap());
         let (mut steps, mut astray) = (0, 0);
@@ -262,12 +265,12 @@ fn water_follows_rivers() {
 #[test]
 fn any_style_has_the_same_rasters_and_the_highest_land_of_default_maps_is_a_mountain() {
     for seed in ["kauri", "rimu", "kea"] {
-        let rasters = Rasters::new(&finished(&format!("seed={seed}")).map().unwrap()).unwrap();
+        let rasters = Rasters::new(&finished(&format!("country=usual&seed={seed}")).map().unwrap()).unwrap();
         let highest = rasters.scale.metres(u16::MAX);
         assert!((600.0..3000.0).contains(&highest), "{seed}: {highest} m");
     }
     let with = |style: &str| {
-        Rasters::new(&finished(&format!("seed=kea&attractors=800&style={style}")).map().unwrap()).unwrap()
+        Rasters::new(&finished(&format!("country=usual&seed=kea&attractors=800&style={style}")).map().unwrap()).unwrap()
     };
     for layer in Layer::ALL {
         assert_eq!(with("ink").values(layer), with("atlas").values(layer), "{layer:?}");
@@ -276,7 +279,7 @@ fn any_style_has_the_same_rasters_and_the_highest_land_of_default_maps_is_a_moun
 
 #[test]
 fn every_raster_is_read_back_as_it_was() {
-    let session = finished("seed=kea&attractors=800&land=valley");
+    let session = finished("country=usual&seed=kea&attractors=800&land=valley");
     let rasters = Rasters::new(&session.map().unwrap()).unwrap();
     for layer in Layer::ALL {
         let (columns, rows, values, texts) = read(&file(&rasters, layer));
@@ -292,9 +295,9 @@ fn every_raster_is_read_back_as_it_was() {
 
 fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
     let maps = [
-        ("seed=kea&attractors=1500", 1025),
-        ("seed=rimu&attractors=1500&land=rectangle&growth=colonize&aspect=0.7", 1500),
-        ("seed=matai&land=valley&growth=brownian&sensitivity=24", 2048),
+        ("country=usual&seed=kea&attractors=1500", 1025),
+        ("country=usual&seed=rimu&attractors=1500&land=rectangle&growth=colonize&aspect=0.7", 1500),
+        ("country=usual&seed=matai&land=valley&growth=brownian&sensitivity=24", 2048),
     ];
     for (text, size) in one_in(3, maps) {
         let session = finished(text);
@@ -329,7 +332,7 @@ tiers!(finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them);
 #[test]
 fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_large() {
     for (aspect, own) in [("1", 500), ("1.5", 613), ("0.25", 1000)] {
-        let session = finished(&format!("seed=kea&attractors=800&aspect={aspect}"));
+        let session = finished(&format!("country=usual&seed=kea&attractors=800&aspect={aspect}"));
         let usual = Rasters::new(&session.map().unwrap()).unwrap();
         let asked = Rasters::with_size(&session.map().unwrap(), own).unwrap();
         assert!(asked == usual, "{aspect}");
@@ -347,7 +350,7 @@ fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_
 fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
     for (aspect, part) in [("2", [0..708, 177..531]), ("0.5", [177..531, 0..708])] {
         // Land runs to the map's edges.
-        let session = finished(&format!("seed=kea&attractors=300&land=rectangle&aspect={aspect}"));
+        let session = finished(&format!("country=usual&seed=kea&attractors=300&land=rectangle&aspect={aspect}"));
         let own = Rasters::new(&session.map().unwrap()).unwrap();
         let square = own.clone().into_squares().unwrap();
         assert_eq!((square.columns, square.rows, own.part()), (708, 708, None), "{aspect}");
@@ -379,14 +382,14 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
         let place = format!("{} x {} from {}, {}", own.columns, own.rows, columns.start, rows.start);
         assert!(texts.contains(&("map-pixels", place)), "{texts:?}");
     }
-    let square = finished("seed=kea&attractors=300&aspect=1");
+    let square = finished("country=usual&seed=kea&attractors=300&aspect=1");
     let own = Rasters::new(&square.map().unwrap()).unwrap();
     assert!(own.clone().into_squares().unwrap() == own, "a square map stays as it is");
 }
 
 #[test]
 fn pack_holds_every_file() {
-    let session = finished("seed=kea&attractors=300");
+    let session = finished("country=usual&seed=kea&attractors=300");
     let mut picture = Picture::new(64, 64).unwrap();
     picture.paint(&session);
     let rasters = Rasters::new(&session.map().unwrap()).unwrap();
@@ -417,7 +420,7 @@ fn pack_holds_every_file() {
 #[test]
 fn rivers_that_a_cutoff_gave_to_another_fall_into_it() {
     let session = finished(
-        "seed=f&growth=colonize&valleys=0&land=rectangle&aspect=0.25&mouths=3&sides=n&attractors=1233&kill=0.5&step=0.2\
+        "country=usual&seed=f&growth=colonize&valleys=0&land=rectangle&aspect=0.25&mouths=3&sides=n&attractors=1233&kill=0.5&step=0.2\
          &momentum=0&trim=0&tributary-spacing=0&width=3&simplify=0&bank-variation=0&meander-rounds=150&meander-strength=1\
          &meander-mix=1&meander-elsewhere=0&great-rivers=9&flat-share=0.9&neck=4&clearance=0&taper=1",
     );

@@ -110,10 +110,10 @@ const BEHIND: &[&str] = &[
     "+",
     "\r\n",
     "&amp;land=valley",
-    "#seed=rimu",
+    "#country=usual&seed=rimu",
     "\">a</a>",
     " and more",
-    "://?seed=a",
+    "://?country=usual&seed=a",
 ];
 
 /// Text that almost looks like what people paste: a link in an address, encoded, or with signs around it.

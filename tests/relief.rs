@@ -114,7 +114,7 @@ const GROWTHS: [&str; 3] = ["drainage", "colonize", "brownian&sensitivity=24"];
 
 fn no_land_of_usual_maps_is_a_pit() {
     for (land, growth) in one_in(7, pairs(every_land(), GROWTHS)) {
-        let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
+        let session = finished(&format!("country=usual&seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
         let relief = relief(&session);
         assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], 0), "{land}, {growth}");
     }
@@ -150,7 +150,7 @@ fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
     let maps = maps.zip([700, 1025, 1500, 1025, 1500, 700, 1500, 700, 1025].into_iter().cycle());
     // The last is the largest, on a map that is small there.
     for (link, cells) in one_in(14, maps.chain([("aspect=4&attractors=2000".into(), Grid::MOST)])) {
-        let session = finished(&format!("seed=kea&{link}"));
+        let session = finished(&format!("country=usual&seed=kea&{link}"));
         let finer = finer(&session, cells);
         assert_eq!(finer.columns().max(finer.rows()), cells as usize);
         assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0), "{link}");
@@ -166,8 +166,8 @@ fn share_above(values: &[f32], bound: f32) -> f32 {
 
 fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
     let texts = [
-        ("seed=kea&sea=0.55&attractors=1500", 1000),
-        ("seed=kea&growth=colonize&land=rectangle&attractors=3000", 2000),
+        ("country=usual&seed=kea&sea=0.55&attractors=1500", 1000),
+        ("country=usual&seed=kea&growth=colonize&land=rectangle&attractors=3000", 2000),
     ];
     for (text, cells) in one_in(2, texts) {
         let session = finished(text);
@@ -198,7 +198,7 @@ tiers!(finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land);
 
 #[test]
 fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
-    const ATLAS: &str = "seed=kea&mouths=3&attractors=3000";
+    const ATLAS: &str = "country=usual&seed=kea&mouths=3&attractors=3000";
     let with = |change: &str| {
         let mut recipe = link::read(ATLAS).unwrap();
         for pair in "attractors=1500&style=atlas".split('&').chain(change.split('&')).filter(|pair| !pair.is_empty()) {
@@ -231,7 +231,7 @@ fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
         fresh.finish().unwrap();
         assert!(relief(&session) == relief(&fresh), "{change}");
     }
-    assert!(finished("seed=kea&attractors=300&style=ink").relief().is_none(), "ink shows none");
+    assert!(finished("country=usual&seed=kea&attractors=300&style=ink").relief().is_none(), "ink shows none");
 }
 
 /// Ink once showed the relief of the atlas before it.
@@ -247,7 +247,9 @@ fn after_a_change_of_style_everything_is_as_of_a_fresh_recipe() {
         ("rectangle", &["ink", "night", "skeleton", "dark", "atlas"]),
     ];
     for (land, styles) in one_in(3, chains) {
-        let with = |style: &str| link::read(&format!("seed=kea&land={land}&attractors=900&style={style}")).unwrap();
+        let with = |style: &str| {
+            link::read(&format!("country=usual&seed=kea&land={land}&attractors=900&style={style}")).unwrap()
+        };
         let mut session = Session::new(with("atlas")).unwrap();
         session.finish().unwrap();
         for style in styles {
@@ -265,7 +267,7 @@ tiers!(after_a_change_of_style_everything_is_as_of_a_fresh_recipe);
 #[test]
 fn between_neighbours_no_step_is_higher_than_a_hillside_rises() {
     // With slopes of at most e to the 2.2 times that of mountains; banks of rivers are not looked at.
-    let session = finished("seed=kea&attractors=3000&style=atlas");
+    let session = finished("country=usual&seed=kea&attractors=3000&style=atlas");
     let (relief, network) = (relief(&session), session.network().unwrap());
     let mut is_river = vec![false; relief.heights().len()];
     for river in network.rivers.iter() {
@@ -350,7 +352,9 @@ fn streaks(relief: &Relief) -> f64 {
 fn the_grid_does_not_show_in_the_relief() {
     let seeds = ["kauri", "rimu", "skye", "tay", "orinoco", "mara", "totara"];
     let streaks = |seed: &&str| {
-        streaks(relief(&finished(&format!("seed={seed}&land=continent&sea=0.35&attractors=300&style=atlas"))))
+        streaks(relief(&finished(&format!(
+            "country=usual&seed={seed}&land=continent&sea=0.35&attractors=300&style=atlas"
+        ))))
     };
     let mut values: Vec<f64> = seeds.iter().map(streaks).collect();
     values.sort_by(f64::total_cmp);

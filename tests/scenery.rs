@@ -263,7 +263,7 @@ proptest! {
 
 tiers!(a_picture_painted_in_parts_is_that_of_a_fresh_one);
 
-const MAP: &str = "land=island&sea=0.55&attractors=3000&seed=kauri";
+const MAP: &str = "land=island&sea=0.55&attractors=3000&country=usual&seed=kauri";
 
 #[test]
 fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {
@@ -344,28 +344,34 @@ fn conifers_are_high_and_broad_leaves_low() {
 
 #[test]
 fn marshes_lie_on_level_low_ground_near_great_rivers_and_rows_along_them() {
-    with_heights("land=valley&attractors=3000&seed=tay&woods=0.7&style=parchment", |all, input, height| {
-        // Three units wide at least.
-        let courses: Vec<Vec<Place>> = courses(input).collect();
-        let great: Vec<&[Place]> = courses.iter().flat_map(|course| course.windows(2)).collect();
-        let great: Vec<&[Place]> =
-            great.into_iter().filter(|piece| piece.iter().any(|place| place.half >= 1.5)).collect();
-        let away = |one: &Standing| {
-            let discs = discs_near(one.foot, 40.0, &great).into_iter();
-            discs.map(|disc| disc.at.distance(one.foot) - disc.half).fold(f32::MAX, f32::min)
-        };
-        let (marshes, rows) = (of(all, Feature::Marsh), of(all, Feature::Willow));
-        assert!(marshes.len() > 40 && rows.len() > 60, "{} marshes, {} trees in rows", marshes.len(), rows.len());
-        for marsh in marshes {
-            let here = height(marsh.foot);
-            let level = |way: Vec2| (height(marsh.foot + way * 8.0) - here).abs() <= 0.05;
-            assert!(here <= 0.09 && [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].into_iter().all(level), "{marsh:?}");
-            assert!(away(marsh) < 30.1, "{marsh:?}");
-        }
-        for tree in rows {
-            assert!(away(tree) < 8.6, "{tree:?}");
-        }
-    });
+    with_heights(
+        "land=valley&attractors=3000&country=usual&seed=tay&woods=0.7&style=parchment",
+        |all, input, height| {
+            // Three units wide at least.
+            let courses: Vec<Vec<Place>> = courses(input).collect();
+            let great: Vec<&[Place]> = courses.iter().flat_map(|course| course.windows(2)).collect();
+            let great: Vec<&[Place]> =
+                great.into_iter().filter(|piece| piece.iter().any(|place| place.half >= 1.5)).collect();
+            let away = |one: &Standing| {
+                let discs = discs_near(one.foot, 40.0, &great).into_iter();
+                discs.map(|disc| disc.at.distance(one.foot) - disc.half).fold(f32::MAX, f32::min)
+            };
+            let (marshes, rows) = (of(all, Feature::Marsh), of(all, Feature::Willow));
+            assert!(marshes.len() > 40 && rows.len() > 60, "{} marshes, {} trees in rows", marshes.len(), rows.len());
+            for marsh in marshes {
+                let here = height(marsh.foot);
+                let level = |way: Vec2| (height(marsh.foot + way * 8.0) - here).abs() <= 0.05;
+                assert!(
+                    here <= 0.09 && [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].into_iter().all(level),
+                    "{marsh:?}"
+                );
+                assert!(away(marsh) < 30.1, "{marsh:?}");
+            }
+            for tree in rows {
+                assert!(away(tree) < 8.6, "{tree:?}");
+            }
+        },
+    );
 }
 
 #[test]

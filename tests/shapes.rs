@@ -34,7 +34,7 @@ fn spread(name: &str, values: impl Iterator<Item = f32>) -> [f32; 3] {
 /// GSHHS shorelines.
 fn islands_are_shaped_like_those_of_nature() {
     let measures: Vec<Measures> = one_in(3, 0..36)
-        .map(|seed| drowned(&format!("land=island&seed=shape{seed}")).main_island().measures())
+        .map(|seed| drowned(&format!("land=island&country=usual&seed=shape{seed}")).main_island().measures())
         .collect();
     let [narrowest, boxed, fullest] = spread("box", measures.iter().map(|island| island.boxed));
     let [_, coast, _] = spread("coast", measures.iter().map(|island| island.coast));
@@ -53,7 +53,7 @@ fn sizes_of_islands_in_an_archipelago_follow_a_power_law() {
     const LEAST: f32 = 500.0;
     let (mut counts, mut slopes, mut shares) = (Vec::new(), Vec::new(), Vec::new());
     for seed in one_in(3, 0..24) {
-        let raster = raster(&format!("land=archipelago&seed=shape{seed}"));
+        let raster = raster(&format!("land=archipelago&country=usual&seed=shape{seed}"));
         let square = raster.side * raster.side;
         let sizes: Vec<f32> = raster.islands().iter().map(|island| island.len() as f32 * square).collect();
         let sizes: Vec<f32> = sizes.into_iter().filter(|size| *size >= LEAST).collect();
@@ -76,7 +76,7 @@ const MOST: f32 = 0.1;
 
 fn no_side_of_a_map_is_hugged() {
     for (land, seed) in one_in(3, pairs(["island", "archipelago"], 0..24)) {
-        let raster = raster(&format!("land={land}&seed=shape{seed}"));
+        let raster = raster(&format!("land={land}&country=usual&seed=shape{seed}"));
         let (columns, rows) = (raster.columns, raster.rows);
         let beside = (BESIDE / raster.side) as usize;
         let is_land = |column: usize, row: usize| raster.is_land[row * columns + column];
@@ -97,7 +97,8 @@ fn no_side_of_a_map_is_hugged() {
 fn small_changes_move_a_coast_a_little() {
     for (land, seed) in one_in(4, pairs(["island", "archipelago", "continent", "valley", "basin"], 0..8)) {
         for [before, after] in [["sea=0.6", "sea=0.61"], ["sea=0.3", "sea=0.31"], ["roughness=0.6", "roughness=0.62"]] {
-            let [one, other] = [before, after].map(|change| raster(&format!("land={land}&seed=shape{seed}&{change}")));
+            let [one, other] =
+                [before, after].map(|change| raster(&format!("land={land}&country=usual&seed=shape{seed}&{change}")));
             let changed = one.is_land.iter().zip(&other.is_land).filter(|(a, b)| a != b).count();
             let share = changed as f32 / one.is_land.len() as f32;
             // A fifth of a strait closing makes a pond, which is filled.

@@ -86,8 +86,9 @@ fn strays(settings: &GrowthSettings) -> f32 {
 
 fn a_drawn_course_is_the_trunk_of_its_river_in_its_order() {
     for ((growth, drawing), seed) in one_in(7, pairs(pairs(ALL, [ISLAND, ""]), 0..6)) {
-        let link =
-            format!("land=drawn&growth={growth}&seed={seed}&attractors=1500&roughness=0.4&outline={drawing}{RIVERS}");
+        let link = format!(
+            "land=drawn&growth={growth}&country=usual&seed={seed}&attractors=1500&roughness=0.4&outline={drawing}{RIVERS}"
+        );
         let growth = grown(&link::read(&plain(&link)).unwrap());
         let (tree, settings) = (growth.tree(), growth.settings());
         let course = &settings.starts[0].course;
@@ -128,7 +129,8 @@ fn land_without_a_start_stays_dry() {
 fn one_mouth_waters_the_whole_land() {
     // Near every place of the land there is a river, however far from the only mouth it is.
     for (growth, seed) in one_in(4, pairs(ALL, 0..5)) {
-        let link = format!("land=drawn&growth={growth}&seed={seed}&attractors=1500&outline={ISLAND}...ZmGa");
+        let link =
+            format!("land=drawn&growth={growth}&country=usual&seed={seed}&attractors=1500&outline={ISLAND}...ZmGa");
         let growth = grown(&link::read(&plain(&link)).unwrap());
         let land = growth.settings().land().unwrap();
         let places = (0..40 * 40).map(|i| Vec2::new((i % 40) as f32, (i / 40) as f32) / 40.0 * land.size());

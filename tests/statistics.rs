@@ -31,7 +31,8 @@ const GROWERS: [&str; 4] = [
 ];
 
 fn of_seeds<T>(link: &str, measure: impl Fn(Session) -> T) -> Vec<T> {
-    let session = |seed| Session::new(link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap()).unwrap();
+    let session =
+        |seed| Session::new(link::read(&format!("country=usual&seed=s{seed}&{DEFAULTS}&{link}")).unwrap()).unwrap();
     (0..8).map(|seed| measure(session(seed))).collect()
 }
 

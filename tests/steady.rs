@@ -78,7 +78,7 @@ fn points(network: &Network, every: f32) -> Vec<Vec2> {
 /// The kept share of the greater rivers of a link, as medians over eight seeds: after each small change, and for
 /// another seed.
 fn kept(link: &str, notches: &[(Key, &str)]) -> Vec<f64> {
-    let recipe = |seed: usize| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
+    let recipe = |seed: usize| link::read(&format!("country=usual&seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
     let notched = |seed: usize, (key, change): (Key, &str)| {
         let mut recipe = recipe(seed);
         let before: f64 = key.parameter().text_of(recipe.value(key)).parse().unwrap();

@@ -41,7 +41,8 @@ fn played(text: &str) -> Vec<(Moment, Vec<u8>)> {
 
 fn each_moment_looks_as_when_it_was_played_however_one_comes_there() {
     for (growth, style) in one_in(5, pairs(["drainage", "colonize", "brownian"], ["ink", "atlas"])) {
-        let text = format!("seed=kea&land=island&growth={growth}&attractors=600&meander-rounds=9&style={style}");
+        let text =
+            format!("country=usual&seed=kea&land=island&growth={growth}&attractors=600&meander-rounds=9&style={style}");
         let played = played(&text);
         let mut session = session(&text);
         session.finish().unwrap();
@@ -62,7 +63,7 @@ tiers!(each_moment_looks_as_when_it_was_played_however_one_comes_there);
 
 #[test]
 fn each_tick_and_round_is_a_moment_and_the_ends_are_known() {
-    let text = "seed=kea&land=island&growth=drainage&attractors=600&meander-rounds=9&style=ink";
+    let text = "country=usual&seed=kea&land=island&growth=drainage&attractors=600&meander-rounds=9&style=ink";
     let played = played(text);
     let mut session = session(text);
     session.finish().unwrap();
@@ -78,7 +79,7 @@ fn each_tick_and_round_is_a_moment_and_the_ends_are_known() {
 
 #[test]
 fn only_a_finished_session_has_a_timeline_and_what_is_beyond_its_end_is_its_end() {
-    let mut session = session("seed=kea&attractors=300&meander-rounds=2");
+    let mut session = session("country=usual&seed=kea&attractors=300&meander-rounds=2");
     assert!(Timeline::new(&session).is_none());
     session.finish().unwrap();
     let mut timeline = Timeline::new(&session).unwrap();

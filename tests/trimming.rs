@@ -100,7 +100,7 @@ tiers!(
 
 #[test]
 fn trimming_takes_most_short_branches() {
-    let tree = grown("seed=kauri&kill=0.7");
+    let tree = grown("country=usual&seed=kauri&kill=0.7");
     let sources = |t| {
         let pruned = trim(&tree, &Hydrology::of(&tree), nodes(t));
         pruned.hydrology.depth.iter().filter(|&&depth| depth == 0).count()
@@ -153,7 +153,7 @@ fn one_trim_is_one_length_whatever_rivers_grew_by() {
     for growth in [BROWNIAN, colonized] {
         // Mean over some trees: lengths of single ones stray by two or three in a hundred.
         let lengths = ["kauri", "rimu", "kea", "totara"].map(|seed| {
-            let (tree, threshold) = grown_and_threshold(&format!("{growth}&trim=200&seed={seed}"));
+            let (tree, threshold) = grown_and_threshold(&format!("{growth}&trim=200&country=usual&seed={seed}"));
             threshold.nodes as f32 * length_of_a_node(&tree)
         });
         let mean = lengths.iter().sum::<f32>() / lengths.len() as f32;

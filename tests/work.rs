@@ -81,7 +81,7 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
     let drainage = EXTREMES_OF_DRAINAGE.map(|drainage| format!("attractors=20000&trim=0&{drainage}"));
     let growths: Vec<String> = growths.map(String::from).into_iter().chain(drainage).collect();
     for ((seed, lines), growth) in one_in(7, pairs([("a", 1), ("b", 1), ("c", 8)], growths)) {
-        check(&format!("seed={seed}&land=drawn&outline={}&{growth}", coasts(seed, lines, 240)));
+        check(&format!("country=usual&seed={seed}&land=drawn&outline={}&{growth}", coasts(seed, lines, 240)));
     }
 }
 
@@ -117,7 +117,8 @@ fn parcels_of_little_land_are_laid_out_with_little_work() {
     for growth in ["drainage&bending=4", "drainage&bending=2", "colonize&valleys=0.5"] {
         let mut most = Most::default();
         let outline = ".AAAAIAAAIAIAAAIA...EAEA";
-        let session = most.plant(&format!("seed=a&land=drawn&outline={outline}&attractors=1000000&growth={growth}"));
+        let session = most
+            .plant(&format!("country=usual&seed=a&land=drawn&outline={outline}&attractors=1000000&growth={growth}"));
         assert!((1..20_000).contains(&session.growth().attractors()), "{growth}: {}", session.growth().attractors());
         most.check(&session);
     }
@@ -143,7 +144,10 @@ fn a_tick_of_drainage_is_a_small_part_of_a_round() {
 #[test]
 fn a_search_for_a_mouth_ends_soon() {
     let begun = work::steps();
-    check(&format!("seed=b&growth=colonize&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
+    check(&format!(
+        "country=usual&seed=b&growth=colonize&land=drawn&outline={}&attractors=100&reach=12",
+        coasts("b", 1, 240)
+    ));
     assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
 }
 
@@ -261,7 +265,7 @@ fn no_scribbled_rivers_hold_a_tick() {
         "drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0",
     ];
     for (outline, growth) in one_in(5, pairs([course, mouths, half], growths)) {
-        check(&format!("seed=a&land=drawn&outline={outline}&growth={growth}"));
+        check(&format!("country=usual&seed=a&land=drawn&outline={outline}&growth={growth}"));
     }
 }
 

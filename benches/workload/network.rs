@@ -105,7 +105,7 @@ pub fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition
     let link = format!("meander={model}&great-rivers=4&meander-rounds=60");
     let mut all: Vec<f32> = (0..20)
         .filter_map(|seed| {
-            let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?).ok()?;
+            let mut session = Session::new(recipe(&format!("country=usual&seed={seed}&{link}"))?).ok()?;
             session.advance(u32::MAX).ok()?;
             Some(bends(session.network()?).iter().map(measure).collect::<Vec<f32>>())
         })

@@ -64,7 +64,8 @@ fn at(low_stand: &LowStand, heights: &[f32], sea: f32) -> Land {
 #[test]
 fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
     for land in ["island", "archipelago", "valley&sea=0.4"] {
-        let (low_stand, heights) = heights(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
+        let (low_stand, heights) =
+            heights(&format!("country=usual&seed=kauri&attractors=4000&drowning=0.6&land={land}"));
         let mut before = low_stand.land.clone();
         for sea in [0.45, 0.6, 0.7, 0.8].into_iter().filter(|sea| *sea > low_stand.land.share_of_sea()) {
             let land = at(&low_stand, &heights, sea);
@@ -79,7 +80,7 @@ fn land_only_shrinks_as_the_sea_rises_on_one_low_stand() {
 fn the_transgression_goes_from_the_low_stand_to_the_risen_sea_and_never_falls() {
     for land in ["island", "archipelago", "valley&sea=0.4"] {
         let (low_stand, mut transgression) =
-            transgression(&format!("seed=kauri&attractors=4000&drowning=0.6&land={land}"));
+            transgression(&format!("country=usual&seed=kauri&attractors=4000&drowning=0.6&land={land}"));
         let mut before = transgression.land();
         assert!(Arc::ptr_eq(&before, &low_stand.land), "{land}: it begins elsewhere");
         for step in 1..Transgression::STEPS {
@@ -100,7 +101,7 @@ fn the_transgression_goes_from_the_low_stand_to_the_risen_sea_and_never_falls() 
 
 #[test]
 fn no_corner_of_land_is_lower_than_all_around_it() {
-    let (low_stand, heights) = heights("seed=skye&attractors=4000&drowning=0.6&land=continent");
+    let (low_stand, heights) = heights("country=usual&seed=skye&attractors=4000&drowning=0.6&land=continent");
     let (columns, rows) = low_stand.land.coast_distance().size();
     let mut land = 0;
     for corner in (0..heights.len()).filter(|&corner| heights[corner] > 0.0) {
@@ -119,7 +120,7 @@ fn no_corner_of_land_is_lower_than_all_around_it() {
 
 #[test]
 fn greater_rivers_have_flatter_valleys() {
-    let recipe = link::read("seed=kauri&attractors=6000&drowning=0.5").unwrap();
+    let recipe = link::read("country=usual&seed=kauri&attractors=6000&drowning=0.5").unwrap();
     let low_stand = LowStand::of(&recipe, CoastDistance::SPACING).unwrap();
     let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
     while growth.tick() {}
@@ -146,8 +147,8 @@ fn greater_rivers_have_flatter_valleys() {
 /// Corners of floors are as low as the river between them, or nearly; so inlets are broad to their heads.
 #[test]
 fn troughs_of_hard_ground_are_broad_and_level_far_inland() {
-    let (low_stand, heights) = heights("seed=kauri&attractors=12000&drowning=0.6&land=continent");
-    let recipe = link::read("seed=kauri&attractors=12000&drowning=0.6&land=continent").unwrap();
+    let (low_stand, heights) = heights("country=usual&seed=kauri&attractors=12000&drowning=0.6&land=continent");
+    let recipe = link::read("country=usual&seed=kauri&attractors=12000&drowning=0.6&land=continent").unwrap();
     let mut growth = Growth::new(GrowthSettings::new(&recipe, Some(low_stand.land.clone()))).unwrap();
     while growth.tick() {}
     let drowning = Drowning::new(&recipe, low_stand.clone());

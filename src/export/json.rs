@@ -11,9 +11,8 @@ use crate::grow::Ending;
 use crate::map::Map;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
-use crate::recipe::country::is_decided;
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, IntegerKey, Key, NumberKey, Parameter, Recipe, Stage};
+use crate::recipe::{self, IntegerKey, Key, NumberKey, Parameter, Recipe, Stage, is_decided};
 use crate::tree::NO_PARENT;
 
 /// Makes the JSON of a map's network, ready to be written. It includes the attractors that the tree grew to if they are

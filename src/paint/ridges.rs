@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_ridge_sinks_to_its_ends_but_not_at_the_frame() {
-        let land = land("aspect=1.5&land=valley&sea=0.5&roughness=0");
+        let land = land("country=usual&aspect=1.5&land=valley&sea=0.5&roughness=0");
         let first = |from: f32| heights(&land, &crest(&[Vec2::new(from, 100.0), Vec2::new(400.0, 100.0)]))[0];
         assert!(first(200.0) < 0.01, "{}", first(200.0));
         assert!(first(0.0) > 0.4, "{}", first(0.0));
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn a_closed_ridge_is_as_high_at_its_seam_as_opposite() {
-        let land = land("land=valley&roughness=0&sea=0.3&aspect=1");
+        let land = land("country=usual&land=valley&roughness=0&sea=0.3&aspect=1");
         // A ring around a place far from any coast.
         let at =
             |i: u32| Vec2::from_angle(std::f32::consts::TAU * (i % 48) as f32 / 48.0) * 60.0 + Vec2::new(500.0, 300.0);

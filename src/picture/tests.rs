@@ -98,7 +98,7 @@ fn a_map_is_painted_as_its_session_is_whatever_was_shown_before() {
 #[test]
 fn the_sea_is_seen_rising_over_the_rivers() {
     for style in ["ink", "skeleton"] {
-        let text = format!("seed=kea&attractors=2000&land=island&drowning=0.6&style={style}");
+        let text = format!("country=usual&seed=kea&attractors=2000&land=island&drowning=0.6&style={style}");
         let mut session = Session::new(link::read(&text).unwrap()).unwrap();
         let mut picture = Picture::new(300, 240).unwrap();
         while session.transgression().is_none() {
@@ -152,7 +152,7 @@ fn whatever_becomes_of_the_session_the_picture_is_that_of_a_fresh_one() {
     session.restart().unwrap();
     picture.paint(&session);
     assert!(picture.pixmap().data() == painted(&session), "restarted");
-    let other = finished(&format!("{SMALL}&seed=rimu&land=rectangle"));
+    let other = finished(&format!("{SMALL}&country=usual&seed=rimu&land=rectangle"));
     let mut picture = Picture::new(100, 80).unwrap();
     for session in [finished(&format!("{SMALL}&land=rectangle")), other] {
         picture.paint(&session);

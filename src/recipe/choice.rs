@@ -187,7 +187,7 @@ impl LandKind {
 mod tests {
     use super::*;
     use crate::recipe::table::TABLE;
-    use crate::recipe::{Kind, Recipe, Style, Value, link};
+    use crate::recipe::{Kind, Parameter, Style, Value, link};
 
     /// Checks one choice, and returns the parameter that it belongs to.
     fn check<C: Choice + std::fmt::Debug>() -> Key {
@@ -215,7 +215,9 @@ mod tests {
             check::<Cartouche>(),
             check::<Style>(),
         ];
-        let choices = TABLE.iter().filter(|row| matches!(row.kind, Kind::Choice { .. }));
+        // Countries are rows of a table.
+        let is_choice = |row: &&Parameter| matches!(row.kind, Kind::Choice { .. }) && row.key != Key::Country;
+        let choices = TABLE.iter().filter(is_choice);
         for row in choices {
             assert!(checked.contains(&row.key), "'{}' is a choice that this test does not check", row.name);
         }

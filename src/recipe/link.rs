@@ -269,7 +269,8 @@ mod tests {
 
     #[test]
     fn lenient_reading_clamps_and_tells() {
-        let (recipe, notices) = read_leniently("curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
+        let (recipe, notices) =
+            read_leniently("country=usual&curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
         assert_eq!(recipe.number(NumberKey::Curl), 2.0);
         assert_eq!(recipe.integer(IntegerKey::Mouths), 3);
         assert_eq!(recipe.value(Key::Trim), &Key::Trim.parameter().default_value());

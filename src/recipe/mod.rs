@@ -20,9 +20,11 @@ pub mod link;
 mod names;
 mod outline;
 mod parameter;
+mod parcels;
 pub mod preset;
 pub mod reading;
 mod rows;
+mod settling;
 mod style;
 pub mod table;
 mod texts;
@@ -38,6 +40,7 @@ pub use key::{IntegerKey, Key, NumberKey};
 pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};
+pub use settling::is_decided;
 pub(crate) use style::Shown;
 pub use style::Style;
 pub use value::{Decimal, Sides, Value};
@@ -49,7 +52,7 @@ use table::TABLE;
 pub const EDITION: u32 = 1;
 
 /// Everything that decides a picture: a seed and a value, within its range, for each parameter of the table. What nobody
-/// named has the value of its [country].
+/// named has the value of its [country](country::COUNTRIES).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recipe {
     /// The values that are drawn.
@@ -67,6 +70,13 @@ impl Default for Recipe {
 }
 
 impl Recipe {
+    /// Returns the recipe of the table's own values, in the usual country.
+    pub(crate) fn usual() -> Self {
+        let mut usual = Self::default();
+        usual.put(Key::Country, Value::Choice(country::USUAL));
+        usual
+    }
+
     /// Returns the value of a parameter.
     pub fn value(&self, key: Key) -> &Value {
         &self.values[key as usize]
@@ -189,7 +199,7 @@ impl Recipe {
     /// # Errors
     /// Names the key, the value and the allowed range or words; the recipe is then unchanged.
     pub fn set(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
-        if text.trim() == country::AUTO && country::is_decided(key) {
+        if text.trim() == country::AUTO && is_decided(key) {
             self.forget(key);
         } else {
             self.put(key, key.parameter().parse(text)?);

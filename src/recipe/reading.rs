@@ -1,9 +1,10 @@
 //! Lenient reading of links, and of what people hand over, for pages and widgets: on dark pages in a dark style unless the link names
 //! one, in widgets within their limits.
 
-use super::choice::{GrowthMethod, LandKind};
+use super::choice::GrowthMethod;
 use super::key::{IntegerKey, Key};
 use super::link::{self, Notice};
+use super::parcels::most_attractors;
 use super::style::Style;
 use super::value::Value;
 use super::{Recipe, given};
@@ -86,16 +87,6 @@ enum WidgetLimit {
     AtLeast(IntegerKey, u32),
 }
 
-/// The greatest number of attractors, or of parcels on land, that a country or a widget has.
-const MOST_PARCELS: f32 = 30_000.0;
-
-/// Returns the greatest number of attractors that a country or a widget has. With less sea than suits the land there are more
-/// parcels on land than the recipe says.
-pub(super) fn most_attractors(recipe: &Recipe) -> u32 {
-    let more_land = (1.0 - recipe.sea()) / (1.0 - recipe.get::<LandKind>().usual_sea());
-    (MOST_PARCELS / more_land.max(1.0)).round() as u32
-}
-
 /// Returns a widget's limit for a recipe's growth method. Within it no step, not even those that turn the tree into rivers,
 /// holds up a page noticeably, even where the page's policy forbids workers. With workers the limits are the same, so
 /// that a tag gives the same river everywhere. Authors who want more can use a picture.
@@ -150,10 +141,10 @@ mod tests {
 
     #[test]
     fn with_little_sea_the_limit_is_lower_and_with_much_as_usual() {
-        let limit = |over: &str| bound(widget_limit(&link::read(over).unwrap())).1;
+        let limit = |over: &str| bound(widget_limit(&link::read(&format!("country=usual&{over}")).unwrap())).1;
         let all = ["land=island", "land=island&sea=0.8", "land=rectangle&sea=0.1", "land=basin&sea=0.3"].map(limit);
-        assert_eq!(all, [20_000; 4]);
-        assert_eq!([limit("land=island&sea=0.3"), limit("land=island&sea=0.01")], [8_000, 5_657]);
+        assert_eq!(all, [30_000; 4]);
+        assert_eq!([limit("land=island&sea=0.3"), limit("land=island&sea=0.01")], [12_000, 8_485]);
     }
 
     #[test]

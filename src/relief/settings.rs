@@ -77,7 +77,7 @@ impl ReliefSettings {
 
     /// Replaces hillsides by those of a low stand, and mountains and plains by the usual ones, whatever the recipe asks for.
     pub(super) fn of_low_stand(self) -> Self {
-        let usual = Recipe::default();
+        let usual = Recipe::usual();
         let [mountains, plains] = [NumberKey::Mountains, NumberKey::Plains].map(|key| usual.number(key));
         Self { mountains, plains, hillsides: Hillsides::OF_A_LOW_STAND, ..self }
     }

@@ -371,7 +371,7 @@ fn difference(one: &Land, other: &Land) -> f32 {
 #[test]
 fn drafts_of_drowned_coasts_are_near_the_lands_that_come() {
     for land in ["island", "archipelago", "continent", "basin"] {
-        let text = format!("seed=skye&attractors=6000&land={land}");
+        let text = format!("country=usual&seed=skye&attractors=6000&land={land}");
         let read = |more: &str| link::read(&format!("{text}&{more}")).unwrap();
         let session = finished(&format!("{text}&sea=0.5&drowning=0.5"));
         let mut drafts = SessionDrafts::default();
@@ -394,7 +394,7 @@ fn drafts_of_drowned_coasts_are_near_the_lands_that_come() {
 
 #[test]
 fn each_step_of_the_seas_rise_can_be_refused_and_made_again() {
-    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let text = "country=usual&seed=kea&attractors=2000&land=island&drowning=0.5";
     let mut session = Session::new(link::read(text).unwrap()).unwrap();
     while session.phase() != Phase::Drowning {
         session.advance(1).unwrap();
@@ -420,7 +420,7 @@ fn before_the_transgression(text: &str) -> Session {
 
 #[test]
 fn a_transgression_that_nobody_looks_at_is_no_work() {
-    let mut session = before_the_transgression("seed=kea&attractors=2000&land=island&drowning=0.5");
+    let mut session = before_the_transgression("country=usual&seed=kea&attractors=2000&land=island&drowning=0.5");
     let (mut before, mut steps) = (session.progress(), 0);
     while session.transgression().is_some_and(|transgression| transgression.step() + 1 < Transgression::STEPS) {
         let work = work::steps();
@@ -437,7 +437,7 @@ fn a_transgression_that_nobody_looks_at_is_no_work() {
 
 #[test]
 fn a_copy_in_the_transgression_counts_its_heights_and_ends_as_the_session_does() {
-    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let text = "country=usual&seed=kea&attractors=2000&land=island&drowning=0.5";
     let mut session = before_the_transgression(text);
     session.advance(3).unwrap();
     // The low stand's distances are as many.
@@ -459,7 +459,7 @@ fn a_copy_in_the_transgression_counts_its_heights_and_ends_as_the_session_does()
 
 #[test]
 fn a_cut_that_is_refused_at_its_end_is_made_again() {
-    let text = "seed=kea&attractors=2000&land=island&drowning=0.5";
+    let text = "country=usual&seed=kea&attractors=2000&land=island&drowning=0.5";
     let mut session = before_the_transgression(text);
     session.advance(Transgression::STEPS - 1).unwrap();
     for _ in 0..2 {

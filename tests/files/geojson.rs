@@ -96,7 +96,10 @@ fn places(ring: &[DVec2]) -> BTreeSet<String> {
 #[test]
 fn lakes_are_the_holes_of_the_land_with_the_islands_in_them_as_holes() {
     let (mut lakes, mut all_islands) = (0, 0);
-    for link in ["seed=kea&land=basin&attractors=300", "seed=kauri&land=basin&attractors=300&roughness=1&sea=0.4"] {
+    for link in [
+        "country=usual&seed=kea&land=basin&attractors=300",
+        "country=usual&seed=kauri&land=basin&attractors=300&roughness=1&sea=0.4",
+    ] {
         let file = geojson(&finished(link));
         let (land, water) = (polygons(&file, "land"), polygons(&file, "water"));
         let holes = land.iter().flat_map(|(properties, rings)| {
@@ -143,7 +146,8 @@ fn lines_lie_where_the_rivers_are_north_up_and_to_scale() {
 #[test]
 fn south_is_where_a_map_s_mouths_are() {
     // By hand: rivers of a plain rectangle run to its lower border, and 1.5 times as wide as high is 12.2 degrees by 8.2.
-    let session = finished("seed=kauri&land=rectangle&aspect=1.5&mouths=3&sides=s&attractors=300&meander=none");
+    let session =
+        finished("country=usual&seed=kauri&land=rectangle&aspect=1.5&mouths=3&sides=s&attractors=300&meander=none");
     for feature in list(&geojson(&session)["features"]) {
         if feature["properties"]["kind"] != "river" {
             continue;

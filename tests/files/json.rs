@@ -3,7 +3,7 @@
 use riverseed::analyse::statistics::{Measures, TABLE as TABLE_OF_MEASURES};
 use riverseed::export::json as to_json;
 use riverseed::grow::{Ending, scatter};
-use riverseed::recipe::{self, IntegerKey, Key, NumberKey, json as json_recipe, link, table::TABLE};
+use riverseed::recipe::{self, IntegerKey, Key, NumberKey, is_decided, json as json_recipe, link, table::TABLE};
 use riverseed::tree::{Hydrology, NO_PARENT};
 use serde_json::Value;
 
@@ -37,8 +37,10 @@ fn members_are_those_that_are_told_of() {
 fn recipe_is_the_recipe_with_all_its_values() {
     of_all(|session| {
         let recipe = &json(session)["recipe"];
-        assert_eq!(names(recipe), TABLE.iter().map(|parameter| parameter.name).collect::<Vec<_>>());
-        for parameter in &TABLE {
+        let is_left = |key: Key| is_decided(key) && !session.recipe().is_named(key);
+        let written: Vec<_> = TABLE.iter().filter(|parameter| !is_left(parameter.key)).collect();
+        assert_eq!(names(recipe), written.iter().map(|parameter| parameter.name).collect::<Vec<_>>());
+        for parameter in written {
             let value = &recipe[parameter.name];
             match session.recipe().value(parameter.key) {
                 recipe::Value::Integer(number) => assert_eq!(value.as_u64(), Some((*number).into())),
@@ -119,11 +121,20 @@ fn lengths_are_resolved() {
         }
         assert_eq!(resolved["total-discharge"], session.growth().total_discharge());
         assert_eq!(resolved["meander"], Key::Meander.parameter().text_of(recipe.value(Key::Meander)));
+        assert_eq!(resolved["country"], recipe.country());
+        let known = |name: &str| name == "simplify" || AS_THEY_ARE.split(' ').any(|other| other == name);
+        let decided: Vec<_> =
+            TABLE.iter().filter(|row| is_decided(row.key) && row.key != Key::Sea && !known(row.name)).collect();
+        for row in &decided {
+            let value = &resolved[row.name];
+            let text = value.as_str().map_or_else(|| value.to_string(), String::from);
+            assert_eq!(row.parse(&text).as_ref(), Ok(recipe.value(row.key)), "{}", row.name);
+        }
         let as_they_are = AS_THEY_ARE.split(' ').map(|name| Key::from_name(name).unwrap());
         let number = |key: Key| key.parameter().text_of(recipe.value(key)).parse().unwrap();
         as_they_are.for_each(|key| near(&resolved[key.parameter().name], number(key)));
         // All there is: what is not named above is looked at nowhere.
-        assert_eq!(names(resolved).len(), AS_THEY_ARE.split(' ').count() + 11);
+        assert_eq!(names(resolved).len(), AS_THEY_ARE.split(' ').count() + 12 + decided.len());
     });
 }
 

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use riverseed::recipe::country::{COUNTRIES, Country, is_decided};
+use riverseed::recipe::country::{COUNTRIES, Country};
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Choice, Decimal, Key, Kind, LONGEST_OUTLINE, LandKind, Parameter};
+use riverseed::recipe::{Choice, Decimal, Key, Kind, LONGEST_OUTLINE, LandKind, Parameter, is_decided};
 use serde_json::{Map, Value, json};
 
 /// Writes the data.

@@ -65,7 +65,7 @@ mod tests {
         // On some of these, streams were captured twice: their way before the last capture counts.
         let mut twice = 0;
         for seed in 0..12 {
-            let link = format!("seed={seed}&attractors=1680&sea=0.55&growth=drainage&head-variation=0");
+            let link = format!("country=usual&seed={seed}&attractors=1680&sea=0.55&growth=drainage&head-variation=0");
             let session = finished(&link);
             twice += u32::from(former_ways(&session).iter().any(|way| is_captured_twice(&session, way[0])));
             check(&session);

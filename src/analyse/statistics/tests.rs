@@ -13,8 +13,7 @@ fn finished(text: &str) -> Session {
     session
 }
 
-const LINK: &str =
-    "seed=kauri&growth=colonize&valleys=0&land=island&sea=0.5&attractors=4000&trim=2&width=40&meander=none";
+const LINK: &str = "country=usual&seed=kauri&growth=colonize&valleys=0&land=island&sea=0.5&attractors=4000&trim=2&width=40&meander=none";
 
 /// Turns a point by a right angle and doubles it; both are exact in floats.
 fn turned(at: Vec2) -> Vec2 {
@@ -68,7 +67,9 @@ fn trees_are_measured_alike_however_they_are_turned() {
 #[test]
 fn a_small_map_has_no_ratios_but_lengths() {
     let measures = Measures::of(
-        &finished("seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=100&trim=20").map().unwrap(),
+        &finished("country=usual&seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=100&trim=20")
+            .map()
+            .unwrap(),
     );
     assert_eq!((measures.bifurcation_ratio, measures.tokunaga_c, measures.hack_exponent), (None, None, None));
     assert!(measures.drainage_density > 0.0);
@@ -93,7 +94,8 @@ fn colonization_and_drainage_are_measured_by_one_ruler_and_what_is_idle_is_none(
 
 #[test]
 fn density_is_length_by_area_of_land() {
-    let session = finished("seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=400&meander=none");
+    let session =
+        finished("country=usual&seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=400&meander=none");
     let measures = Measures::of(&session.map().unwrap());
     let length = total_length(session.network().unwrap());
     assert!((measures.drainage_density - length / 1e6).abs() < 1e-9);

@@ -41,7 +41,7 @@ fn recipes() -> impl Strategy<Value = String> {
         |(land, (seed, attractors, sea, aspect), ground, (mouths, shores, apart), (pattern, fall, uneven))| {
             let (valleys, valley_spacing, concavity, captures, hardness, bending) = ground;
             format!(
-                "{land}&seed={seed}&attractors={attractors}&sea={sea:.2}&aspect={aspect:.2}&valleys={valleys:.2}\
+                "{land}&country=usual&seed={seed}&attractors={attractors}&sea={sea:.2}&aspect={aspect:.2}&valleys={valleys:.2}\
              &valley-spacing={valley_spacing:.1}&concavity={concavity:.2}&captures={captures}&hardness={hardness:.2}\
              &bending={bending:.2}&pattern={pattern}&fall={fall:.2}&bending-variation={uneven:.2}&mouths={mouths}&shores={shores}&mouth-spacing={}",
                 apart * 60
@@ -282,7 +282,8 @@ proptest! {
 #[test]
 fn land_hides_parcels_and_moves_none() {
     let places = |over: &str| {
-        let parcels = Parcels::new(&settings(&format!("seed=kauri&attractors=500&aspect=1.4&bending=2&{over}")));
+        let parcels =
+            Parcels::new(&settings(&format!("country=usual&seed=kauri&attractors=500&aspect=1.4&bending=2&{over}")));
         parcels.identity.into_iter().zip(parcels.at).collect::<Vec<_>>()
     };
     let (whole, island) = (places("land=island&sea=0.01"), places("land=island&sea=0.6"));
@@ -294,8 +295,9 @@ fn land_hides_parcels_and_moves_none() {
 fn bends_move_no_place_farther_than_they_are_said_to() {
     for (bending, variation) in [(0.5, 0.8), (2.0, 0.0), (2.0, 0.4), (2.0, 0.8), (4.0, 0.0), (4.0, 1.0)] {
         for seed in 0..6 {
-            let link =
-                format!("land=rectangle&attractors=5000&bending={bending}&bending-variation={variation}&seed={seed}");
+            let link = format!(
+                "land=rectangle&attractors=5000&bending={bending}&bending-variation={variation}&country=usual&seed={seed}"
+            );
             let bent = settings(&link);
             let mut straight = bent.clone();
             straight.drainage.bending = 0.0;
@@ -314,7 +316,7 @@ fn bends_move_no_place_farther_than_they_are_said_to() {
 #[test]
 fn the_sea_takes_no_neighbour_from_places_on_land() {
     for over in ["bending=2&bending-variation=1&attractors=6000", "bending=1&attractors=3000&pattern=trellis"] {
-        let island = settings(&format!("land=archipelago&sea=0.7&aspect=1.4&seed=kauri&{over}"));
+        let island = settings(&format!("land=archipelago&sea=0.7&aspect=1.4&country=usual&seed=kauri&{over}"));
         let land = island.land.clone().unwrap();
         let whole = GrowthSettings { land: None, ..island.clone() };
         let around = |settings: &GrowthSettings| {
@@ -343,7 +345,7 @@ fn the_sea_takes_no_neighbour_from_places_on_land() {
 #[test]
 fn a_triangulation_has_the_edges_of_all_circles_that_hold_no_other_place() {
     // Delaunay's own definition, by comparing every three places with all others.
-    let settings = settings("land=rectangle&attractors=100&bending=4&bending-variation=1&seed=rata");
+    let settings = settings("land=rectangle&attractors=100&bending=4&bending-variation=1&country=usual&seed=rata");
     let places = &Lattice::new(&settings).at[..160];
     let adjacency = adjacency::Adjacency::of_places(places);
     let is_in_circle = |[a, b, c]: [Vec2; 3], at: Vec2| {
@@ -392,8 +394,9 @@ fn the_floor_of_a_valley_carries_its_trunk() {
     const FLOOR: f32 = 420.0;
     for seed in ["kauri", "rimu", "totara"] {
         // Walls rise from the floor to both sides, four times as steeply as the floor rises from the sea in the south.
-        let text =
-            format!("seed={seed}&land=rectangle&sides=s&aspect=1&attractors=1600&valleys=1&hardness=0&bending=1");
+        let text = format!(
+            "country=usual&seed={seed}&land=rectangle&sides=s&aspect=1&attractors=1600&valleys=1&hardness=0&bending=1"
+        );
         let mut growth = Drainage::new(settings(&text)).unwrap();
         let heights = growth.parcels.at.iter().map(|at| (at.x - FLOOR).abs() + 0.25 * (1000.0 - at.y)).collect();
         growth.stage = Stage::Invasion(Invasion::over(heights, &growth.parcels).unwrap().into());

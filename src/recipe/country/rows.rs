@@ -5,20 +5,20 @@ use super::Country;
 use crate::recipe::Style;
 
 /// The number of rows.
-pub(super) const COUNT: usize = 29;
+pub(in crate::recipe) const COUNT: usize = 29;
 
 /// Draws of every country, unless its row says otherwise. No river is drawn to the sea less than `fall` 0.2 asks: less
 /// makes neighbours run side by side.
-pub(super) const COMMON: &str = "attractors~0.25 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
+pub(in crate::recipe) const COMMON: &str = "attractors~0.25 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35 \
     width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
 
 /// Draws about the usual values, for land that is in no row: the rectangle, and what somebody has drawn.
-pub(super) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
+pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
     tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6 simplify=20..75";
 
 /// The draws of each climate.
-pub(super) static CLIMATES: &[(&str, &str)] =
+pub(in crate::recipe) static CLIMATES: &[(&str, &str)] =
     &[("temperate", ""), ("wet", ""), ("dry", ""), ("cold", ""), ("volcanic", "")];
 
 /// The table of countries. A new row takes only the words that it wins, and a weight counts against those of all others.

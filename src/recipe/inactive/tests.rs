@@ -43,7 +43,7 @@ fn what_does_something_has_no_reason_not_to() {
 }
 
 /// A recipe in which nearly every parameter has an effect, whatever the defaults are.
-const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20";
+const LIVELY: &str = "country=usual&land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20";
 
 const NO_COAST: (&str, &str) =
     ("sea drowning roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");

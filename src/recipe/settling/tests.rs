@@ -15,8 +15,8 @@ fn words(count: u32) -> impl Iterator<Item = String> {
 /// Lists all items of the table of countries: keys and what is drawn for them, with the row's name.
 fn items() -> Vec<(&'static str, &'static str)> {
     let rows = COUNTRIES.iter().map(|country| (country.name, country.draws));
-    let climates = rows::CLIMATES.iter().copied();
-    let texts = rows.chain(climates).chain([("common", rows::COMMON), ("own", rows::OWN)]);
+    let climates = country::CLIMATES.iter().copied();
+    let texts = rows.chain(climates).chain([("common", country::COMMON), ("own", country::OWN_DRAWS)]);
     texts.flat_map(|(name, draws)| draws.split_ascii_whitespace().map(move |item| (name, item))).collect()
 }
 
@@ -59,7 +59,11 @@ fn what_is_decided_is_what_rows_draw() {
 fn countries_have_climates_and_names_of_their_own() {
     for (i, country) in COUNTRIES.iter().enumerate() {
         let climates: Vec<_> = country.climates.split(' ').collect();
-        assert!(climates.iter().all(|name| rows::CLIMATES.iter().any(|(other, _)| other == name)), "{}", country.name);
+        assert!(
+            climates.iter().all(|name| country::CLIMATES.iter().any(|(other, _)| other == name)),
+            "{}",
+            country.name
+        );
         assert!(COUNTRIES[..i].iter().all(|other| other.name != country.name && other.label != country.label));
         assert!(country.weight > 0 && country.help.ends_with('.'));
     }
@@ -103,8 +107,8 @@ fn naming_the_value_that_is_drawn_changes_nothing() {
             named.set(*key, "auto").unwrap();
             assert_eq!(named, drawn, "{word}: {key:?}");
         }
-        let country = drawn.country();
-        assert_eq!(read(&format!("seed={word}&country={country}")).first_difference(&drawn), Some(Stage::Paint));
+        let name = drawn.country();
+        assert_eq!(read(&format!("seed={word}&country={name}")).first_difference(&drawn), Some(Stage::Paint));
     }
 }
 
@@ -132,11 +136,11 @@ fn a_word_is_drawn_among_the_rows_that_agree_with_what_is_named() {
             let key = Key::from_name(key).unwrap();
             assert_eq!(key.parameter().text_of(recipe.value(key)), value);
         }
-        let island = find(read(&format!("seed={word}&land=island")).country()).unwrap();
+        let island = country::find(read(&format!("seed={word}&land=island")).country()).unwrap();
         assert!(island.draws.contains("land=island"), "{}", island.name);
         let folded = read(&format!("seed={word}&pattern=trellis&land=continent")).country();
         assert!(["folded-hills", "fjords"].contains(&folded), "{folded}");
-        assert_eq!(read(&format!("seed={word}&land=rectangle")).country(), OWN);
+        assert_eq!(read(&format!("seed={word}&land=rectangle")).country(), country::OWN);
     }
 }
 
@@ -149,7 +153,7 @@ fn ways_of_growing_from_the_documents_have_usual_rivers() {
             let is_river = matches!(key.parameter().stage, Stage::Grow | Stage::Prune | Stage::Shape);
             assert!(!is_river || grown.value(*key) == usual.value(*key), "{word}: {key:?}");
         }
-        assert_ne!(grown.country(), USUAL);
+        assert_ne!(grown.country(), country::USUAL);
     }
 }
 

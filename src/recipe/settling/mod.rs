@@ -1,0 +1,184 @@
+//! The values of a recipe: what is named, and for the rest what the country gives.
+
+mod draws;
+#[cfg(test)]
+mod tests;
+
+use super::Recipe;
+use super::choice::GrowthMethod;
+use super::country::{self, COUNTRIES, Country};
+use super::key::{IntegerKey, Key};
+use super::parameter::Stage;
+use super::parcels::most_attractors;
+use super::value::Value;
+use crate::base::random::{ItemHash, Purpose, Seed};
+use draws::Draws;
+
+/// The keys whose values, if a link leaves them out, are the country's.
+const DECIDED: &[Key] = &[
+    Key::Land,
+    Key::Sea,
+    Key::Drowning,
+    Key::Roughness,
+    Key::Mouths,
+    Key::MouthSpacing,
+    Key::Sides,
+    Key::Growth,
+    Key::Sensitivity,
+    Key::Attractors,
+    Key::Valleys,
+    Key::ValleySpacing,
+    Key::Concavity,
+    Key::Captures,
+    Key::Hardness,
+    Key::HardnessScale,
+    Key::Bending,
+    Key::BendingVariation,
+    Key::Pattern,
+    Key::Strike,
+    Key::CenterX,
+    Key::CenterY,
+    Key::Fall,
+    Key::ChannelArea,
+    Key::HeadVariation,
+    Key::Trim,
+    Key::TributarySpacing,
+    Key::Simplify,
+    Key::Width,
+    Key::MeanderRounds,
+    Key::MeanderElsewhere,
+    Key::GreatRivers,
+    Key::FlatShare,
+    Key::Neck,
+    Key::Oxbows,
+    Key::Mountains,
+    Key::Plains,
+    Key::Rills,
+    Key::Shade,
+];
+
+/// Where the values of keys come from that a link leaves out.
+enum Origin {
+    Usual,
+    Own,
+    Row(&'static Country),
+}
+
+impl Recipe {
+    /// Returns `true` if somebody gave a value to a parameter: another than the default or, where the country decides, any.
+    pub fn is_named(&self, key: Key) -> bool {
+        if is_decided(key) { self.named & bit(key) != 0 } else { *self.value(key) != key.parameter().default_value() }
+    }
+
+    /// Takes the value back that somebody gave to a parameter.
+    pub fn forget(&mut self, key: Key) {
+        self.named &= !bit(key);
+        self.settle_all();
+    }
+
+    /// Returns the name of the country: that of a row of [`COUNTRIES`], `usual` or `own`.
+    pub fn country(&self) -> &'static str {
+        match self.origin() {
+            Origin::Usual => country::USUAL,
+            Origin::Own => country::OWN,
+            Origin::Row(row) => row.name,
+        }
+    }
+
+    /// Notes that somebody has given a parameter its value, and gives those that nobody named theirs.
+    pub(super) fn settle(&mut self, key: Key) {
+        if is_decided(key) {
+            self.named |= bit(key);
+        }
+        if is_decided(key) || matches!(key, Key::Seed | Key::Country) {
+            self.settle_all();
+        }
+    }
+
+    /// Gives all parameters that the country decides, and nobody named, its values.
+    pub(super) fn settle_all(&mut self) {
+        let is_free = |recipe: &Self, key: Key| is_decided(key) && !recipe.is_named(key);
+        for key in DECIDED.iter().copied() {
+            if is_free(self, key) {
+                self.values[key as usize] = key.parameter().default_value();
+            }
+        }
+        let chance = self.chance();
+        let mut draws = Draws::new(chance);
+        match self.origin() {
+            Origin::Usual => return,
+            Origin::Own => draws.add(country::OWN_DRAWS),
+            Origin::Row(row) => {
+                draws.add(country::COMMON);
+                draws.add(row.climate(chance));
+                draws.add(row.draws);
+            }
+        }
+        let gives_rivers = self.gives_rivers();
+        for (key, value) in draws.values() {
+            let is_river = matches!(key.parameter().stage, Stage::Grow | Stage::Prune | Stage::Shape);
+            if is_free(self, key) && (gives_rivers || !is_river) {
+                self.values[key as usize] = value;
+            }
+        }
+        if is_free(self, Key::Attractors) {
+            let most = most_attractors(self);
+            let drawn = self.integer(IntegerKey::Attractors);
+            self.values[Key::Attractors as usize] = Value::Integer(drawn.min(most));
+        }
+    }
+
+    fn origin(&self) -> Origin {
+        let Value::Choice(name) = *self.value(Key::Country) else { return Origin::Usual };
+        match name {
+            country::USUAL => Origin::Usual,
+            country::OWN => Origin::Own,
+            country::AUTO => self.drawn_country().map_or(Origin::Own, Origin::Row),
+            _ => country::find(name).map_or(Origin::Usual, Origin::Row),
+        }
+    }
+
+    /// Draws a country among those that agree with what is named. `None` if none does.
+    fn drawn_country(&self) -> Option<&'static Country> {
+        let asked: &[Key] = if self.gives_rivers() { &[Key::Land, Key::Pattern, Key::Growth] } else { &[Key::Land] };
+        let agrees = |country: &&Country| {
+            asked.iter().all(|key| !self.is_named(*key) || may_have(country, *key, self.value(*key)))
+        };
+        let chance = self.chance();
+        COUNTRIES.iter().filter(agrees).max_by_key(|country| country.best_ticket(chance))
+    }
+
+    /// Returns `true` if a country gives growth and rivers their values, too, and not the land alone: unless a way of growing is named
+    /// that has usual values of its own.
+    fn gives_rivers(&self) -> bool {
+        !self.is_named(Key::Growth) || self.get::<GrowthMethod>() == GrowthMethod::Drainage
+    }
+
+    fn chance(&self) -> ItemHash {
+        Seed::from_text(self.seed()).item_hash(Purpose::Kind)
+    }
+}
+
+/// Returns `true` if some words of a country have this value of a key.
+fn may_have(country: &Country, key: Key, value: &Value) -> bool {
+    let row = key.parameter();
+    let is_key = |keys: &str| keys.split(',').position(|name| name == row.name);
+    let item = country.draws.split_ascii_whitespace().find_map(|item| {
+        let (keys, from) = item.split_once('=')?;
+        Some((is_key(keys)?, from))
+    });
+    match item {
+        Some((at, from)) => from.split('|').any(|one| one.split(',').nth(at) == Some(&row.text_of(value))),
+        None => *value == row.default_value(),
+    }
+}
+
+/// Returns `true` if a country decides the value of a parameter that a link leaves out.
+pub fn is_decided(key: Key) -> bool {
+    DECIDED.contains(&key)
+}
+
+/// Returns the bit of a key in a set of keys.
+const fn bit(key: Key) -> u128 {
+    1 << key as u32
+}
