@@ -305,7 +305,7 @@ mod tests {
         for (land, growth) in
             [("island", "drainage"), ("archipelago", "colonize"), ("valley", "drainage"), ("basin", "brownian")]
         {
-            let text = format!("seed=kea&land={land}&growth={growth}&attractors=2500&style=basins");
+            let text = format!("country=usual&seed=kea&land={land}&growth={growth}&attractors=2500&style=basins");
             let mut session = Session::new(link::read(&text).unwrap()).unwrap();
             session.finish().unwrap();
             let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
