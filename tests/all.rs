@@ -8,6 +8,7 @@ mod architecture;
 mod bends;
 mod brownian;
 mod carried;
+mod countries;
 mod cut_out;
 mod digest;
 mod documents;

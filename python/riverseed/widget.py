@@ -181,7 +181,10 @@ class Widget(AnyWidget):
 
     @traitlets.observe(*_PARAMETERS)
     def _follow_parameter(self, change: Mapping[str, Any]) -> None:
-        self.link = _native.read(self.link, texts({change["name"]: change["new"]}))[0]
+        name, value = change["name"], change["new"]
+        # What follows the link, as the values of its country do, is not named in it.
+        if by_keyword(_native.read(self.link, [])[1])[name] != value:
+            self.link = _native.read(self.link, texts({name: value}))[0]
 
     @traitlets.validate("speed")
     def _check_speed(self, proposal: Mapping[str, Any]) -> float:

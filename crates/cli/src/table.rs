@@ -5,14 +5,15 @@ use std::io::{self, Write};
 use riverseed::recipe::choice::Word;
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
+use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter, is_decided};
 
 const INTRODUCTION: &str = "\
 # Parameters
 
 <!-- Written by `make docs` from the parameter table, src/recipe/rows.rs: change it there. -->
 
-A recipe is a value for each of these parameters; a parameter that is left out has its default. The same keys are used in links
+A recipe is a value for each of these parameters; a parameter that is left out has its default or,
+where that is in italics, the value of its country: see [Countries](algorithms.md#countries). The same keys are used in links
 (`seed=kauri&valleys=0.6`), as command-line options (`--valleys 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
 `style` and `width` are written `river-style` and `river-width`. The tables below follow the groups of the page's controls.
 
@@ -128,7 +129,8 @@ fn write_group(out: &mut impl Write, group: &str) -> io::Result<()> {
     let rows = || TABLE.iter().filter(|parameter| parameter.group == group);
     writeln!(out, "\n## {group}\n\n| key | values | default | what it does |\n| --- | --- | --- | --- |")?;
     for parameter in rows() {
-        let default = parameter.text_of(&parameter.default_value());
+        let usual = parameter.text_of(&parameter.default_value());
+        let default = if is_decided(parameter.key) { format!("*{usual}*") } else { usual };
         writeln!(out, "| `{}` | {} | {default} | {} |", parameter.name, values(parameter), parameter.help)?;
     }
     for parameter in rows() {

@@ -9,7 +9,7 @@ pub(in crate::recipe) const COUNT: usize = 29;
 
 /// Draws of every country, unless its row says otherwise. No river is drawn to the sea less than `fall` 0.2 asks: less
 /// makes neighbours run side by side.
-pub(in crate::recipe) const COMMON: &str = "attractors~0.25 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
+pub(in crate::recipe) const COMMON: &str = "attractors=16000~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35 \
     width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
 
@@ -318,7 +318,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 4,
         climates: "wet",
         draws: "land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12..0.25 \
-           drowning=0.2 roughness=0.9 attractors=20000..30000 bending=2 channel-area=5 trim=22 width=28 \
+           drowning=0.2 roughness=0.9 attractors=18000..24000 bending=2 channel-area=5 trim=22 width=28 \
            meander-rounds=60 flat-share=0.6 great-rivers=6 mountains=0.5..1.2 plains=350 fall=0.2",
         style: None,
     },
