@@ -54,9 +54,9 @@ def test_parameters_are_those_of_the_manual() -> None:
 
 
 def test_defaults_are_those_of_recipes() -> None:
-    recipe = riverseed.grow("attractors=100").recipe
+    recipe = riverseed.grow("country=usual&attractors=100").recipe
     defaults = {keyword: parameter.default for keyword, parameter in riverseed.parameters().items()}
-    assert {**recipe, "attractors": 20000} == defaults
+    assert {**recipe, "attractors": 20000, "country": "auto"} == defaults
 
 
 @pytest.mark.parametrize("keyword", riverseed.parameters())
