@@ -19,7 +19,7 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::map::{Map, MapId};
 use crate::paint::{
-    AnnotationMasks, Framing, PaintError, PaintSettings, Painted, Painter, Progress, Rect, Rivers, View,
+    AnnotationMasks, Framing, PaintError, PaintSettings, Painted, Painter, Progress, Rect, Rivers, Scheme, View,
 };
 use crate::recipe::{Recipe, Style};
 use crate::relief::{Relief, ReliefError};
@@ -192,7 +192,7 @@ impl Picture {
             return self.paint_rivers(Rivers { finished, relief: relief.as_ref(), ..rivers });
         }
         // While the sea rises, each picture has another ground.
-        if session.transgression().is_some() && self.painter.lay_ground(land, recipe.get()) {
+        if session.transgression().is_some() && self.painter.lay_ground(land, Scheme::of(recipe)) {
             return Painted::Part;
         }
         let growth = session.growth();
@@ -254,14 +254,14 @@ impl Picture {
 
     /// Returns the share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
     pub fn progress(&self, session: &Session) -> f32 {
-        self.painter.progress(session.recipe().get())
+        self.painter.progress(Scheme::of(session.recipe()))
     }
 
     /// Makes the background of a painted picture of this session transparent: the sea in styles with relief and in past
     /// courses, leaving land, rivers and letters; the paper in the line styles ink, dark and skeleton. Colours are not
     /// premultiplied by alpha. The next `paint` restores the background.
     pub fn cut_out(&mut self, session: &Session) {
-        self.painter.cut_out(session.recipe().get());
+        self.painter.cut_out(Scheme::of(session.recipe()));
     }
 
     /// Returns `true` if the picture's ground is that of the session's land.

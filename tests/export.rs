@@ -260,6 +260,21 @@ fn referred_to(svg: &str) -> Vec<&str> {
 }
 
 #[test]
+fn a_drawing_has_the_colours_of_its_climate() {
+    let drawn = |more: &str| {
+        let session = finished(&format!("attractors=900&growth=drainage&style=atlas&land=island&labels=none{more}"));
+        svg::svg(&session.map().unwrap()).unwrap()
+    };
+    let levels = |text: &str| text.matches("<clipPath id=\"rain-").count();
+    let [usual, lava, shaded] = ["", "&ground=lava", "&rain-shadow=1"].map(drawn);
+    // The sea, and the rivers on top.
+    assert!(usual.contains("#8fb6c6") && usual.contains("#2a6f9e") && levels(&usual) == 0);
+    assert!(lava.contains("#6fa0b4") && lava.contains("#0f4c78") && !lava.contains("#8fb6c6"));
+    // What is level with the map's rain has the map's colours, and more of them lie beside.
+    assert!(shaded.contains("#8fb6c6") && levels(&shaded) >= 4, "{}", levels(&shaded));
+}
+
+#[test]
 fn maps_in_one_page_refer_each_to_its_own_parts() {
     let links = [
         "style=atlas&labels=many&land=island&seed=a",
@@ -268,6 +283,7 @@ fn maps_in_one_page_refer_each_to_its_own_parts() {
         "style=survey&woods=0.6&labels=some&land=continent&seed=a",
         "style=ink-wash&labels=some&land=island&seed=a",
         "style=past-courses&land=island&seed=a",
+        "style=orbit&rain-shadow=1&land=island&seed=a",
     ];
     let mut before = BTreeSet::new();
     for link in links {

@@ -235,7 +235,7 @@ tiers!(changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one);
 
 /// A change of a finished map's picture from one recipe to the next, and the number of parts after which that picture
 /// is abandoned for another.
-type Change = (usize, u32, bool, u32);
+type Change = (usize, u32, u32, bool, u32);
 
 proptest! {
     #![proptest_config(first(2, cases(12)))]
@@ -243,20 +243,22 @@ proptest! {
     /// The picture is that of a fresh one whatever is kept of a relief, of rivers and of ground, and wherever painting
     /// is broken off.
     fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
-        changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),
+        changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),
     ) {
         let land = if has_coast { "island" } else { "rectangle" };
         let start = link::read(&format!("country=usual&seed=kea&attractors=300&mouths=3&land={land}&meander-rounds=9")).unwrap();
-        let recipe = |&(style, shade, is_grown, _): &Change| {
+        let recipe = |&(style, shade, rain, is_grown, _): &Change| {
             let mut recipe = start.clone();
             recipe.set(Key::Style, Style::WORDS[style].name).unwrap();
             recipe.set(Key::Shade, ["0.2", "0.45", "1"][shade as usize]).unwrap();
+            recipe.set(Key::Rain, ["0.5", "0.1", "0.9"][rain as usize]).unwrap();
+            recipe.set(Key::RainShadow, ["0", "0.7", "1"][rain as usize]).unwrap();
             recipe.set(Key::Courses, if is_grown { "grown" } else { "smooth" }).unwrap();
             recipe
         };
         // Several bands of rows.
         let picture = || Picture::new(420, 330).unwrap();
-        paint_in_parts(start.clone(), changes.iter().map(|change| (recipe(change), change.3)), picture)?;
+        paint_in_parts(start.clone(), changes.iter().map(|change| (recipe(change), change.4)), picture)?;
     }
 }
 

@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
-const LEFT: [Key; 24] = [
+const LEFT: [Key; 29] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -33,6 +33,11 @@ const LEFT: [Key; 24] = [
     Key::Plains,
     Key::Rills,
     Key::Shade,
+    Key::Warmth,
+    Key::Rain,
+    Key::Ground,
+    Key::RainShadow,
+    Key::Wind,
     Key::Style,
 ];
 

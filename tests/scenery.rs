@@ -224,6 +224,36 @@ proptest! {
     }
 }
 
+/// A mountainous island with woods.
+const WOODED: &str = "seed=kea&attractors=3000&land=island&labels=none&woods=0.5&style=atlas";
+
+#[test]
+fn trees_stand_lower_the_colder_it_is() {
+    let highest = |warmth: &str| {
+        let session = finished(&format!("{WOODED}&warmth={warmth}"));
+        let map = session.map().unwrap();
+        let (all, input) = placed(&map, 1400.0);
+        let mut heights: Vec<f32> = all.iter().map(|one| input.heights.unwrap().share(one.foot)).collect();
+        heights.sort_by(f32::total_cmp);
+        heights[heights.len() * 95 / 100]
+    };
+    let [cold, temperate, warm] = ["0", "0.5", "1"].map(highest);
+    assert!(cold + 0.1 < temperate && temperate + 0.1 < warm, "{cold}, {temperate}, {warm}");
+}
+
+#[test]
+fn more_trees_stand_before_ranges_and_fewer_behind() {
+    let even = finished(WOODED).map().unwrap();
+    let rained = finished(&format!("{WOODED}&rain-shadow=1&wind=270")).map().unwrap();
+    let (before, (now, input)) = (placed(&even, 1400.0).0, placed(&rained, 1400.0));
+    let count = |all: &[Standing], is_there: fn(f32) -> bool| {
+        all.iter().filter(|one| is_there(input.weather.more_rain(one.foot))).count()
+    };
+    let (wet, dry): (fn(f32) -> bool, fn(f32) -> bool) = (|rain| rain > 0.05, |rain| rain < -0.05);
+    assert!(count(&now, wet) > count(&before, wet), "{} and {}", count(&now, wet), count(&before, wet));
+    assert!(count(&now, dry) < count(&before, dry), "{} and {}", count(&now, dry), count(&before, dry));
+}
+
 tiers!(trees_stay_where_they_are_when_rivers_move, more_woods_are_the_same_trees_and_more);
 
 /// A change of a finished map: woods and hills in tenths, the style, and the number of parts after which its picture is

@@ -3,12 +3,13 @@
 use glam::Vec2;
 
 use crate::annotate::labels::{heights, on_map, ridges, total_discharge};
-use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stroke};
+use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stroke, Weather};
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::map::Map;
 use crate::network::{Oxbow, PastRound, Place};
-use crate::recipe::Style;
+use crate::recipe::{NumberKey, Style};
+use crate::relief::{Rainfall, Wind};
 
 /// Places the scenery of a map with these labels, the hindmost first; none if the recipe wants none, or if the style shows none.
 pub(crate) fn scenery(map: &Map, labels: &[Label]) -> Vec<Standing> {
@@ -32,6 +33,7 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         seed: Seed::from_text(recipe.seed()),
         woods,
         hills,
+        weather: weather(map),
         total_discharge: total_discharge(network),
         network,
         lakes: network.oxbows.iter().map(Oxbow::middle).chain(beds(map)).collect(),
@@ -40,6 +42,16 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         heights: map.shown_relief().map(|relief| heights(relief)),
         letters: boxes(labels).into_iter().chain(margins(map)).collect(),
     })
+}
+
+/// Reads the climate of a map. Rain is even where no relief is shown.
+fn weather(map: &Map) -> Weather {
+    let recipe = map.recipe();
+    let rainfall = map.shown_relief().zip(Wind::of(recipe)).map(|(relief, wind)| Rainfall::of(relief, wind));
+    let [warmth, rain] = [NumberKey::Warmth, NumberKey::Rain].map(|key| recipe.number(key));
+    let even = Weather::even(warmth, rain);
+    let Some(Rainfall { grid, deviations }) = rainfall else { return even };
+    Weather { deviations, columns: grid.columns, cell_size: grid.cell_size, ..even }
 }
 
 /// Returns the beds in which great rivers ran before, if the style shows them.

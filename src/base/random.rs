@@ -43,7 +43,7 @@ pub enum Purpose {
     Scenery = 10,
     /// Channel heads, and the side branches that trimming removes.
     Trimming = 11,
-    /// The strike and slope of the country.
+    /// The strike and slope of the country, and its wind.
     Country = 12,
     /// Detail of coasts in large pictures.
     CoastDetail = 13,

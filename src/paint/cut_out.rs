@@ -7,8 +7,7 @@ use super::annotation::masks::{AnnotationMasks, SparseMask};
 use super::ground::land_share;
 use super::mouths::SeaShares;
 use super::palette::{Colour, Palette};
-use super::styles::{label_look, palette};
-use crate::recipe::Style;
+use super::styles::{Scheme, label_look, palette};
 
 /// The opacity of a pixel that is fully covered.
 const WHOLE: f32 = 255.0;
@@ -20,11 +19,11 @@ pub(super) fn cut_out(
     ground: Option<&[[u8; 4]]>,
     tongues: &SeaShares,
     annotation: Option<&AnnotationMasks>,
-    style: Style,
+    scheme: Scheme,
 ) {
-    let (look, pixels) = (palette(style), pixmap.data_mut().as_chunks_mut::<4>().0);
+    let (look, pixels) = (palette(scheme), pixmap.data_mut().as_chunks_mut::<4>().0);
     let land = |i: usize| ground.map_or(255, |ground| land_share(ground[i][3]));
-    let is_of_lines = is_of_lines(look);
+    let is_of_lines = is_of_lines(&look);
     let cut = |pixel: Colour, land: u8| {
         if is_of_lines {
             let paper = if land < 128 { look.deep } else { look.plain };
@@ -54,7 +53,7 @@ pub(super) fn cut_out(
         return;
     }
     if let Some(annotation) = annotation {
-        lay(annotation, style, pixels);
+        lay(annotation, scheme, pixels);
     }
 }
 
@@ -92,7 +91,7 @@ fn lifted(pixel: Colour, ground: Colour, covered: u8) -> [u8; 4] {
 }
 
 /// Lays type over pixels without ground. On land it is already there.
-fn lay(annotation: &AnnotationMasks, style: Style, pixels: &mut [[u8; 4]]) {
+fn lay(annotation: &AnnotationMasks, scheme: Scheme, pixels: &mut [[u8; 4]]) {
     let mut lay = |layer: &SparseMask, colour: Colour, strength: f32| {
         for (i, share) in layer.pixels() {
             match pixels.get_mut(i) {
@@ -104,7 +103,7 @@ fn lay(annotation: &AnnotationMasks, style: Style, pixels: &mut [[u8; 4]]) {
             }
         }
     };
-    let letters = label_look(style);
+    let letters = label_look(scheme);
     if let Some((colour, strength)) = letters.under(true) {
         lay(&annotation.panel, colour, strength);
     }

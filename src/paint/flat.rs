@@ -7,15 +7,14 @@ use super::ground::{Ground, ShownCoast};
 use super::neatline::Neatline;
 use super::palette::Palette;
 use super::paper;
-use super::styles::palette;
+use super::styles::{Scheme, palette};
 use super::view::View;
 use crate::land::Land;
-use crate::recipe::Style;
 
 /// The flat ground, as far as it is painted.
 #[derive(Clone, Debug)]
 pub(super) struct FlatGround {
-    pub style: Style,
+    pub scheme: Scheme,
     /// `true` if a relief will be laid on it, so that its land has one colour.
     pub is_even: bool,
     /// The painter of land and sea; `None` if there is no sea, and once everything is painted.
@@ -29,17 +28,17 @@ pub(super) struct FlatGround {
 impl FlatGround {
     pub fn new(
         view: &View,
-        (style, is_even): (Style, bool),
+        (scheme, is_even): (Scheme, bool),
         land: Option<&Land>,
         shown: Option<ShownCoast<'_>>,
     ) -> Self {
-        let palette = palette(style);
-        let tints = palette.relief.filter(|_| !is_even).map(|look| &look.tints);
-        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, (palette, tints)));
-        let neatline = Neatline::of(view, style, land);
+        let palette = palette(scheme);
+        let tints = palette.relief.as_ref().filter(|_| !is_even).map(|look| &look.tints);
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown.smooth, (&palette, tints)));
+        let neatline = Neatline::of(view, scheme, land);
         let is_blank = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
         let is_plain = is_blank && neatline.is_none() && !view.shows_beyond();
-        Self { style, is_even, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
+        Self { scheme, is_even, coast, neatline, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
     /// Returns the pixels; `None` if everything is plain land.
@@ -64,17 +63,17 @@ impl FlatGround {
         if rows.is_empty() {
             return false;
         }
-        let (palette, range) = (palette(self.style), view.range(rows.clone()));
+        let (palette, range) = (palette(self.scheme), view.range(rows.clone()));
         match (&mut self.coast, shown) {
             (Some(coast), Some(shown)) => coast.paint(view, shown, rows.clone(), pixels),
-            _ => pixels.resize(range.end, plain(palette)),
+            _ => pixels.resize(range.end, plain(&palette)),
         }
         match &self.neatline {
             Some(neatline) => neatline.lay(view, rows.clone(), &mut pixels[range.clone()]),
-            None if view.shows_beyond() => beyond::lay(view, land, palette, rows.clone(), &mut pixels[range.clone()]),
+            None if view.shows_beyond() => beyond::lay(view, land, &palette, rows.clone(), &mut pixels[range.clone()]),
             None => {}
         }
-        if let Some(paper) = palette.paper {
+        if let Some(paper) = &palette.paper {
             paper::lay(view, paper, rows.clone(), &mut pixels[range]);
         }
         let is_whole = rows.end == view.height;

@@ -377,7 +377,7 @@ mod tests {
             let land = Land::new(&domain, coast_distance, Vec::new());
             let mut pixels = Vec::new();
             let coast = ShownCoast { smooth: &shown, detail: None };
-            Ground::new(&view, &land, &shown, (palette(Style::Skeleton), None)).paint(
+            Ground::new(&view, &land, &shown, (&palette(Style::Skeleton.into()), None)).paint(
                 &view,
                 coast,
                 0..1000,
@@ -385,7 +385,7 @@ mod tests {
             );
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
-                .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))
+                .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton.into()).coast[0]))
                 .sum::<f32>();
             let length = 2.0 * 400.0 / across.y.abs();
             // A drawn line is half a pixel wider than asked for.
@@ -399,9 +399,9 @@ mod tests {
 
     #[test]
     fn land_whose_relief_is_not_known_rises_from_the_coast() {
-        let atlas = palette(Style::Atlas);
+        let atlas = palette(Style::Atlas.into());
         let tints = &atlas.relief.unwrap().tints;
-        let land = |tints, distance: f32| shore(4.0, (atlas, tints), distance)[..3].to_vec();
+        let land = |tints, distance: f32| shore(4.0, (&atlas, tints), distance)[..3].to_vec();
         // Lowland is green, and what lies behind it less and less so.
         let green = |distance: f32| {
             let colour = land(Some(tints), distance);
@@ -418,7 +418,7 @@ mod tests {
     #[test]
     fn the_line_of_the_coast_is_land_without_rivers() {
         let scale = 4.0;
-        let ashore = |distance: f32| shore(scale, (palette(Style::Ink), None), distance)[3];
+        let ashore = |distance: f32| shore(scale, (&palette(Style::Ink.into()), None), distance)[3];
         let shares = |distance: f32| [land_share(ashore(distance)), river_share(ashore(distance))];
         assert_eq!([-2.0, 0.0, 2.0].map(shares), [[0, 0], [255, 0], [255, 255]]);
         assert_eq!([0, 100, 255].map(|covered| river_share(without_rivers(255, covered))), [255, 156, 0]);

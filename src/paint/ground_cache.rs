@@ -9,10 +9,9 @@ use super::ground::ShownCoast;
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
 use super::rivers::Rivers;
-use super::styles::palette;
+use super::styles::{Scheme, palette};
 use super::view::View;
 use crate::land::{CoastDetail, Land, SmoothedDistance};
-use crate::recipe::Style;
 
 /// The parts of a picture other than its rivers.
 #[derive(Clone, Debug, Default)]
@@ -41,9 +40,9 @@ impl GroundCache {
 
     /// Returns the pixels, and the number of the river colour in each, which is empty if rivers have only one colour.
     /// `None` for plain land.
-    pub fn pixels(&self, style: Style) -> Option<(&[[u8; 4]], &[u8])> {
+    pub fn pixels(&self, scheme: Scheme) -> Option<(&[[u8; 4]], &[u8])> {
         if let Some(raised) = &self.raised {
-            let has_numbers = palette(style).relief.is_some_and(|look| look.basins.is_some());
+            let has_numbers = palette(scheme).relief.is_some_and(|look| look.basins.is_some());
             let numbers = self.prepared.as_ref().filter(|_| has_numbers).map_or(&[][..], Prepared::numbers);
             return Some((raised.pixels(), numbers));
         }
@@ -82,16 +81,16 @@ impl GroundCache {
     pub fn shows(&self, rivers: &Rivers<'_>) -> bool {
         match (&self.raised, rivers.relief) {
             (None, None) => true,
-            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.settings.light),
+            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, &rivers.settings),
             (None, Some(_)) | (Some(_), None) => false,
         }
     }
 
     /// Drops former beds. Returns `true` if the remaining ground, flat or with relief, is completely painted in this
     /// style.
-    pub fn is_ready_for_draft(&mut self, view: &View, style: Style) -> bool {
+    pub fn is_ready_for_draft(&mut self, view: &View, scheme: Scheme) -> bool {
         self.beds = None;
-        let is_flat = self.flat.as_ref().is_some_and(|flat| flat.style == style && flat.is_whole(view));
+        let is_flat = self.flat.as_ref().is_some_and(|flat| flat.scheme == scheme && flat.is_whole(view));
         is_flat && self.raised.as_ref().is_none_or(RaisedGround::is_whole)
     }
 
@@ -108,14 +107,14 @@ impl GroundCache {
     }
 
     /// Paints a part of flat ground, if any is missing. Returns `true` if there is more.
-    pub fn lay(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
-        self.advance_flat(view, land, (style, false))
+    pub fn lay(&mut self, view: &View, land: Option<&Land>, scheme: Scheme) -> bool {
+        self.advance_flat(view, land, (scheme, false))
     }
 
     /// Makes a part of the ground, if any is missing. Returns `true` if there is more.
     pub fn advance(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         self.detail_coast(view, rivers);
-        self.advance_flat(view, rivers.land, (rivers.settings.style, rivers.relief.is_some()))
+        self.advance_flat(view, rivers.land, (rivers.settings.scheme, rivers.relief.is_some()))
             || self.advance_relief(view, rivers)
             || self.advance_beds(view, rivers)
     }
@@ -143,28 +142,28 @@ impl GroundCache {
         }
     }
 
-    fn advance_flat(&mut self, view: &View, land: Option<&Land>, (style, is_even): (Style, bool)) -> bool {
+    fn advance_flat(&mut self, view: &View, land: Option<&Land>, (scheme, is_even): (Scheme, bool)) -> bool {
         // Without a relief in it, a style has but one ground.
-        let is_even = is_even || palette(style).relief.is_none();
+        let is_even = is_even || palette(scheme).relief.is_none();
         if let Some(land) = land {
             self.shown.get_or_insert_with(|| {
                 let shown = SmoothedDistance::of(land.coast_distance());
                 if view.shows_beyond() { shown.widened(beyond::WIDENED) } else { shown }
             });
         }
-        if self.flat.as_ref().is_none_or(|flat| (flat.style, flat.is_even) != (style, is_even)) {
+        if self.flat.as_ref().is_none_or(|flat| (flat.scheme, flat.is_even) != (scheme, is_even)) {
             (self.raised, self.beds) = (None, None);
             // Drops the old ground first: both at once would need too much memory.
             self.flat = None;
         }
         let shown = shown_coast(&self.shown, &self.detail);
-        let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, (style, is_even), land, shown));
+        let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, (scheme, is_even), land, shown));
         flat.advance(view, land, shown)
     }
 
     /// Paints the relief, with casings along the rivers, or removes it.
     fn advance_relief(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
-        let (Some(relief), Some(look)) = (rivers.relief, palette(rivers.settings.style).relief) else {
+        let (Some(relief), Some(look)) = (rivers.relief, palette(rivers.settings.scheme).relief) else {
             self.raised = None;
             return false;
         };
@@ -173,13 +172,12 @@ impl GroundCache {
         if shares.advance(view, shown) {
             return true;
         }
-        let light = rivers.settings.light;
         self.prepared.take_if(|prepared| !prepared.is_of(relief));
         let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief));
-        if prepared.prepare(look, light, rivers.network, view) {
+        if prepared.prepare(&look, (rivers.settings.light, rivers.settings.wind), rivers.network, view) {
             return true;
         }
-        self.raised.take_if(|raised| !raised.is_of(relief, light));
+        self.raised.take_if(|raised| !raised.is_of(relief, &rivers.settings));
         let Some(raised) = &mut self.raised else {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();
@@ -190,7 +188,7 @@ impl GroundCache {
     /// Lays great rivers and their former beds over flat ground, if the style has any.
     fn advance_beds(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         let flat = self.flat.as_ref().and_then(FlatGround::pixels);
-        let Some((look, flat)) = palette(rivers.settings.style).beds.zip(flat) else { return false };
+        let Some((look, flat)) = palette(rivers.settings.scheme).beds.zip(flat) else { return false };
         self.beds.get_or_insert_default().advance(look, view, rivers, flat)
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn compose(
     rects: &[Rect],
 ) {
     let (width, ramp) = (pixmap.width() as usize, palette.ramp());
-    let basins = palette.relief.and_then(|look| look.basins.as_ref());
+    let basins = palette.relief.as_ref().and_then(|look| look.basins.as_ref());
     for (rect, row) in rects.iter().flat_map(|rect| (rect.top..rect.bottom).map(move |row| (rect, row as usize))) {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
         let pixels = &mut pixmap.data_mut()[start * 4..end * 4];

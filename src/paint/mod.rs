@@ -51,6 +51,7 @@ pub(crate) use painter::{Painter, Progress};
 pub(crate) use palette::Lines;
 pub(crate) use rivers::Rivers;
 pub(crate) use settings::PaintSettings;
+pub(crate) use styles::Scheme;
 pub(crate) use styles::palette as palette_of;
 pub(crate) use styles::{LabelLook, label_look};
 pub(crate) use styles::{SceneryLook, scenery_look};

@@ -225,7 +225,7 @@ fn around(line: &[Vertex], margin: f32, view: &View) -> Option<Rect> {
 
 /// Lays tongues over a picture, in the colour of the water at the coast.
 pub(super) fn lay(pixmap: &mut Pixmap, shares: &SeaShares, view: &View, palette: &Palette) {
-    let ageing = palette.paper.map(|paper| Ageing::new(view, paper));
+    let ageing = palette.paper.as_ref().map(|paper| Ageing::new(view, paper));
     let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
     for &(i, share) in shares {
         let Some(pixel) = pixels.get_mut(i as usize) else { return };
@@ -259,7 +259,7 @@ mod tests {
         let network =
             Network { vertices: (0..30).rev().map(vertex).collect(), rivers: vec![river], ..Network::default() };
         let drawn = Drawn {
-            palette: palette(style),
+            palette: &palette(style.into()),
             past: None,
             times: 1.0,
             margin: 0.0,

@@ -7,11 +7,10 @@
 use glam::Vec2;
 
 use super::palette::{Colour, NeatlineLook};
-use super::styles::palette;
+use super::styles::{Scheme, palette};
 use super::view::{Rows, View};
 use crate::land::{Land, MARGIN, runs_off};
 use crate::recipe::Shown;
-use crate::recipe::Style;
 
 /// The lines in the margin of a map: their distances from the map and their widths, in units.
 pub(crate) const LINES: [(f32, f32); 2] = [(0.0, 0.7), (2.9, 1.5)];
@@ -19,7 +18,7 @@ pub(crate) const LINES: [(f32, f32); 2] = [(0.0, 0.7), (2.9, 1.5)];
 /// The neatline of a picture, in whole pixels, so that it is sharp.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Neatline {
-    look: &'static NeatlineLook,
+    look: NeatlineLook,
     /// The first columns and rows of the map, and those behind its last.
     map: [[i32; 2]; 2],
     /// The first and the last pixel of each line, counted outwards from the map.
@@ -28,9 +27,9 @@ pub(super) struct Neatline {
 
 impl Neatline {
     /// Returns the neatline of a map in a view; `None` if it has none there.
-    pub fn of(view: &View, style: Style, land: Option<&Land>) -> Option<Self> {
-        let look = palette(style).neatline.as_ref()?;
-        if !(view.is_framed() || style.shows(Shown::Neatline)) || !runs_off(view.domain(), land) {
+    pub fn of(view: &View, scheme: Scheme, land: Option<&Land>) -> Option<Self> {
+        let look = palette(scheme).neatline?;
+        if !(view.is_framed() || scheme.style.shows(Shown::Neatline)) || !runs_off(view.domain(), land) {
             return None;
         }
         let map = if view.is_framed() { around(view) } else { within(view) };
@@ -108,7 +107,7 @@ fn lines(scale: f32) -> [[i32; 2]; 2] {
 mod tests {
     use super::*;
     use crate::domain::Domain;
-    use crate::recipe::{Choice, Recipe, link};
+    use crate::recipe::{Choice, Recipe, Style, link};
     use std::sync::Arc;
 
     fn recipe_and_land(text: &str) -> (Recipe, Option<Arc<Land>>) {
@@ -123,7 +122,7 @@ mod tests {
         let domain = Domain::of(&recipe);
         let view = View::new(&domain, width, height).unwrap();
         let mut pixels = vec![[128, 128, 128, 255]; view.pixels()];
-        Neatline::of(&view, style, land.as_deref())?.lay(&view, 0..height, &mut pixels);
+        Neatline::of(&view, style.into(), land.as_deref())?.lay(&view, 0..height, &mut pixels);
         Some(pixels.chunks(width as usize).map(<[_]>::to_vec).collect())
     }
 
@@ -131,7 +130,7 @@ mod tests {
     fn land_that_runs_off_the_map_ends_at_a_line_on_paper() {
         for text in ["land=rectangle&aspect=1.5", "land=continent&aspect=1.5&seed=kauri", "land=valley&aspect=1.5"] {
             let rows = framed(text, Style::Atlas, 1200, 800).unwrap();
-            let look = palette(Style::Atlas).neatline.as_ref().unwrap();
+            let look = palette(Style::Atlas.into()).neatline.unwrap();
             let opaque = |[r, g, b]: Colour| [r, g, b, 0];
             for row in [&rows[400], &rows.iter().map(|row| row[600]).collect()] {
                 let margin = row.iter().position(|pixel| pixel[3] > 0).unwrap();
@@ -166,6 +165,6 @@ mod tests {
             let is_framed = framed("land=rectangle", style, 300, 200).is_some();
             assert!(!is_framed || style.has_relief(), "{style:?}");
         }
-        assert!(palette(Style::Skeleton).neatline.is_none());
+        assert!(palette(Style::Skeleton.into()).neatline.is_none());
     }
 }

@@ -20,7 +20,7 @@ use super::palette::Lines;
 use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network};
 use super::settings::PaintSettings;
 use super::strokes::{Pen, Widths};
-use super::styles::palette;
+use super::styles::{Scheme, palette};
 use super::view::{Framing, PaintError, View};
 use super::{ink, skeleton};
 use crate::base::memory;
@@ -28,7 +28,6 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::network::{Network, PastCourses};
 use crate::prune::{self, Trim};
-use crate::recipe::Style;
 use crate::relief::Relief;
 use crate::tree::Tree;
 
@@ -176,14 +175,20 @@ impl Painter {
     }
 
     /// Returns the painted share of the ground for a style, from 0 to 1.
-    pub fn progress(&self, style: Style) -> f32 {
-        self.ground.progress(&self.view, palette(style).relief.is_some())
+    pub fn progress(&self, scheme: Scheme) -> f32 {
+        self.ground.progress(&self.view, palette(scheme).relief.is_some())
     }
 
     /// Makes the background transparent: the sea, or in line styles the paper. The next call of `paint` or
     /// `paint_rivers` paints everything anew.
-    pub fn cut_out(&mut self, style: Style) {
-        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), &self.tongues, self.annotation.as_deref(), style);
+    pub fn cut_out(&mut self, scheme: Scheme) {
+        cut_out::cut_out(
+            &mut self.pixmap,
+            self.ground.flat_pixels(),
+            &self.tongues,
+            self.annotation.as_deref(),
+            scheme,
+        );
         self.reset();
     }
 
@@ -210,18 +215,18 @@ impl Painter {
         self.is_finished = progress.finished;
         if is_blank
             || is_on_new_ground
-            || (progress.finished && palette(progress.settings.style).lines == Lines::Skeleton)
+            || (progress.finished && palette(progress.settings.scheme).lines == Lines::Skeleton)
         {
             self.coverage.touch_all();
         }
-        while self.lay_ground(progress.land, progress.settings.style) {}
-        self.compose(progress.settings.style)
+        while self.lay_ground(progress.land, progress.settings.scheme) {}
+        self.compose(progress.settings.scheme)
     }
 
     /// Lays a part of the ground of a tree, which `paint` would lay at once. Returns `true` if there is more.
-    pub fn lay_ground(&mut self, land: Option<&Land>, style: Style) -> bool {
+    pub fn lay_ground(&mut self, land: Option<&Land>, scheme: Scheme) -> bool {
         self.ground.forget_relief();
-        self.ground.lay(&self.view, land, style)
+        self.ground.lay(&self.view, land, scheme)
     }
 
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
@@ -242,11 +247,11 @@ impl Painter {
             self.drawn_rivers = None;
         }
         self.coverage.touch_all();
-        let PaintSettings { style, .. } = rivers.settings;
-        let changed = self.compose(style);
+        let PaintSettings { scheme, .. } = rivers.settings;
+        let changed = self.compose(scheme);
         self.open_mouths(rivers.network, Some(rivers.past), &rivers.settings, 1.0);
         if let Some(annotation) = rivers.annotation {
-            masks::lay(&mut self.pixmap, annotation, style);
+            masks::lay(&mut self.pixmap, annotation, scheme);
         }
         Painted::Whole(changed)
     }
@@ -255,17 +260,17 @@ impl Painter {
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
     pub fn paint_draft(&mut self, network: &Network, settings: &PaintSettings, times: f32) -> Option<Rect> {
-        let PaintSettings { style, courses, .. } = *settings;
-        if !self.ground.is_ready_for_draft(&self.view, style) {
+        let PaintSettings { scheme, courses, .. } = *settings;
+        if !self.ground.is_ready_for_draft(&self.view, scheme) {
             return None;
         }
         (self.round, self.drawn_rivers, self.annotation) = (None, None, None);
         self.is_finished = true;
         self.coverage.clear();
         let widening = Widening { times, ..Widening::NONE };
-        draw_network(&mut self.coverage, &self.view, network, courses, palette(style).lines, widening);
+        draw_network(&mut self.coverage, &self.view, network, courses, palette(scheme).lines, widening);
         self.coverage.touch_all();
-        let changed = self.compose(style);
+        let changed = self.compose(scheme);
         self.open_mouths(network, None, settings, times);
         changed
     }
@@ -276,9 +281,9 @@ impl Painter {
         const HAIRLINE_PX: f32 = 0.8;
         self.tongues.clear();
         let Some(shown) = self.ground.shown() else { return };
-        let palette = palette(settings.style);
+        let palette = palette(settings.scheme);
         let drawn = Drawn {
-            palette,
+            palette: &palette,
             past,
             times,
             margin: VISIBLE_PX / self.view.scale,
@@ -288,12 +293,12 @@ impl Painter {
         let tongues = drawn.tongues(network, shown);
         let painter = TonguePainter { view: &self.view, courses: settings.courses, shown, rivers: &self.coverage };
         tongues.iter().for_each(|tongue| painter.draw(tongue, &mut self.tongues));
-        mouths::lay(&mut self.pixmap, &self.tongues, &self.view, palette);
+        mouths::lay(&mut self.pixmap, &self.tongues, &self.view, &palette);
     }
 
     /// Draws rivers, unless the mask already holds them because only the style has changed.
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
-        let (lines, relief) = (palette(rivers.settings.style).lines, rivers.relief);
+        let (lines, relief) = (palette(rivers.settings.scheme).lines, rivers.relief);
         let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
             relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && *as_lines == lines
         };
@@ -347,13 +352,13 @@ impl Painter {
     }
 
     /// Colours the parts of the picture where the mask has changed. Returns the rectangle around them.
-    fn compose(&mut self, style: Style) -> Option<Rect> {
+    fn compose(&mut self, scheme: Scheme) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
-        let ground = self.ground.pixels(style);
-        match palette(style).lines {
+        let ground = self.ground.pixels(scheme);
+        match palette(scheme).lines {
             Lines::Wide | Lines::Thin => {
-                ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
+                ink::compose(&mut self.pixmap, &self.coverage, ground, &palette(scheme), &touched);
             }
             Lines::Skeleton if self.is_finished => {
                 skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground.map(|ground| ground.0));
@@ -369,7 +374,7 @@ impl Painter {
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {
-    let lines = palette(progress.settings.style).lines;
+    let lines = palette(progress.settings.scheme).lines;
     match lines {
         Lines::Wide | Lines::Thin => {
             let full = progress.settings.max_width * lines.share();

@@ -6,7 +6,7 @@ use super::belts::Belts;
 pub(crate) type Colour = [u8; 3];
 
 /// The colours and forms of a style.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Palette {
     /// The colours of land at the coast and far from it.
     pub lowland: Colour,
@@ -31,15 +31,15 @@ pub(crate) struct Palette {
     /// Grids over land and sea, the closest lines first.
     pub grids: &'static [Grid],
     /// The paper under everything; `None` for an even colour.
-    pub paper: Option<&'static Paper>,
+    pub paper: Option<Paper>,
     /// The look of relief; `None` if the style has none.
-    pub relief: Option<&'static ReliefLook>,
+    pub relief: Option<ReliefLook>,
     /// The look of the border of a map whose land runs off it; `None` if the style has none.
     pub neatline: Option<NeatlineLook>,
 }
 
 /// The look of the border of a map.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct NeatlineLook {
     /// The paper beyond the map.
     pub paper: Colour,
@@ -83,7 +83,7 @@ impl Grid {
 }
 
 /// Paper, or another uneven ground.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Paper {
     pub blotch: Colour,
     pub blotched: f32,
@@ -103,7 +103,7 @@ pub(super) const BLANK: Paper =
     Paper { blotch: [0; 3], blotched: 0.0, size: 260.0, octaves: 4, at_sea: 1.0, edge: [0; 3], edged: 0.0 };
 
 /// The look of a style's relief, part by part.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct ReliefLook {
     pub tints: Tints,
     pub contours: Option<Contours>,
@@ -114,13 +114,15 @@ pub(crate) struct ReliefLook {
 }
 
 /// Makes the look of a relief of tints and light alone. Tints are those at heights in metres.
-pub(super) const fn tinted(
-    stops: &'static [(f32, Colour)],
-    shadow: (Colour, f32),
-    highlight: (Colour, f32),
-) -> ReliefLook {
+pub(super) const fn tinted(stops: &[(f32, Colour)], shadow: (Colour, f32), highlight: (Colour, f32)) -> ReliefLook {
     let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
-    let tints = Tints { stops, shadow: shadow.0, dark: shadow.1, highlight: highlight.0, bright: highlight.1 };
+    let tints = Tints {
+        stops: Tints::filled(stops),
+        shadow: shadow.0,
+        dark: shadow.1,
+        highlight: highlight.0,
+        bright: highlight.1,
+    };
     ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
 }
 
@@ -132,10 +134,10 @@ impl ReliefLook {
 }
 
 /// Colours by height and light.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Tints {
-    /// Colours by height, in metres over the sea; the first height is 0.
-    pub stops: &'static [(f32, Colour)],
+    /// Colours by height, in metres over the sea; the first height is 0. Where a style has fewer, the last comes again.
+    pub stops: [(f32, Colour); Tints::STOPS],
     /// The colour of shadow, and its share in the darkest: a wash that lets the tint through.
     pub shadow: Colour,
     pub dark: f32,
@@ -145,7 +147,7 @@ pub(crate) struct Tints {
 }
 
 /// Lines of equal height.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Contours {
     pub colour: Colour,
     /// The widths of usual lines and of index lines, in units.
@@ -154,14 +156,14 @@ pub(crate) struct Contours {
 }
 
 /// Strokes down the slope.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Hachures {
     pub colour: Colour,
     pub strength: f32,
 }
 
 /// A colour for each basin.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct BasinColours {
     pub colours: &'static [Colour],
     /// The colour of land that drains to the sea without a river.
@@ -189,7 +191,7 @@ impl BasinColours {
 }
 
 /// The surroundings of rivers: a light edge or a glow.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Casing {
     pub colour: Colour,
     pub strength: f32,
@@ -203,6 +205,24 @@ pub(crate) struct Casing {
 impl Tints {
     /// The height above which colours do not change any more, in metres.
     const HIGHEST: f32 = 3200.0;
+
+    /// The most colours that a style has by height.
+    pub const STOPS: usize = 10;
+
+    /// Fills the list of colours of a style with its last.
+    const fn filled(some: &[(f32, Colour)]) -> [(f32, Colour); Self::STOPS] {
+        let (mut stops, mut i) = ([some[some.len() - 1]; Self::STOPS], 0);
+        while i < some.len() {
+            stops[i] = some[i];
+            i += 1;
+        }
+        stops
+    }
+
+    /// Returns `true` if land has one colour at all heights.
+    pub fn are_even(&self) -> bool {
+        self.stops.iter().all(|stop| stop.1 == self.stops[0].1)
+    }
 
     /// Returns the place of a height on a scale from 0 at the sea to 1 at [`Tints::HIGHEST`] metres and above, which is
     /// the finer the lower it is: lowland has more tints.

@@ -94,10 +94,10 @@ mod tests {
     #[test]
     fn forests_grow_on_land_alone() {
         let view = View::new(&Domain::with_aspect(1.0), 200, 100).unwrap();
-        let paper = palette(Style::Orbit).paper.unwrap();
+        let paper = palette(Style::Orbit.into()).paper.unwrap();
         let darkest = |open: u8| {
             let mut pixels = vec![[120, 120, 120, open]; view.pixels()];
-            lay(&view, paper, 0..100, &mut pixels);
+            lay(&view, &paper, 0..100, &mut pixels);
             pixels.iter().map(|pixel| pixel[0]).min().unwrap()
         };
         assert!(darkest(0) >= 117, "no more than the grain");

@@ -6,13 +6,14 @@ use super::beyond;
 use super::coverage::Coverage;
 use super::flat::{FlatGround, plain};
 use super::ground::{Ground, ShownCoast};
-use super::palette::{LAND_ONLY, Palette, ReliefLook};
-use super::relief::{Inks, Light, Prepared, Sheet};
+use super::palette::{LAND_ONLY, Palette, ReliefLook, Tints};
+use super::relief::{Inks, Light, Prepared, Sheet, tints_of};
 use super::rivers::{Rivers, Widening, draw_network};
+use super::settings::PaintSettings;
 use super::styles::palette;
 use super::view::{Rows, View};
 use crate::land::Land;
-use crate::relief::Relief;
+use crate::relief::{Relief, Wind};
 
 /// The share of land in each pixel, in 255ths, from north to south as far as it is known.
 #[derive(Clone, Debug)]
@@ -61,7 +62,8 @@ fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
 pub(super) struct RaisedGround {
     relief: Arc<Relief>,
     light: Light,
-    palette: &'static Palette,
+    wind: Option<Wind>,
+    palette: Palette,
     /// The means of painting it; `None` once everything is painted.
     making: Option<Making>,
     pixels: Vec<[u8; 4]>,
@@ -69,7 +71,9 @@ pub(super) struct RaisedGround {
 
 #[derive(Clone, Debug)]
 struct Making {
-    look: &'static ReliefLook,
+    look: ReliefLook,
+    /// Its tints at each level of rain.
+    tints: Vec<Tints>,
     /// Rivers with their casings, if the look depends on rivers.
     rivers: Coverage,
     inks: Option<Inks>,
@@ -77,21 +81,22 @@ struct Making {
 
 impl RaisedGround {
     /// Begins the ground. `None` if it would have no pixels.
-    pub fn new(look: &'static ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
-        let palette = palette(rivers.settings.style);
+    pub fn new(look: ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
+        let PaintSettings { scheme, light, wind, .. } = rivers.settings;
+        let palette = palette(scheme);
         let mut mask = Coverage::new(view.width, view.height)?;
         if look.minds_rivers() {
             let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
             draw_network(&mut mask, view, rivers.network, rivers.settings.courses, palette.lines, cased);
         }
-        let making = Some(Making { look, rivers: mask, inks: None });
-        let (relief, light, pixels) = (relief.clone(), rivers.settings.light, Vec::with_capacity(view.pixels()));
-        Some(Self { relief, light, palette, making, pixels })
+        let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: mask, inks: None });
+        let (relief, pixels) = (relief.clone(), Vec::with_capacity(view.pixels()));
+        Some(Self { relief, light, wind, palette, making, pixels })
     }
 
-    /// Returns `true` if it is made from this relief in this light.
-    pub fn is_of(&self, relief: &Arc<Relief>, light: Light) -> bool {
-        Arc::ptr_eq(&self.relief, relief) && self.light == light
+    /// Returns `true` if it is made from this relief in this light and wind.
+    pub fn is_of(&self, relief: &Arc<Relief>, settings: &PaintSettings) -> bool {
+        Arc::ptr_eq(&self.relief, relief) && (self.light, self.wind) == (settings.light, settings.wind)
     }
 
     pub fn pixels(&self) -> &[[u8; 4]] {
@@ -106,9 +111,9 @@ impl RaisedGround {
     /// Prepares a part, or paints some more rows, if any are left. Lays the prepared relief on flat ground (`None` for
     /// plain land), where `land` holds the share of land in each pixel. Returns `true` if there is more.
     pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], ground: Option<&FlatGround>) -> bool {
-        let Some(Making { look, rivers, inks }) = &mut self.making else { return false };
+        let Some(Making { look, tints, rivers, inks }) = &mut self.making else { return false };
         let Some(inks) = inks else {
-            *inks = Some(Inks::new(look, rivers, view));
+            *inks = Some(Inks::new(*look, tints, rivers, view));
             return true;
         };
         if inks.advance(prepared, view) {
@@ -119,7 +124,7 @@ impl RaisedGround {
         let flat = ground.and_then(FlatGround::pixels);
         match flat {
             Some(flat) => self.pixels.extend_from_slice(&flat[range.clone()]),
-            None => self.pixels.resize(range.end, plain(self.palette)),
+            None => self.pixels.resize(range.end, plain(&self.palette)),
         }
         let sheet = Sheet { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
         prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range.clone()]);

@@ -6,7 +6,7 @@ use crate::annotate::labels::{LEAST_EM, labels_in, on_map_with_regions, quartere
 use crate::annotate::place::{Label, Places, Scenery, heading};
 use crate::annotate::scenery;
 use crate::map::Map;
-use crate::paint::{AnnotationMasks, SceneryPainter, View, letters, scenery_look};
+use crate::paint::{AnnotationMasks, SceneryPainter, Scheme, View, letters, scenery_look};
 
 /// An annotation that is being made.
 #[derive(Clone, Debug, Default)]
@@ -62,7 +62,7 @@ impl AnnotationBuilder {
             self.is_placed = !scenery::input(map, labels).is_some_and(|input| self.scenery.advance(&input));
             return None;
         }
-        let Some(look) = scenery_look(map.recipe().get()).filter(|_| !self.scenery.placed().is_empty()) else {
+        let Some(look) = scenery_look(Scheme::of(map.recipe())).filter(|_| !self.scenery.placed().is_empty()) else {
             return Some(letters::masks(view, labels));
         };
         if self.painter.is_none() {

@@ -139,6 +139,14 @@ choices! {
         None = "none", "none";
     }
 
+    /// What land consists of.
+    GroundKind of Ground, Soil {
+        /// Soil, green or brown as the climate has it.
+        Soil = "soil", "soil";
+        /// Dark volcanic rock, on which little grows.
+        Lava = "lava", "lava";
+    }
+
     /// The amount of names on a map.
     Labels of Labels, Some {
         /// No names.
@@ -211,6 +219,7 @@ mod tests {
             check::<Scatter>(),
             check::<CourseShape>(),
             check::<MeanderModel>(),
+            check::<GroundKind>(),
             check::<Labels>(),
             check::<Cartouche>(),
             check::<Style>(),

@@ -70,6 +70,10 @@ impl Given<'_> {
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Rills => self.heights_only_in_files().or_else(|| self.no_hillsides()),
             Key::Shade => self.no_relief(),
+            Key::Warmth | Key::Rain => self.no_weather(),
+            Key::Ground => self.no_climate(),
+            Key::RainShadow => self.no_relief().or_else(|| self.no_weather()),
+            Key::Wind => self.no_relief().or_else(|| self.no_weather()).or_else(|| self.no_rain_shadow()),
             Key::LabelSize => self.no_labels(),
             Key::Woods => self.no_woods(),
             Key::Hills => self.no_hills(),
@@ -200,6 +204,20 @@ impl Given<'_> {
 
     fn no_relief(&self) -> Reason {
         (!self.recipe.get::<Style>().has_relief()).then_some("this style shows no relief")
+    }
+
+    fn no_climate(&self) -> Reason {
+        (!self.recipe.get::<Style>().has_climate()).then_some("this style has the same colours in every climate")
+    }
+
+    /// Explains why the weather has no effect: it decides colours, and where woods stand.
+    fn no_weather(&self) -> Reason {
+        let [woods, _] = self.recipe.scenery();
+        self.no_climate().filter(|_| woods == 0.0)
+    }
+
+    fn no_rain_shadow(&self) -> Reason {
+        self.is_zero(Key::RainShadow).then_some("rain falls evenly")
     }
 
     fn no_woods(&self) -> Reason {

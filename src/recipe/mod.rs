@@ -31,7 +31,7 @@ mod texts;
 mod value;
 
 pub use choice::{
-    Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Word,
+    Cartouche, Choice, CourseShape, GroundKind, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter, Word,
 };
 pub use error::RecipeError;
 pub(crate) use hidden::is_hidden;

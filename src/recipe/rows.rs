@@ -172,6 +172,18 @@ macro_rules! rows {
                 /// Exaggeration of slopes in shading.
                 Shade = "shade", "Shade": Paint, Number(0.0 to 1.0 by 0.05, default 0.45);
             }
+            "Climate" {
+                /// Warmth of the country: at 0 snow lies nearly down to the plains, and trees stand only there.
+                Warmth = "warmth", "Warmth": Name, Number(0.0 to 1.0 by 0.01, default 0.5), with style::CLIMATE;
+                /// Rain of the country: 0 for a desert, 1 for rain forest. Woods that are asked for have more marshes in the rain.
+                Rain = "rain", "Rain": Name, Number(0.0 to 1.0 by 0.01, default 0.5), with style::CLIMATE;
+                /// How much drier the land behind ranges is than that before them. 0: rain falls evenly.
+                RainShadow = "rain-shadow", "Rain shadow": Name, Number(0.0 to 1.0 by 0.05, default 0.0);
+                /// Direction that the rain comes from, clockwise from north. 0: automatic (from the seed).
+                Wind = "wind", "Wind from": Name, Integer(0 to 360, default 0), in "degrees";
+                /// What the land consists of.
+                Ground = "ground", "Ground": Paint, Choice(GroundKind), with style::CLIMATE;
+            }
             "Finish" {
                 /// Style of the picture.
                 Style = "style", "Style": Paint, Choice(Style), with style::RELIEF;

@@ -39,6 +39,8 @@ choices! {
 pub(crate) enum Shown {
     /// The heights of the land.
     Relief,
+    /// The colours of the climate.
+    Climate,
     Woods,
     /// Hills as symbols; most styles have their relief for that.
     Hills,
@@ -61,18 +63,20 @@ pub(crate) enum Shown {
 impl Style {
     /// Returns the row of a style in the table of what styles show.
     const fn shown(self) -> &'static [Shown] {
-        use Shown::{Beds, CompassRose, Hills, Legend, Neatline, NorthArrow, Relief, Seal, SpotHeights, Woods};
+        use Shown::{
+            Beds, Climate, CompassRose, Hills, Legend, Neatline, NorthArrow, Relief, Seal, SpotHeights, Woods,
+        };
         match self {
             Self::Ink => &[Woods, Hills],
             Self::Skeleton => &[],
-            Self::Atlas => &[Relief, Woods, Neatline],
-            Self::Night => &[Relief, Woods, Neatline],
+            Self::Atlas => &[Relief, Climate, Woods, Neatline],
+            Self::Night => &[Relief, Climate, Woods, Neatline],
             Self::Survey => &[Relief, Woods, SpotHeights, NorthArrow, Neatline],
             Self::Basins => &[Relief, Woods, Hills, Neatline],
-            Self::Parchment => &[Relief, Woods, Hills, CompassRose, Neatline],
+            Self::Parchment => &[Relief, Climate, Woods, Hills, CompassRose, Neatline],
             Self::PastCourses => &[Woods, Hills, Beds, NorthArrow],
             Self::InkWash => &[Relief, Woods, Hills, Seal, Neatline],
-            Self::Orbit => &[Relief],
+            Self::Orbit => &[Relief, Climate],
             Self::Blueprint => &[Relief, Woods, Legend, NorthArrow, Neatline],
             Self::Dark => &[Woods, Hills],
         }
@@ -93,6 +97,11 @@ impl Style {
     /// Returns `true` if it shows how high the land is.
     pub fn has_relief(self) -> bool {
         self.shows(Shown::Relief)
+    }
+
+    /// Returns `true` if its colours change with the climate.
+    pub fn has_climate(self) -> bool {
+        self.shows(Shown::Climate)
     }
 
     /// Returns `true` if woods can be drawn in it.
@@ -119,6 +128,10 @@ impl Style {
 /// The end of the help of `style`.
 pub(super) static RELIEF: Written =
     and_styles(Written::new().and("All but "), Shown::Relief, false).and(" show relief, once the rivers are finished.");
+
+/// The end of the help of climate.
+pub(super) static CLIMATE: Written =
+    and_styles(Written::new().and("Shown in the styles "), Shown::Climate, true).and(".");
 
 /// The end of the help of `labels`.
 pub(super) static MARKS: Written = {

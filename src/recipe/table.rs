@@ -1,7 +1,9 @@
 //! The parameter table, made of the rows in `rows.rs`.
 
 use super::EDITION;
-use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter};
+use super::choice::{
+    Cartouche, Choice, CourseShape, GroundKind, GrowthMethod, Labels, LandKind, MeanderModel, Pattern, Scatter,
+};
 use super::country::Country;
 use super::key::{COUNT, Key};
 use super::parameter::{Kind, Parameter, Stage};

@@ -83,8 +83,14 @@ fn drainage() -> impl Strategy<Value = String> {
     )
 }
 
-fn style() -> impl Strategy<Value = &'static str> {
-    proptest::sample::select(Style::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
+/// A style, in most cases in a climate other than the temperate.
+fn style() -> impl Strategy<Value = String> {
+    let styles = proptest::sample::select(Style::WORDS.iter().map(|word| word.name).collect::<Vec<_>>());
+    let climate = prop_oneof![1 => Just((0.5, 0.5, 0.0)), 3 => (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0)];
+    (styles, climate, any::<bool>()).prop_map(|(style, (warmth, rain, shadow), is_lava)| {
+        let ground = if is_lava { "lava" } else { "soil" };
+        format!("{style}&warmth={warmth:.2}&rain={rain:.2}&rain-shadow={shadow:.2}&ground={ground}")
+    })
 }
 
 /// Links over all ranges, with up to this number of attractors.

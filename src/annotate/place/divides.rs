@@ -159,6 +159,7 @@ fn systems(network: &Network, total_discharge: u32) -> Vec<[u32; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::annotate::place::Weather;
     use crate::base::random::Seed;
     use crate::network::{River, Vertex};
 
@@ -181,6 +182,7 @@ mod tests {
             seed: Seed::from_text(""),
             woods: 0.0,
             hills: 1.0,
+            weather: Weather::even(0.5, 0.5),
             total_discharge: 100,
             network,
             lakes: Vec::new(),

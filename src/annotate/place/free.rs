@@ -137,6 +137,7 @@ impl Spots {
 
 #[cfg(test)]
 mod tests {
+    use super::super::input::Weather;
     use super::super::shapes::SHAPES;
     use super::*;
     use crate::base::random::Seed;
@@ -190,6 +191,7 @@ mod tests {
             seed: Seed::from_text("kea"),
             woods: 1.0,
             hills: 1.0,
+            weather: Weather::even(0.5, 0.5),
             total_discharge: 1,
             network: &network,
             lakes: vec![line(LAKE, 5.0)],

@@ -318,6 +318,35 @@ pub struct Heights<'a> {
     pub highest: f32,
 }
 
+/// The climate that plants grow in.
+#[derive(Clone, Debug)]
+pub struct Weather {
+    /// The warmth and the rain of the whole map, from 0 to 1.
+    pub warmth: f32,
+    pub rain: f32,
+    /// How much more rain falls in each cell of a grid, or less; empty if rain falls evenly.
+    pub deviations: Vec<f32>,
+    /// The number of cells of a row, and the side of a cell in units.
+    pub columns: usize,
+    pub cell_size: f32,
+}
+
+impl Weather {
+    /// Makes a climate whose rain falls evenly.
+    pub fn even(warmth: f32, rain: f32) -> Self {
+        Self { warmth, rain, deviations: Vec::new(), columns: 0, cell_size: 1.0 }
+    }
+
+    /// Returns how much more rain falls at a place than on the whole map, or less.
+    pub fn more_rain(&self, at: Vec2) -> f32 {
+        if self.deviations.is_empty() {
+            return 0.0;
+        }
+        let [column, row] = [at.x, at.y].map(|along| (along / self.cell_size) as usize);
+        self.deviations.get(row * self.columns + column).copied().unwrap_or(0.0)
+    }
+}
+
 /// A map that woods and hills are wanted for. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct SceneryInput<'a> {
@@ -329,6 +358,8 @@ pub struct SceneryInput<'a> {
     pub woods: f32,
     /// The density of hills, from 0 to 1.
     pub hills: f32,
+    /// The climate.
+    pub weather: Weather,
     /// The discharge of all rivers together.
     pub total_discharge: u32,
     /// The rivers.

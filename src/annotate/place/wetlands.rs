@@ -26,6 +26,8 @@ const SIZE: f32 = 70.0;
 /// The noise from which on there are marshes, in a map with few woods, and how much less it takes with all.
 const FEW: f32 = 0.34;
 const LESS: f32 = 0.5;
+/// How much less it takes where so much more rain falls than in a temperate climate.
+const LESS_IN_THE_RAIN: f32 = 0.8;
 
 /// The marshes and rows of a map.
 pub struct Wetlands<'a> {
@@ -49,7 +51,10 @@ impl<'a> Wetlands<'a> {
             return None;
         }
         let [likely, size, shape] = [0, 1, 2].map(|use_of| self.chance.unit([number, use_of, 3]));
-        let wet = self.noise.get_noise_2d(at.x, at.y) - FEW + LESS * self.input.woods;
+        let weather = &self.input.weather;
+        let wet = self.noise.get_noise_2d(at.x, at.y) - FEW
+            + LESS * self.input.woods
+            + LESS_IN_THE_RAIN * (weather.rain - 0.5 + weather.more_rain(at));
         if wet > 0.0 && self.is_low(at, inland) {
             return Some(Standing::new(Feature::Marsh, at, 2.3 + 0.5 * size, number, shape));
         }

@@ -29,6 +29,11 @@ const MORE_AT_THE_SHORE: f32 = 0.25;
 /// more at the highest.
 const TREE_LINE: f32 = 0.4;
 const MORE_AT_THE_TOP: f32 = 3.2;
+/// How much higher the tree line lies where it is warmest than in a temperate climate, and lower where it is coldest.
+const HIGHER_WHERE_WARM: f32 = 0.25;
+/// How much less noise it takes for trees where so much more rain falls than elsewhere on the map, and for conifers where it is coldest.
+const LESS_IN_THE_RAIN: f32 = 1.2;
+const LESS_IN_THE_COLD: f32 = 0.8;
 /// The second noise that conifers need on the lowest land, and by how much less on the highest.
 const CONIFERS: f32 = 0.75;
 const FEWER_BELOW: f32 = 3.0;
@@ -77,15 +82,20 @@ impl<'a> Trees<'a> {
     /// Returns the tree of a point, if it has one.
     fn at(&self, number: u32, at: Vec2, inland: f32) -> Option<Standing> {
         let share = self.input.heights.map_or((0.5 * inland / HALFWAY_UP).min(0.5), |heights| heights.share(at));
-        let above = (self.input.heights.map_or(0.0, |_| share) - TREE_LINE).max(0.0);
+        let weather = &self.input.weather;
+        let warmer = 2.0 * weather.warmth - 1.0;
+        let tree_line = TREE_LINE + HIGHER_WHERE_WARM * warmer;
+        let above = (self.input.heights.map_or(0.0, |_| share) - tree_line).max(0.0);
         let shore = MORE_AT_THE_SHORE * (1.0 - inland / SHORE).max(0.0);
-        let least = NONE + (ALL - NONE) * self.input.woods + shore + MORE_AT_THE_TOP * above;
+        let dry = -LESS_IN_THE_RAIN * weather.more_rain(at);
+        let least = NONE + (ALL - NONE) * self.input.woods + shore + MORE_AT_THE_TOP * above + dry;
         let over = self.noise.get_noise_2d(at.x, at.y) - least;
         let is_closed = over >= 0.0;
         if over < -FRINGE || !is_closed && self.chance.unit([number, 0, 2]) >= ALONE {
             return None;
         }
-        let is_conifer = self.noise.get_noise_2d(at.x + 0.5 * SIZE, at.y) > CONIFERS - FEWER_BELOW * share;
+        let is_conifer = self.noise.get_noise_2d(at.x + 0.5 * SIZE, at.y)
+            > CONIFERS + LESS_IN_THE_COLD * warmer - FEWER_BELOW * share;
         let (feature, [low, more]) = match (is_conifer, is_closed) {
             (true, _) => (Feature::Conifer, POINTED),
             (false, true) => (Feature::Canopy, ROUND),

@@ -11,12 +11,14 @@ use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
 use crate::paint::relief::{Basins, Light, Stroke, contours as contours_of, highest, strokes};
 use crate::paint::ridges;
-use crate::relief::{METRES, Relief};
+use crate::relief::{METRES, Rainfall, Relief};
 
 /// A relief with its display options.
 pub(super) struct Raised<'a> {
     pub relief: &'a Relief,
     pub light: Light,
+    /// The tints at each of some levels of rain, the driest first, and the rain; `None` if rain makes no difference.
+    pub rain: Option<(Vec<Tints>, Rainfall)>,
     /// The basins in it, if they have colours.
     pub basins: Option<&'a Basins>,
 }
@@ -97,13 +99,18 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     /// The number of steps up to the height above which tints do not change.
     const STEPS: u32 = 20;
-    let Some((Raised { relief, light: of, basins }, look)) = relief.zip(palette.relief) else { return };
+    let Some((Raised { relief, light: of, rain, basins }, look)) = relief.zip(palette.relief.as_ref()) else { return };
     let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * METRES;
-    let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
+    let steps = if look.tints.are_even() { 0 } else { STEPS };
     let metres = |step: f32| Tints::metres_at(step / STEPS as f32);
-    for step in (0..steps).map(|step| step as f32).take_while(|&step| metres(step) < top) {
-        let rings = relief.rings_above(metres(step) / METRES);
-        fill(out, look.tints.at(metres(step + 0.5)), &path_of(rings, 2));
+    let steps = (0..steps).map(|step| step as f32).take_while(|&step| metres(step) < top);
+    let above = |step: f32| path_of(relief.rings_above(metres(step) / METRES), 2);
+    match rain {
+        Some((levels, rain)) => {
+            let bands: Vec<(Path, f32)> = steps.map(|step| (above(step), metres(step + 0.5))).collect();
+            rained(out, relief, &bands, &levels, &rain);
+        }
+        None => steps.for_each(|step| fill(out, look.tints.at(metres(step + 0.5)), &above(step))),
     }
     // Light falls on the colours of basins as it does on those of heights.
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
@@ -115,6 +122,38 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     }
     if let Some(look) = &look.hachures {
         hachures(out, &strokes(relief, highest(relief)), look, of.strength_of_hachures());
+    }
+}
+
+/// Draws heights in the colours of each level of rain, within the land that has so much; each over that with less.
+fn rained(out: &mut Text, relief: &Relief, bands: &[(Path, f32)], levels: &[Tints], rain: &Rainfall) {
+    /// The difference in rain from one cell of a relief to the next, at least.
+    const FAR: f32 = 0.02;
+    out.text("<defs>\n");
+    for (number, (path, _)) in (0..).zip(bands) {
+        out.text("<path id=\"").own("band").text("-").whole(number).text("\" d=\"").path(path).text("\"/>\n");
+    }
+    out.text("</defs>\n");
+    for (level, tints) in (0..).zip(levels) {
+        let least = ((level as f32 - 0.5) / (levels.len() - 1) as f32 * 2.0 - 1.0) * Rainfall::MOST;
+        let more = rain.of_cells(relief.grid()).map(|deviation| (deviation - least) / FAR);
+        if level > 0 {
+            out.text("<clipPath id=\"").own("rain").text("-").whole(level).text("\"><path d=\"");
+            out.path(&path_of(relief.rings_around(more), 4));
+            out.text("\"/></clipPath>\n<g clip-path=\"url(#").own("rain").text("-").whole(level).text(")\">\n");
+        } else {
+            out.text("<g>\n");
+        }
+        for (number, (_, metres)) in (0..).zip(bands) {
+            out.text("<use href=\"#")
+                .own("band")
+                .text("-")
+                .whole(number)
+                .text("\" fill=\"")
+                .colour(tints.at(*metres))
+                .text("\"/>\n");
+        }
+        out.text("</g>\n");
     }
 }
 

@@ -14,7 +14,7 @@ use crate::base::geometry::distance;
 use crate::map::Map;
 use crate::paint::letters::SPACE;
 use crate::paint::palette::Colour;
-use crate::paint::{LabelLook, label_look, scenery_look};
+use crate::paint::{LabelLook, Scheme, label_look, scenery_look};
 
 /// Makes the labels of a map as markup, with the halo that is cut out of its rivers.
 pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
@@ -22,10 +22,11 @@ pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::of(file_number(map)), Text::of(file_number(map))];
     draw_halo(&mut halo, size, &placed);
-    if let Some(look) = scenery_look(map.recipe().get()) {
+    let scheme = Scheme::of(map.recipe());
+    if let Some(look) = scenery_look(scheme) {
         scenery::draw(&mut letters, size, &crate::annotate::scenery::scenery(map, &placed), look);
     }
-    draw(&mut letters, &placed, label_look(map.recipe().get()), is_text);
+    draw(&mut letters, &placed, label_look(scheme), is_text);
     AnnotationText { halo: halo.into_string(), labels: letters.into_string() }
 }
 

@@ -34,10 +34,11 @@ use crate::network::Banks;
 use crate::network::{NONE, Network, River};
 use crate::paint::ground::COAST_WIDTH;
 use crate::paint::mouths::Drawn;
-use crate::paint::palette::{BasinColours, Palette};
-use crate::paint::relief::Basins;
+use crate::paint::palette::{BasinColours, Palette, Tints};
+use crate::paint::relief::{Basins, by_rain};
 use crate::paint::{Lines, PaintSettings, palette_of};
 use crate::recipe::{CourseShape, link};
+use crate::relief::{Rainfall, Relief};
 
 /// Draws a map and returns the text of an SVG file.
 ///
@@ -70,7 +71,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let network = rivers(map, BYTES_A_VERTEX)?;
     let (recipe, land) = (map.recipe(), map.land());
     let (size, settings) = (map.domain().size, PaintSettings::of(recipe));
-    let (courses, palette) = (settings.courses, palette_of(settings.style));
+    let (courses, palette) = (settings.courses, palette_of(settings.scheme));
     let past = palette.beds.map(|look| (map.past(), look));
     let mut out = Text::of(file_number(map));
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
@@ -84,13 +85,14 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         .text("V")
         .units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"").url("map").text("\">\n");
-    let basins = basins(map, network, palette);
+    let basins = basins(map, network, &palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
         light: settings.light,
+        rain: rain(settings, relief),
         basins: basins.as_ref().map(|(basins, _)| basins),
     });
-    ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);
+    ground::ground(&mut out, size, land.map(Arc::as_ref), relief, &palette);
     // Rivers end at the shore; on land without a sea nothing is clipped.
     let (has_shore, has_halo) = (land.is_some(), !annotation.halo.is_empty());
     if let Some((past, look)) = past {
@@ -117,9 +119,9 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     }
     out.text("</g>\n");
     if let Some(land) = land {
-        ground::coast(&mut out, palette);
+        ground::coast(&mut out, &palette);
         let drawn = Drawn {
-            palette,
+            palette: &palette,
             past: Some(map.past()),
             times: 1.0,
             margin: VISIBLE,
@@ -128,7 +130,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         };
         mouths::draw(&mut out, &drawn, network, land, has_halo, courses);
     }
-    neatline::draw(&mut out, size, land.map(Arc::as_ref), recipe.get());
+    neatline::draw(&mut out, size, land.map(Arc::as_ref), settings.scheme);
     out.written(&annotation.labels);
     out.text("</g>\n</svg>");
     Ok(out.into_string())
@@ -163,12 +165,20 @@ fn width(lines: Lines) -> Width {
     }
 }
 
+/// Returns the tints at some levels of rain, and the rain; `None` if rain makes no difference.
+fn rain(settings: PaintSettings, relief: &Relief) -> Option<(Vec<Tints>, Rainfall)> {
+    /// As many as are hardly told apart.
+    const LEVELS: usize = 9;
+    let wind = settings.wind.filter(|_| settings.scheme.style.has_climate())?;
+    Some((by_rain(settings.scheme, LEVELS), Rainfall::of(relief, wind)))
+}
+
 /// Basins with their colours.
-type InBasins = (Basins, &'static BasinColours);
+type InBasins = (Basins, BasinColours);
 
 /// Makes the map's basins with their colours; `None` if the style has no colours for them or shows no relief.
 fn basins(map: &Map, network: &Network, palette: &Palette) -> Option<InBasins> {
-    let look = palette.relief.and_then(|look| look.basins.as_ref())?;
+    let look = palette.relief.and_then(|look| look.basins)?;
     Some((Basins::new(map.shown_relief()?, network, look.colours), look))
 }
 

@@ -6,12 +6,11 @@ use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, MARGIN, margin_of};
 use crate::paint::neatline::LINES;
-use crate::paint::palette_of;
-use crate::recipe::Style;
+use crate::paint::{Scheme, palette_of};
 
 /// Draws the margin, if the map has one.
-pub(super) fn draw(out: &mut Text, size: Vec2, land: Option<&Land>, style: Style) {
-    let Some(look) = palette_of(style).neatline.as_ref().filter(|_| margin_of(style, size, land) > 0.0) else { return };
+pub(super) fn draw(out: &mut Text, size: Vec2, land: Option<&Land>, scheme: Scheme) {
+    let Some(look) = palette_of(scheme).neatline.filter(|_| margin_of(scheme.style, size, land) > 0.0) else { return };
     out.text("<g id=\"neatline\" fill-rule=\"evenodd\">\n");
     for (colour, [outer, inner]) in std::iter::once((look.paper, [0.0, MARGIN]))
         .chain(LINES.map(|(at, width)| (look.line, [MARGIN - at - width, MARGIN - at])))

@@ -9,8 +9,7 @@ use tiny_skia::Pixmap;
 
 use super::super::coverage::{Coverage, Covered};
 use super::super::palette::{Colour, over};
-use super::super::styles::{LabelLook, label_look, scenery_look};
-use crate::recipe::Style;
+use super::super::styles::{LabelLook, Scheme, label_look, scenery_look};
 
 /// The masks of an annotation's layers, for a picture of one size.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -82,15 +81,15 @@ pub(in crate::paint) fn take_away(rivers: &mut Coverage, annotation: &Annotation
 }
 
 /// Lays trees and hills, the halo and letters over the picture.
-pub(in crate::paint) fn lay(pixmap: &mut Pixmap, annotation: &AnnotationMasks, style: Style) {
+pub(in crate::paint) fn lay(pixmap: &mut Pixmap, annotation: &AnnotationMasks, scheme: Scheme) {
     let mut lay = |layer: &SparseMask, colour, strength: f32| lay_mask(pixmap, layer, colour, strength);
-    if let Some(scenery) = scenery_look(style) {
+    if let Some(scenery) = scenery_look(scheme) {
         if let Some((colour, strength)) = scenery.body {
             lay(&annotation.bodies, colour, strength);
         }
         lay(&annotation.strokes, scenery.ink, 1.0);
     }
-    let letters = label_look(style);
+    let letters = label_look(scheme);
     if let Some((colour, strength)) = letters.halo {
         lay_where_needed(pixmap, &annotation.halo, letters, colour, strength);
     }

@@ -218,7 +218,7 @@ mod tests {
 
     fn drawn(all: &[Standing], style: Style) -> SceneryPainter {
         let view = View::new(&Domain::with_aspect(1.0), 200, 200).unwrap();
-        let look = scenery_look(style).unwrap();
+        let look = scenery_look(style.into()).unwrap();
         let mut sheet = SceneryPainter::new(&view, look).unwrap();
         while sheet.advance(&view, all, look) {}
         sheet
@@ -317,7 +317,7 @@ mod tests {
             drawn(&beyond.map(|foot| standing(shape, 0, foot, 60.0)), Style::Survey);
         }
         let view = View::new(&Domain::with_aspect(1.0), 2000, 2000).unwrap();
-        let look = scenery_look(Style::Ink).unwrap();
+        let look = scenery_look(Style::Ink.into()).unwrap();
         assert!(with_lists_up_to(3_000_000, || SceneryPainter::new(&view, look)).is_none());
     }
 }

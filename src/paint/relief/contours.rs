@@ -53,7 +53,7 @@ fn levels(relief: &Relief, highest: f32) -> Field {
 /// The contours of a relief in a picture, from north to south as far as they have been found.
 #[derive(Clone, Debug)]
 pub(super) struct ContourLines {
-    look: &'static Contours,
+    look: Contours,
     /// The heights; `None` once all contours are found.
     levels: Option<Field>,
     places: Vec<Place>,
@@ -65,7 +65,7 @@ pub(super) struct ContourLines {
 }
 
 impl ContourLines {
-    pub fn new(look: &'static Contours, relief: &Relief, highest: f32, view: &View) -> Self {
+    pub fn new(look: Contours, relief: &Relief, highest: f32, view: &View) -> Self {
         let line = |i: usize, apart| Line::new(look.widths[i] * view.scale, look.strengths[i], apart);
         Self {
             look,
@@ -79,7 +79,7 @@ impl ContourLines {
 
     /// Returns `true` if they were made for this look.
     pub fn are(&self, look: &Contours) -> bool {
-        std::ptr::eq(self.look, look)
+        self.look == *look
     }
 
     /// Lays the lines over some rows of a ground, broken where rivers run.

@@ -8,6 +8,7 @@ mod contours;
 mod field;
 mod hachures;
 mod light;
+mod rain;
 mod shade;
 
 use std::sync::Arc;
@@ -16,16 +17,18 @@ use self::basins::BasinPixels;
 use self::casing::Blurred;
 use self::contours::ContourLines;
 use self::hachures::{StrokeMask, Strokes};
+use self::rain::RainLevels;
 use self::shade::{Colours, Shading};
 use super::coverage::Coverage;
-use super::palette::{Colour, ReliefLook};
+use super::palette::{Colour, ReliefLook, Tints};
 use super::view::{Rows, View};
 use crate::network::Network;
-use crate::relief::Relief;
+use crate::relief::{Relief, Wind};
 pub(crate) use basins::Basins;
 pub use contours::{Contour, contours};
 pub(crate) use hachures::{Stroke, strokes};
 pub(crate) use light::{Light, light_of};
+pub(crate) use rain::{by_rain, tints_of};
 
 /// The ground that relief is laid on.
 pub(super) struct Sheet<'a> {
@@ -63,6 +66,7 @@ pub(super) struct Prepared {
     /// The height of the highest land, but for its peaks, in units of height.
     highest: f32,
     shading: Option<Shading>,
+    rain: Option<RainLevels>,
     contours: Option<ContourLines>,
     strokes: Option<Strokes>,
     basins: Option<BasinPixels>,
@@ -71,7 +75,7 @@ pub(super) struct Prepared {
 impl Prepared {
     pub fn new(relief: &Arc<Relief>) -> Self {
         let highest = highest(relief);
-        Self { relief: relief.clone(), highest, shading: None, contours: None, strokes: None, basins: None }
+        Self { relief: relief.clone(), highest, shading: None, rain: None, contours: None, strokes: None, basins: None }
     }
 
     /// Returns `true` if it was made from this relief.
@@ -81,14 +85,22 @@ impl Prepared {
 
     /// Makes one of the parts that a look needs and that are missing, or some of it. Returns `true` if anything was
     /// missing.
-    pub fn prepare(&mut self, look: &'static ReliefLook, light: Light, network: &Network, view: &View) -> bool {
+    pub fn prepare(
+        &mut self,
+        look: &ReliefLook,
+        (light, wind): (Light, Option<Wind>),
+        network: &Network,
+        view: &View,
+    ) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
         if !self.shading.as_ref().is_some_and(|shading| shading.light == light) {
             self.shading = Some(Shading::new(relief, light, view));
+        } else if self.rain.as_ref().map(|rain| rain.wind) != wind {
+            self.rain = wind.map(|wind| RainLevels::new(relief, wind, view));
         } else if let Some(look) = &look.contours
             && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
         {
-            self.contours = Some(ContourLines::new(look, relief, highest, view));
+            self.contours = Some(ContourLines::new(*look, relief, highest, view));
         } else if look.hachures.is_some() && self.strokes.is_none() {
             self.strokes = Some(Strokes::new(relief, highest));
         } else if let Some(look) = &look.basins
@@ -103,9 +115,9 @@ impl Prepared {
 
     /// Lays the relief over some rows of a ground. Everything must be prepared.
     pub fn lay(&mut self, inks: &Inks, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
-        let look = inks.look;
+        let look = &inks.look;
         if let Some(shading) = &mut self.shading {
-            shading.lay(sheet, &inks.colours, rows.clone(), pixels);
+            shading.lay(sheet, &inks.colours, self.rain.as_ref(), rows.clone(), pixels);
         }
         if let (Some(_), Some(lines)) = (&look.contours, &mut self.contours) {
             lines.lay(sheet, rows.clone(), pixels);
@@ -131,18 +143,19 @@ impl Prepared {
 /// The parts that depend on a look and on a picture's rivers, needed to lay a relief once.
 #[derive(Clone, Debug)]
 pub(super) struct Inks {
-    look: &'static ReliefLook,
-    colours: Colours,
+    look: ReliefLook,
+    /// The colours at each level of rain; one if rain falls evenly.
+    colours: Vec<Colours>,
     hachures: Option<StrokeMask>,
     casing: Option<Blurred>,
 }
 
 impl Inks {
-    /// Takes the mask of rivers with their casings.
-    pub fn new(look: &'static ReliefLook, rivers: &mut Coverage, view: &View) -> Self {
+    /// Takes the tints at each level of rain, and the mask of rivers with their casings.
+    pub fn new(look: ReliefLook, tints: &[Tints], rivers: &mut Coverage, view: &View) -> Self {
         Self {
             look,
-            colours: Colours::new(&look.tints),
+            colours: tints.iter().map(Colours::new).collect(),
             hachures: look.hachures.as_ref().and_then(|_| StrokeMask::new(view)),
             casing: Blurred::new(&look.casing, rivers, view),
         }

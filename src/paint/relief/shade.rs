@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::Sheet;
 use super::field::{Field, Place, places};
 use super::light::{Light, light_of};
+use super::rain::RainLevels;
 use crate::paint::palette::{Colour, Tints};
 use crate::paint::view::{Rows, View};
 use crate::relief::{METRES, Relief};
@@ -41,17 +42,30 @@ impl Shading {
     }
 
     /// Lays colours over the land of some rows of a ground.
-    pub fn lay(&mut self, sheet: &Sheet<'_>, colours: &Colours, rows: Rows, pixels: &mut [[u8; 4]]) {
+    pub fn lay(
+        &mut self,
+        sheet: &Sheet<'_>,
+        colours: &[Colours],
+        rain: Option<&RainLevels>,
+        rows: Rows,
+        pixels: &mut [[u8; 4]],
+    ) {
         let range = sheet.view.range(rows.clone());
         if self.numbers.len() == range.start {
-            rows.for_each(|y| self.look_at(sheet, y));
+            rows.clone().for_each(|y| self.look_at(sheet, y));
             self.surface.take_if(|_| range.end == sheet.view.pixels());
         }
-        let numbers = &self.numbers[range.clone()];
-        for ((pixel, &number), &share) in pixels.iter_mut().zip(numbers).zip(&sheet.land[range]) {
+        let mut lay = |i: usize, level: usize| {
+            let share = sheet.land[range.start + i];
             if share > 0 {
-                sheet.shift(pixel, colours.0[usize::from(number)], share);
+                let number = self.numbers[range.start + i];
+                sheet.shift(&mut pixels[i], colours[level].0[usize::from(number)], share);
             }
+        };
+        let Some(rain) = rain.filter(|_| colours.len() > 1) else { return (0..range.len()).for_each(|i| lay(i, 0)) };
+        let width = sheet.view.width as usize;
+        for (row, y) in rows.enumerate() {
+            rain.for_each(sheet.view, y, |i, level| lay(row * width + i, level));
         }
     }
 
@@ -103,8 +117,8 @@ mod tests {
     use crate::paint::styles::palette;
     use crate::recipe::{Choice, Style};
 
-    fn all_tints() -> impl Iterator<Item = (Style, &'static Tints)> {
-        Style::ALL.iter().filter_map(|&style| Some((style, &palette(style).relief?.tints)))
+    fn all_tints() -> impl Iterator<Item = (Style, Tints)> {
+        Style::ALL.iter().filter_map(|&style| Some((style, palette(style.into()).relief?.tints)))
     }
 
     /// Returns the colour in the table of a height in metres and a light.
@@ -114,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_wash_is_mostly_ink_where_it_is_dark_and_never_lighter_than_its_paper() {
-        let tints = &palette(Style::InkWash).relief.unwrap().tints;
+        let tints = &palette(Style::InkWash.into()).relief.unwrap().tints;
         let colours = Colours::new(tints);
         for metres in [0.0, 500.0, 2500.0] {
             let [dark, flat, light] = [-1.0, 0.0, 1.0].map(|light| colour(&colours, metres, light));
@@ -127,7 +141,7 @@ mod tests {
     #[test]
     fn flat_land_has_the_tint_of_its_metres() {
         for (style, tints) in all_tints() {
-            let colours = Colours::new(tints);
+            let colours = Colours::new(&tints);
             for metres in (0..4000).step_by(7).map(|metres| metres as f32) {
                 let (tint, flat) = (tints.at(metres), colour(&colours, metres, 0.0));
                 let off = (0..3).map(|i| tint[i].abs_diff(flat[i])).max().unwrap();
@@ -139,7 +153,7 @@ mod tests {
     #[test]
     fn light_adds_a_share_of_the_highlight_and_never_hides_the_tint() {
         for (style, tints) in all_tints() {
-            let colours = Colours::new(tints);
+            let colours = Colours::new(&tints);
             assert!(tints.bright <= 0.6, "{style:?}: heights are told apart in full light");
             for (place, i) in (0..HEIGHTS * LIGHT_STEPS).step_by(LIGHT_STEPS).zip(0..) {
                 let tint = tints.at(Tints::metres_at(i as f32 / (HEIGHTS - 1) as f32));

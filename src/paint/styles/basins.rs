@@ -1,11 +1,12 @@
 //! River systems in colours on paper, their basins in tints of the same colours.
 
+use super::climate::Climates;
 use super::look::{Look, bare, strokes};
 use crate::paint::palette::{BasinColours, Colour, Palette, ReliefLook, bordered, even, tinted};
 
 const PAPER: Colour = [0xf6, 0xf1, 0xe4];
 
-static RELIEF: ReliefLook = ReliefLook {
+const RELIEF: ReliefLook = ReliefLook {
     basins: Some(BasinColours {
         colours: &[
             [0xe4, 0x57, 0x2e],
@@ -35,10 +36,11 @@ static RELIEF: ReliefLook = ReliefLook {
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
-        relief: Some(&RELIEF),
+        relief: Some(RELIEF),
         neatline: bordered(PAPER, [0xa8, 0x93, 0x78]),
         ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58])
     },
     labels: bare([0x3a, 0x33, 0x2b], PAPER),
     scenery: Some(strokes([0x50, 0x49, 0x3b])),
+    climates: Climates::Alike,
 };

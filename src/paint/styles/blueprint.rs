@@ -1,5 +1,6 @@
 //! A blueprint: white lines on blue.
 
+use super::climate::Climates;
 use super::look::{Look, bodied, haloed};
 use crate::paint::palette::{
     BLANK, Casing, Colour, Contours, Grid, Palette, Paper, ReliefLook, bordered, even, tinted,
@@ -13,7 +14,7 @@ const TINTED: ReliefLook = tinted(
     ([0x8c, 0xb4, 0xdc], 0.2),
 );
 
-static RELIEF: ReliefLook = ReliefLook {
+const RELIEF: ReliefLook = ReliefLook {
     contours: Some(Contours { colour: [0xbf, 0xe0, 0xff], widths: [0.4, 0.9], strengths: [0.3, 0.5] }),
     casing: Casing { margin: 0.8, ..TINTED.casing },
     ..TINTED
@@ -28,17 +29,18 @@ pub(super) static STYLE: Look = Look {
             Grid { every: 24.0, colour: [0xbf, 0xe0, 0xff], strength: 0.12 },
             Grid { every: 120.0, colour: [0xbf, 0xe0, 0xff], strength: 0.16 },
         ],
-        paper: Some(&Paper {
+        paper: Some(Paper {
             blotch: [0x2a, 0x62, 0xa6],
             blotched: 0.25,
             edge: [0x08, 0x26, 0x50],
             edged: 0.5,
             ..BLANK
         }),
-        relief: Some(&RELIEF),
+        relief: Some(RELIEF),
         neatline: bordered([0x0d, 0x37, 0x6c], [0xbf, 0xe0, 0xff]),
         ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], RIVER)
     },
     labels: haloed(RIVER, LAND, 0.6),
     scenery: Some(bodied([0xbf, 0xe0, 0xff], LAND, 0.5)),
+    climates: Climates::Alike,
 };

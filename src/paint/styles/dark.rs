@@ -1,5 +1,6 @@
 //! Ink's drawing on dark paper.
 
+use super::climate::Climates;
 use super::ink;
 use super::look::{Look, SceneryLook, bare, strokes};
 use crate::paint::palette::{Colour, Palette, bordered, even};
@@ -16,4 +17,5 @@ pub(super) static STYLE: Look = Look {
     },
     labels: bare(RIVER, PAPER),
     scenery: Some(SceneryLook { shade: 0.65, ..strokes([0x93, 0xa2, 0xad]) }),
+    climates: Climates::Alike,
 };

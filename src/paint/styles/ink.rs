@@ -1,5 +1,6 @@
 //! Ink on paper.
 
+use super::climate::Climates;
 use super::look::{Look, bare, strokes};
 use crate::paint::palette::{Colour, Palette, bordered, even};
 
@@ -15,4 +16,5 @@ pub(super) static STYLE: Look = Look {
     },
     labels: bare(RIVER, PAPER),
     scenery: Some(strokes([0x5c, 0x54, 0x42])),
+    climates: Climates::Alike,
 };

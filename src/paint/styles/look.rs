@@ -1,14 +1,17 @@
 //! All that a style paints with: its palette, and how it draws letters, trees and hills.
 
+use super::climate::Climates;
 use crate::paint::palette::{Colour, Palette};
 
 /// A style.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Look {
     pub palette: Palette,
     pub labels: LabelLook,
     /// The look of trees and hills; `None` if the style has none.
     pub scenery: Option<SceneryLook>,
+    /// What the climate does to its colours.
+    pub climates: Climates,
 }
 
 /// The look of letters.

@@ -3,6 +3,8 @@
 pub mod atlas;
 mod basins;
 mod blueprint;
+mod climate;
+mod coloured;
 #[cfg(test)]
 mod contrast;
 mod dark;
@@ -13,16 +15,20 @@ mod night;
 mod orbit;
 mod parchment;
 mod past_courses;
+#[cfg(test)]
+mod ramps;
+mod scheme;
 mod skeleton;
 mod survey;
 
 pub(crate) use look::{LabelLook, SceneryLook};
+pub(crate) use scheme::Scheme;
 
 use super::palette::Palette;
 use crate::recipe::Style;
 use look::Look;
 
-/// Returns all that a style paints with.
+/// Returns all that a style paints with, in a temperate climate.
 fn look(style: Style) -> &'static Look {
     match style {
         Style::Ink => &ink::STYLE,
@@ -40,23 +46,30 @@ fn look(style: Style) -> &'static Look {
     }
 }
 
-/// Returns the colours and forms of a style.
-pub(crate) fn palette(style: Style) -> &'static Palette {
-    &look(style).palette
+/// Mixes all that a scheme paints with.
+#[inline(never)] // one copy
+fn look_of(scheme: Scheme) -> Look {
+    look(scheme.style).in_climate(scheme.climate)
 }
 
-/// Returns the look of a style's letters.
-pub(crate) fn label_look(style: Style) -> LabelLook {
-    look(style).labels
+/// Returns the colours and forms of a scheme.
+pub(crate) fn palette(scheme: Scheme) -> Palette {
+    look_of(scheme).palette
 }
 
-/// Returns the look of a style's trees and hills; `None` if it has none.
-pub(crate) fn scenery_look(style: Style) -> Option<SceneryLook> {
-    look(style).scenery
+/// Returns the look of a scheme's letters.
+pub(crate) fn label_look(scheme: Scheme) -> LabelLook {
+    look_of(scheme).labels
+}
+
+/// Returns the look of a scheme's trees and hills; `None` if its style has none.
+pub(crate) fn scenery_look(scheme: Scheme) -> Option<SceneryLook> {
+    look_of(scheme).scenery
 }
 
 #[cfg(test)]
 mod tests {
+    use super::climate::Climates;
     use super::*;
     use crate::recipe::Choice;
     use crate::recipe::Shown;
@@ -69,6 +82,7 @@ mod tests {
             assert_eq!(style.has_beds(), look.palette.beds.is_some(), "beds of {style:?}");
             assert_eq!(style.has_woods(), look.scenery.is_some(), "woods of {style:?}");
             assert!(style.has_woods() || !style.has_hills(), "hills of {style:?}");
+            assert_eq!(style.has_climate(), !matches!(look.climates, Climates::Alike), "climate of {style:?}");
             assert!(look.palette.neatline.is_some() || !style.shows(Shown::Neatline), "border of {style:?}");
         }
     }

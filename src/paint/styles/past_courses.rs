@@ -1,5 +1,6 @@
 //! The former courses of great rivers, as Fisk mapped those of the Mississippi (1944).
 
+use super::climate::Climates;
 use super::look::{Look, haloed, strokes};
 use crate::paint::palette::{Beds, Colour, Grid, Lines, Palette, bordered, even};
 
@@ -49,4 +50,5 @@ pub(super) static STYLE: Look = Look {
     },
     labels: haloed([0x2e, 0x2a, 0x26], PAPER, 0.6),
     scenery: Some(strokes([0x5a, 0x50, 0x3f])),
+    climates: Climates::Alike,
 };

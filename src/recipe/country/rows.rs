@@ -18,8 +18,13 @@ pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-var
     tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6 simplify=20..75";
 
 /// The draws of each climate.
-pub(in crate::recipe) static CLIMATES: &[(&str, &str)] =
-    &[("temperate", ""), ("wet", ""), ("dry", ""), ("cold", ""), ("volcanic", "")];
+pub(in crate::recipe) static CLIMATES: &[(&str, &str)] = &[
+    ("temperate", "warmth=0.45..0.65 rain=0.4..0.62 rain-shadow=0.3..0.8"),
+    ("wet", "warmth=0.5..0.7 rain=0.75..1 rain-shadow=0.3..0.8 woods=0|0|0.1..0.3"),
+    ("dry", "warmth=0.6..0.9 rain=0..0.2 rain-shadow=0.2..0.7"),
+    ("cold", "warmth=0..0.2 rain=0.35..0.6 rain-shadow=0.2..0.6"),
+    ("volcanic", "ground=lava warmth=0.45..0.65 rain=0.35..0.75 rain-shadow=0.3..0.8"),
+];
 
 /// The table of countries. A new row takes only the words that it wins, and a weight counts against those of all others.
 pub static COUNTRIES: [Country; COUNT] = [

@@ -37,6 +37,11 @@ fn what_does_something_has_no_reason_not_to() {
         ("style=survey", Key::Woods),
         ("style=parchment", Key::Hills),
         ("style=ink-wash", Key::Hills),
+        ("style=parchment", Key::Warmth),
+        ("style=night", Key::Ground),
+        ("style=night&rain-shadow=0.3", Key::Wind),
+        ("style=ink&woods=0.2", Key::Warmth),
+        ("style=survey&woods=0.2", Key::RainShadow),
     ] {
         assert_eq!(reason(link, key), None, "{link}");
     }
@@ -62,13 +67,16 @@ const NOT_COLONIZING: (&str, &str) =
 const BROWNIAN: (&str, &str) =
     ("mouths mouth-spacing shores attractors valleys valley-spacing", "Brownian trees do not use it");
 const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck oxbows clearance taper";
-const NO_RELIEF: (&str, &str) = ("shade", "this style shows no relief");
+const NO_RELIEF: (&str, &str) = ("shade rain-shadow wind", "this style shows no relief");
 const NO_HEIGHTS: (&str, &str) =
     ("mountains plains rills", "this style shows no relief, though files of heights have it");
+const NO_CLIMATE: (&str, &str) =
+    ("warmth rain rain-shadow wind ground", "this style has the same colours in every climate");
+const EVEN_RAIN: (&str, &str) = ("wind", "rain falls evenly");
 const NO_WOODS: (&str, &str) = ("woods", "this style shows no woods");
 const NO_HILLS: (&str, &str) = ("hills", "this style shows no hills");
 const RELIEF_ITSELF: (&str, &str) = ("hills", "this style shows the relief itself, without signs for hills");
-const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
+const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE];
 
 /// Values that are set over the lively recipe, and the keys without effect in the result, each with its reason.
 const EXPECTED: &[(&str, &[(&str, &str)])] = &[
@@ -80,11 +88,24 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
     ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
     (
         "land=drawn&outline=.MzMzzMMzzMzM",
-        &[("sea drowning sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[
+            ("sea drowning sides", "the drawing determines where the sea is"),
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
     ),
     (
         "land=island",
-        &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[
+            ("sides", "this land has the sea all around it"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
     ),
     (
         "land=drawn&outline=.MzMzzMMzzMzM...gAgA",
@@ -92,34 +113,63 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             ("sea drowning", "the drawing determines where the sea is"),
             ("sides mouths mouth-spacing shores", DRAWN_MOUTHS),
             NO_SENSITIVITY,
+            NO_CLIMATE,
             NOT_DRAINING,
             IN_CELLS,
         ],
     ),
-    ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+    (
+        "land=drawn&outline=...gAgA",
+        &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE],
+    ),
     // A drawing that is not used as land gives no mouths either.
     (
         "land=island&outline=...gAgA",
-        &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[
+            ("sides", "this land has the sea all around it"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
     ),
     (
         "land=archipelago",
-        &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[
+            ("sides", "this land has the sea all around it"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
     ),
-    ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
-    ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+    ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE]),
+    ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE]),
     (
         "land=basin",
-        &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[
+            ("sides", "rivers flow to the lake in the middle"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
     ),
-    ("land=continent&growth=brownian", &[NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
-    ("growth=brownian", &[NO_COAST, NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
-    ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("stretch", "there is no curl")]),
+    ("land=continent&growth=brownian", &[NOT_DRAWN, NO_CLIMATE, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
+    ("growth=brownian", &[NO_COAST, NOT_DRAWN, NO_CLIMATE, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
+    (
+        "curl=0",
+        &[NO_COAST, NOT_DRAWN, NO_CLIMATE, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("stretch", "there is no curl")],
+    ),
     (
         "meander=none",
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -134,6 +184,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -148,6 +199,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -157,18 +209,35 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
     ),
     (
         "great-rivers=0",
-        &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("flat-share", "there are no great rivers")],
+        &[
+            NO_COAST,
+            NOT_DRAWN,
+            NO_CLIMATE,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            ("flat-share", "there are no great rivers"),
+        ],
     ),
     ("meander-elsewhere=0", RECTANGULAR),
     (
         "meander-strength=0",
-        &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("meander-mix", "bends do not move")],
+        &[
+            NO_COAST,
+            NOT_DRAWN,
+            NO_CLIMATE,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            ("meander-mix", "bends do not move"),
+        ],
     ),
     (
         "meander=flow",
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -180,6 +249,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -191,29 +261,43 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_RELIEF,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
             (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
-            NO_RELIEF,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
         ],
     ),
-    ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS]),
+    ("style=ink", &[NO_COAST, NOT_DRAWN, NO_RELIEF, NO_CLIMATE, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_HEIGHTS]),
     (
         "style=skeleton",
-        &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS, NO_WOODS, NO_HILLS],
+        &[
+            NO_COAST,
+            NOT_DRAWN,
+            NO_RELIEF,
+            NO_CLIMATE,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_HEIGHTS,
+            NO_WOODS,
+            NO_HILLS,
+        ],
     ),
-    ("style=atlas", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, RELIEF_ITSELF]),
-    ("style=orbit", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_WOODS, RELIEF_ITSELF]),
+    ("style=atlas", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, RELIEF_ITSELF, EVEN_RAIN]),
+    ("style=orbit", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_WOODS, RELIEF_ITSELF, EVEN_RAIN]),
     (
         "style=skeleton&meander-rounds=0",
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_RELIEF,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -222,7 +306,6 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
                 STILL,
             ),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
-            NO_RELIEF,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
@@ -233,6 +316,8 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_RELIEF,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
@@ -241,18 +326,18 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
                 STILL,
             ),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
-            NO_RELIEF,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
         ],
     ),
-    ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE, NO_CENTER]),
+    ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_CLIMATE, NO_SENSITIVITY, NOT_COLONIZING, NO_STRIKE, NO_CENTER]),
     (
         "growth=drainage&pattern=parallel&bending=0",
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_COLONIZING,
             NO_CENTER,
@@ -266,6 +351,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_COLONIZING,
             NO_STRIKE,
@@ -275,25 +361,38 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
     ),
     (
         "trim=0",
-        &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("trim-variation", "nothing is trimmed")],
+        &[
+            NO_COAST,
+            NOT_DRAWN,
+            NO_CLIMATE,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            ("trim-variation", "nothing is trimmed"),
+        ],
     ),
     (
         "growth=drainage&land=island",
         &[
             ("sides", "this land has the sea all around it"),
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_COLONIZING,
             NO_STRIKE,
             NO_CENTER,
         ],
     ),
-    ("valleys=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")]),
+    (
+        "valleys=0",
+        &[NO_COAST, NOT_DRAWN, NO_CLIMATE, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")],
+    ),
     (
         "growth=drainage&valleys=0&hardness=0",
         &[
             NO_COAST,
             NOT_DRAWN,
+            NO_CLIMATE,
             NO_SENSITIVITY,
             NOT_COLONIZING,
             NO_STRIKE,

@@ -55,6 +55,11 @@ const DECIDED: &[Key] = &[
     Key::Plains,
     Key::Rills,
     Key::Shade,
+    Key::Warmth,
+    Key::Rain,
+    Key::RainShadow,
+    Key::Ground,
+    Key::Woods,
 ];
 
 /// Where the values of keys come from that a link leaves out.
