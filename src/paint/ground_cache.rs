@@ -82,7 +82,7 @@ impl GroundCache {
     pub fn shows(&self, rivers: &Rivers<'_>) -> bool {
         match (&self.raised, rivers.relief) {
             (None, None) => true,
-            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.settings.light),
+            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.settings.relief),
             (None, Some(_)) | (Some(_), None) => false,
         }
     }
@@ -173,13 +173,13 @@ impl GroundCache {
         if shares.advance(view, shown) {
             return true;
         }
-        let light = rivers.settings.light;
+        let display = rivers.settings.relief;
         self.prepared.take_if(|prepared| !prepared.is_of(relief));
         let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief));
-        if prepared.prepare(look, light, rivers.network, view) {
+        if prepared.prepare(look, display, rivers.network, view) {
             return true;
         }
-        self.raised.take_if(|raised| !raised.is_of(relief, light));
+        self.raised.take_if(|raised| !raised.is_of(relief, display));
         let Some(raised) = &mut self.raised else {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();

@@ -7,7 +7,7 @@ use super::coverage::Coverage;
 use super::flat::{FlatGround, plain};
 use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
-use super::relief::{Inks, Light, Prepared, Sheet};
+use super::relief::{Inks, Prepared, ReliefDisplay, Sheet};
 use super::rivers::{Rivers, Widening, draw_network};
 use super::styles::palette;
 use super::view::{Rows, View};
@@ -60,7 +60,7 @@ fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
 #[derive(Clone, Debug)]
 pub(super) struct RaisedGround {
     relief: Arc<Relief>,
-    light: Light,
+    display: ReliefDisplay,
     palette: &'static Palette,
     /// The means of painting it; `None` once everything is painted.
     making: Option<Making>,
@@ -85,13 +85,13 @@ impl RaisedGround {
             draw_network(&mut mask, view, rivers.network, rivers.settings.courses, palette.lines, cased);
         }
         let making = Some(Making { look, rivers: mask, inks: None });
-        let (relief, light, pixels) = (relief.clone(), rivers.settings.light, Vec::with_capacity(view.pixels()));
-        Some(Self { relief, light, palette, making, pixels })
+        let (relief, display, pixels) = (relief.clone(), rivers.settings.relief, Vec::with_capacity(view.pixels()));
+        Some(Self { relief, display, palette, making, pixels })
     }
 
-    /// Returns `true` if it is made from this relief in this light.
-    pub fn is_of(&self, relief: &Arc<Relief>, light: Light) -> bool {
-        Arc::ptr_eq(&self.relief, relief) && self.light == light
+    /// Returns `true` if it is made from this relief, shown like this.
+    pub fn is_of(&self, relief: &Arc<Relief>, display: ReliefDisplay) -> bool {
+        Arc::ptr_eq(&self.relief, relief) && self.display == display
     }
 
     pub fn pixels(&self) -> &[[u8; 4]] {

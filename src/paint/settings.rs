@@ -1,8 +1,10 @@
 //! The settings of painting.
 
-use super::relief::Light;
+use super::relief::{Light, ReliefDisplay};
+use super::styles::palette;
 use crate::base::random::Seed;
 use crate::recipe::{CourseShape, NumberKey, Recipe, Style};
+use crate::scale::MapScale;
 
 /// The settings of painting, resolved.
 #[derive(Clone, Copy, Debug)]
@@ -14,8 +16,8 @@ pub struct PaintSettings {
     pub courses: CourseShape,
     /// The width of a river that drains the whole map, in domain units.
     pub max_width: f32,
-    /// The light on the relief.
-    pub(crate) light: Light,
+    /// The display of the relief.
+    pub(crate) relief: ReliefDisplay,
     /// The seed and the roughness of the coast, which in large pictures has more detail beside finished rivers.
     pub(super) coast: (Seed, f32),
 }
@@ -23,11 +25,16 @@ pub struct PaintSettings {
 impl PaintSettings {
     /// Resolves a recipe.
     pub fn of(recipe: &Recipe) -> Self {
+        let style = recipe.get();
+        let has_contours = palette(style).relief.is_some_and(|look| look.contours.is_some());
         Self {
-            style: recipe.get(),
+            style,
             courses: recipe.get(),
             max_width: recipe.number(NumberKey::Width),
-            light: Light { exaggeration: recipe.shade() },
+            relief: ReliefDisplay {
+                light: Light { exaggeration: recipe.shade() },
+                metres_up: if has_contours { MapScale::of(recipe).metres_up } else { 0.0 },
+            },
             coast: (Seed::from_text(recipe.seed()), recipe.number(NumberKey::Roughness)),
         }
     }

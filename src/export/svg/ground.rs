@@ -9,14 +9,15 @@ use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
-use crate::paint::relief::{Basins, Light, Stroke, contours as contours_of, highest, strokes};
+use crate::paint::relief::{Basins, ReliefDisplay, Stroke, contours as contours_of, highest, strokes};
 use crate::paint::ridges;
-use crate::relief::{METRES, Relief};
+use crate::relief::Relief;
+use crate::scale::USUAL_METRES;
 
 /// A relief with its display options.
 pub(super) struct Raised<'a> {
     pub relief: &'a Relief,
-    pub light: Light,
+    pub display: ReliefDisplay,
     /// The basins in it, if they have colours.
     pub basins: Option<&'a Basins>,
 }
@@ -97,12 +98,13 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     /// The number of steps up to the height above which tints do not change.
     const STEPS: u32 = 20;
-    let Some((Raised { relief, light: of, basins }, look)) = relief.zip(palette.relief) else { return };
-    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * METRES;
+    let Some((Raised { relief, display, basins }, look)) = relief.zip(palette.relief) else { return };
+    let ReliefDisplay { light: of, metres_up } = display;
+    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * USUAL_METRES;
     let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
     let metres = |step: f32| Tints::metres_at(step / STEPS as f32);
     for step in (0..steps).map(|step| step as f32).take_while(|&step| metres(step) < top) {
-        let rings = relief.rings_above(metres(step) / METRES);
+        let rings = relief.rings_above(metres(step) / USUAL_METRES);
         fill(out, look.tints.at(metres(step + 0.5)), &path_of(rings, 2));
     }
     // Light falls on the colours of basins as it does on those of heights.
@@ -111,7 +113,7 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     }
     light(out, relief, of, look);
     if let Some(lines) = &look.contours {
-        contours(out, relief, lines);
+        contours(out, (relief, metres_up), lines);
     }
     if let Some(look) = &look.hachures {
         hachures(out, &strokes(relief, highest(relief)), look, of.strength_of_hachures());
@@ -147,9 +149,9 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
 }
 
 /// Draws contour lines.
-fn contours(out: &mut Text, relief: &Relief, look: &Contours) {
+fn contours(out: &mut Text, (relief, metres_up): (&Relief, f32), look: &Contours) {
     out.text("<g id=\"contours\" fill=\"none\">\n");
-    for contour in contours_of(relief) {
+    for contour in contours_of(relief, metres_up) {
         let kind = usize::from(contour.is_index);
         out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
         line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(contour.height), 1));

@@ -27,6 +27,15 @@ pub use contours::{Contour, contours};
 pub(crate) use hachures::{Stroke, strokes};
 pub(crate) use light::{Light, light_of};
 
+/// The display of a relief, besides the look of its style.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ReliefDisplay {
+    /// The light on it.
+    pub light: Light,
+    /// The metres of a unit of height, by which contours are spaced; 0 in styles without any.
+    pub metres_up: f32,
+}
+
 /// The ground that relief is laid on.
 pub(super) struct Sheet<'a> {
     pub view: &'a View,
@@ -81,14 +90,21 @@ impl Prepared {
 
     /// Makes one of the parts that a look needs and that are missing, or some of it. Returns `true` if anything was
     /// missing.
-    pub fn prepare(&mut self, look: &'static ReliefLook, light: Light, network: &Network, view: &View) -> bool {
+    pub fn prepare(
+        &mut self,
+        look: &'static ReliefLook,
+        display: ReliefDisplay,
+        network: &Network,
+        view: &View,
+    ) -> bool {
+        let ReliefDisplay { light, metres_up } = display;
         let (relief, highest) = (&self.relief, self.highest);
         if !self.shading.as_ref().is_some_and(|shading| shading.light == light) {
             self.shading = Some(Shading::new(relief, light, view));
         } else if let Some(look) = &look.contours
-            && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
+            && !self.contours.as_ref().is_some_and(|lines| lines.are(look, metres_up))
         {
-            self.contours = Some(ContourLines::new(look, relief, highest, view));
+            self.contours = Some(ContourLines::new((look, metres_up), relief, highest, view));
         } else if look.hachures.is_some() && self.strokes.is_none() {
             self.strokes = Some(Strokes::new(relief, highest));
         } else if let Some(look) = &look.basins
