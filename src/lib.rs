@@ -80,6 +80,7 @@ mod property;
 pub mod prune;
 pub mod recipe;
 pub mod relief;
+pub mod scale;
 pub mod session;
 pub mod tree;
 

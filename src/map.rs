@@ -17,6 +17,7 @@ use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{GrowthMethod, Recipe, Style};
 use crate::relief::{Grid, Relief, ReliefError, ReliefSettings, Rills};
+use crate::scale::MapScale;
 use crate::tree::{Hydrology, Tree};
 
 /// A finished map.
@@ -94,6 +95,11 @@ impl Map {
     /// Returns the rectangle shown by the map.
     pub fn domain(&self) -> Domain {
         Domain::of(&self.recipe)
+    }
+
+    /// Returns the real sizes of what is on the map.
+    pub fn scale(&self) -> MapScale {
+        MapScale::of(&self.recipe)
     }
 
     /// Returns the land, either given or shaped by the recipe; `None` if all of the domain is land.

@@ -41,6 +41,7 @@ mod patterns;
 mod pieces;
 mod presets;
 mod rasters;
+mod real_sizes;
 mod recipes;
 mod relief;
 mod scenery;

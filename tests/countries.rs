@@ -52,8 +52,8 @@ fn glance(word: &str) -> Glance {
     let mut session = Session::new(link::read(&format!("seed={word}")).unwrap()).unwrap();
     let map = session.finish().unwrap();
     let network = map.network();
-    let widths = network.rivers.iter().flat_map(|river| network.course(river).map(|vertex| vertex.width));
-    let greatest = network.rivers.iter().map(|river| river.discharge).max().unwrap();
+    let widths = network.rivers.iter().flat_map(|river| network.course(river).map(|vertex| vertex.width()));
+    let greatest = network.rivers.iter().map(|river| network.discharge(river)).max().unwrap();
     Glance {
         rivers: network.rivers.len(),
         widest: widths.fold(0.0, f32::max),

@@ -116,13 +116,16 @@ fn check_ground(session: &Session, ground: &[geojson::Feature]) {
     assert!(
         kinds.is_sorted_by_key(|kind| ["basin", "land", "water", "ridge"].iter().position(|own| own == kind).unwrap())
     );
+    // The units of a degree.
+    let units = 111_320.0 / session.map().unwrap().scale().metres_a_unit;
     let rings = |feature: &geojson::Feature| match feature.geometry.clone().unwrap().value {
         GeometryValue::Polygon { coordinates } => vec![coordinates],
         GeometryValue::MultiPolygon { coordinates } => coordinates,
         _ => vec![],
     };
     let line =
-        |ring: &Vec<geojson::Position>| ring.iter().map(|at| (at[0] * 100.0, at[1] * 100.0)).collect::<LineString>();
+        |ring: &Vec<geojson::Position>| ring.iter().map(|at| (at[0] * units, at[1] * units)).collect::<LineString>();
+    let metres = session.map().unwrap().scale().metres_a_unit;
     let (mut areas, mut mouths) = ([0.0, 0.0], BTreeSet::new());
     for (feature, kind) in ground.iter().zip(&kinds) {
         let number = |name: &str| feature.property(name).and_then(serde_json::Value::as_u64).unwrap();
@@ -138,7 +141,7 @@ fn check_ground(session: &Session, ground: &[geojson::Feature]) {
             assert!(mouths.insert(number("mouth")));
             assert!(session.network().unwrap().rivers[number("mouth") as usize].junction == NONE);
             // Corners of cells are cut.
-            let cells = number("area") as f64;
+            let cells = feature.property("area_m2").and_then(serde_json::Value::as_f64).unwrap() / (metres * metres);
             assert!((area - cells).abs() <= 0.5 * cells, "{area} of {cells}");
         }
         match kind.as_str() {

@@ -4,7 +4,7 @@
 use crate::common::lands::every_land;
 use riverseed::Session;
 use riverseed::recipe::link;
-use riverseed::relief::METRES;
+use riverseed::scale::USUAL_METRES;
 
 /// The hypsometric integral of a map, which is the mean height of its land as a share of the greatest (Strahler 1952), and
 /// its highest land in metres.
@@ -15,7 +15,7 @@ fn integral_and_top(text: &str) -> (f64, f32) {
     for &height in relief.heights().iter().filter(|height| **height > 0.0) {
         (sum, count, top) = (sum + f64::from(height), count + 1.0, top.max(height));
     }
-    (sum / count / f64::from(top), top * METRES)
+    (sum / count / f64::from(top), top * USUAL_METRES)
 }
 
 /// Strahler's basins in equilibrium have integrals of 0.35 to 0.6, worn ones with few hills left less. Once islands had 0.18.

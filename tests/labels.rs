@@ -416,7 +416,7 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let text = riverseed::export::svg::svg(&titled.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
-    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, from the word <kea>, 0, 100, 200 km"));
+    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, from the word <kea>, 0, 10, 20 km"));
     assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 5);
     assert!(!text.contains("id=\"labels\""));
     // As text on paths, a line each, all letters included.

@@ -7,6 +7,7 @@ use riverseed::annotate::names::Names;
 use riverseed::annotate::place::{Input, Kind, Label, Plate, Raster, Stroke, place};
 use riverseed::glam::Vec2;
 use riverseed::recipe::{Key, Style, link};
+use riverseed::scale::figures;
 use riverseed::{Map, Session};
 
 fn finished(link: &str) -> Session {
@@ -129,24 +130,37 @@ fn no_sea_is_named_on_the_title_s_line() {
 
 #[test]
 fn a_scale_bar_is_as_long_as_it_says_and_so_is_that_of_a_legend() {
-    // GeoJSON has a hundredth of a degree for a unit.
-    let kilometres = 40_075.017 / 360.0 / 100.0;
-    let session = finished("land=island&attractors=900&country=usual&seed=kauri&labels=some&style=atlas");
+    for (span, says) in [
+        ("10", ["0", "0.5", "1 km"]),
+        ("37", ["0", "2.5", "5 km"]),
+        ("200", ["0", "10", "20 km"]),
+        ("320", ["0", "25", "50 km"]),
+        ("5000", ["0", "250", "500 km"]),
+    ] {
+        check_scale_bar(span, says);
+    }
+}
+
+/// Measures a scale bar by the width of its map.
+fn check_scale_bar(span: &str, says: [&str; 3]) {
+    let session = finished(&format!("land=island&attractors=900&country=usual&seed=kauri&labels=some&style=atlas&span={span}"));
     let map = session.map().unwrap();
+    let kilometres = span.parse::<f64>().unwrap() / f64::from(map.domain().size.x);
+    let [half, whole] = [1, 2].map(|i| says[i].trim_end_matches(" km").parse::<f64>().unwrap());
     let (labels, _) = placed(&map, 1400.0);
     let bar = labels.iter().find(|label| label.kind == Kind::Margin).unwrap();
     let length = |stroke: &Stroke| f64::from(stroke.ends[0].distance(stroke.ends[1]));
     let longest = bar.strokes.iter().map(length).fold(0.0, f64::max);
-    assert!((longest * kilometres - 200.0).abs() < 0.1, "{longest}");
+    assert!((longest * kilometres / whole - 1.0).abs() < 1e-4, "{span}: {longest}");
     let texts: Vec<&str> =
         labels.iter().filter(|label| label.kind == Kind::Margin).map(|label| label.text.as_str()).collect();
-    assert_eq!(texts, ["0", "100", "200 km"]);
+    assert_eq!(texts, says);
     // Its numbers stand over what they tell.
-    let [zero, hundred] = [0, 1].map(|i| {
+    let [zero, middle] = [0, 1].map(|i| {
         let [least, most] = around(labels.iter().filter(|label| label.kind == Kind::Margin).nth(i).unwrap());
         f64::from((least.x + most.x) * 0.5)
     });
-    assert!(((hundred - zero) * kilometres - 100.0).abs() < 3.0, "{}", hundred - zero);
+    assert!(((middle - zero) * kilometres / half - 1.0).abs() < 0.05, "{span}: {}", middle - zero);
 }
 
 #[test]
@@ -191,7 +205,7 @@ fn the_plate_of_lengths_tells_those_of_the_network_the_longest_first() {
         for (river, name) in network.rivers.iter().zip(&names.rivers) {
             let places: Vec<Vec2> = network.course(river).map(|vertex| vertex.at).collect();
             let length: f64 = places.windows(2).map(|pair| f64::from(pair[0].distance(pair[1]))).sum();
-            lengths.push((length * 1.1132, name.name.clone()));
+            lengths.push((length * map.scale().metres_a_unit / 1000.0, name.name.clone()));
         }
         lengths.sort_by(|a, b| b.0.total_cmp(&a.0));
         let told: Vec<&&Label> = plate.iter().filter(|label| label.river.is_some()).collect();
@@ -239,7 +253,8 @@ fn a_profile_never_falls_upstream_and_ends_at_the_river_s_length() {
         let network = map.network();
         let greatest = network.rivers.iter().map(|river| network.discharge(river)).max().unwrap();
         assert_eq!(network.discharge(&network.rivers[profile.river as usize]), greatest, "{link}");
-        let says = format!("{:.0} km", network.length(&network.rivers[profile.river as usize]) * 1.1132);
+        let length = map.scale().kilometres(network.length(&network.rivers[profile.river as usize]));
+        let says = format!("{} km", figures(length));
         assert!(labels.iter().any(|label| label.kind == Kind::Plate && label.text == says), "{link}: {says}");
         let joining = network.rivers.iter().filter(|river| river.parent == profile.river).count();
         assert_eq!(profile.tributaries.len(), joining, "{link}");

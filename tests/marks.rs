@@ -276,7 +276,7 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         let names = riverseed::annotate::names::Names::of(&session.map().unwrap());
         assert_eq!(names.title, "Moa");
         let heading = if cartouche == "none" { vec![names.title.as_str(), names.subtitle.as_str()] } else { vec![] };
-        assert!(texts.starts_with(&heading) && texts[heading.len()] == "100 km", "{texts:?}");
+        assert!(texts.starts_with(&heading) && texts[heading.len()] == "10 km", "{texts:?}");
         let rivers = &session.network().unwrap().rivers;
         let highest = rivers.iter().map(|river| river.order).max().unwrap();
         for (line, order) in texts[heading.len() + 1..].iter().zip((1..=highest).rev()) {
@@ -287,7 +287,7 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         assert!(texts.len() >= heading.len() + 3, "{texts:?}");
         let strokes = &of(&labels, Kind::Legend).next().unwrap().strokes;
         let length = |stroke: &Stroke| stroke.ends[0].distance(stroke.ends[1]);
-        assert!(strokes.iter().any(|stroke| (length(stroke) - 100.0 / 1.1132).abs() < 1e-3));
+        assert!(strokes.iter().any(|stroke| (length(stroke) - map.scale().units(10.0)).abs() < 1e-3));
         let is_sea = |at: Vec2| input.map.coast.is_some_and(|coast| coast.height(at) < 0.0);
         let is_at_sea = of(&labels, Kind::Legend).flat_map(points).all(is_sea);
         assert_eq!(is_at_sea, land != "rectangle", "{land}");

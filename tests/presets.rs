@@ -9,10 +9,11 @@ use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
-const LEFT: [Key; 29] = [
+const LEFT: [Key; 30] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
+    Key::Span,
     Key::Land,
     Key::Sea,
     Key::Roughness,

@@ -15,7 +15,8 @@ use riverseed::export::{ExportError, pack, png as to_png};
 use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::relief::{Grid, METRES};
+use riverseed::relief::Grid;
+use riverseed::scale::USUAL_METRES;
 use riverseed::session::Session;
 
 fn finished(text: &str) -> Session {
@@ -107,7 +108,7 @@ fn check_heights(rasters: &Rasters) {
         let is_raised = || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
         assert!(value == rounded || (value > rounded && is_raised()), "{value} for {rounded} at {cell}");
         let (value, metres) = (rounded, (f64::from(rounded) - sea) * step);
-        let off = (metres - f64::from(height * METRES)).abs();
+        let off = (metres - f64::from(height * USUAL_METRES)).abs();
         // The step is written with six decimals.
         assert!(off <= 0.5 * step + 0.04 || (f64::from(value) == sea + 1.0 && off <= step), "{metres} for {height}");
         assert_eq!(f64::from(value) > sea, height > 0.0, "land and sea");
@@ -128,7 +129,7 @@ fn dam(rasters: &Rasters, cell: usize) -> f32 {
     around(rasters, cell)
         .into_iter()
         .filter(is_bank)
-        .map(|bank| (heights[cell] - heights[bank]) * METRES)
+        .map(|bank| (heights[cell] - heights[bank]) * USUAL_METRES)
         .fold(0.0, f32::max)
 }
 

@@ -14,7 +14,8 @@ use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Key, link};
 use riverseed::relief::Grid;
-use riverseed::relief::{CELL_SIZE, METRES, Relief};
+use riverseed::relief::{CELL_SIZE, Relief};
+use riverseed::scale::USUAL_METRES;
 use riverseed::session::{Phase, Session};
 
 fn finished(text: &str) -> Session {
@@ -175,7 +176,8 @@ fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
         let highest = own.quantile(0.99);
         let network = session.network().unwrap();
         let rivers = network.vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
-        let off: Vec<f32> = rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() * METRES).collect();
+        let off: Vec<f32> =
+            rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() * USUAL_METRES).collect();
         // Within the fall of a cell or two, rivers having no stairs of cells here; lower where they would stand on
         // dams.
         let [near, far, farthest] = [12.0, 31.0, 90.0].map(|metres| share_above(&off, metres));

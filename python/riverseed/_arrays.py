@@ -115,7 +115,7 @@ class Relief:
     cell_size: float
     """The side of a cell, in units."""
     heights: NDArray[np.float32]
-    """Metres above the sea: more than 0 on land, 0 or less at sea. 25 metres are a unit."""
+    """Metres above the sea: more than 0 on land, 0 or less at sea."""
     widths: NDArray[np.float32]
     """The width of the river, in units, rounded up to thousandths; 0 where there is none."""
     flow: NDArray[np.uint8]

@@ -52,7 +52,7 @@ class Map:
 
     def __repr__(self) -> str:
         """Return the call that grows the map and, as a comment, the map in a sentence."""
-        return describe(self.link, self.title, self.summary, self.rivers)
+        return describe(self.link, self.title, self.summary, self.rivers, self._grown.kilometres)
 
     def _repr_mimebundle_(
         self, include: Collection[str] | None = None, exclude: Collection[str] | None = None
@@ -238,6 +238,16 @@ class Map:
     def size(self) -> tuple[float, float]:
         """Width and height of the map, in units."""
         return self._grown.size()
+
+    @cached_property
+    def metres_a_unit(self) -> float:
+        """How many metres a unit is on the ground: the map is as many kilometres wide as its `span` says."""
+        return self._grown.scale()[0]
+
+    @cached_property
+    def metres_a_unit_of_height(self) -> float:
+        """How many metres a unit of height is."""
+        return self._grown.scale()[1]
 
     @cached_property
     def title(self) -> str | None:

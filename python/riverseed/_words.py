@@ -5,20 +5,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from riverseed._arrays import Rivers
     from riverseed._summary import Summary
 
-KILOMETRES_A_UNIT = 1.1132
-"""A unit is a hundredth of a degree of the equator, as on the scale bars and plates of the picture."""
 
-
-def describe(link: str, title: str | None, summary: Summary, rivers: Rivers) -> str:
+def describe(
+    link: str, title: str | None, summary: Summary, rivers: Rivers, kilometres: Callable[[float], str]
+) -> str:
     """Return the call that grows a map and, as its comment, the map in one sentence."""
     said = f"{_shown(title)}: " if title else ""
-    return f"riverseed.grow({link!r})  # {said}{_rivers(summary, rivers)}"
+    return f"riverseed.grow({link!r})  # {said}{_rivers(summary, rivers, kilometres)}"
 
 
-def _rivers(summary: Summary, rivers: Rivers) -> str:
+def _rivers(summary: Summary, rivers: Rivers, kilometres: Callable[[float], str]) -> str:
     if not len(rivers):
         return "no rivers"
     lengths = rivers.lengths
@@ -26,11 +27,7 @@ def _rivers(summary: Summary, rivers: Rivers) -> str:
     name = rivers.name[longest]
     count = "1 river" if len(rivers) == 1 else f"{len(rivers)} rivers"
     which = f"the longest, {_shown(name)}," if name else "the longest"
-    length = lengths[longest]
-    return (
-        f"{count}, {summary.mouths} of which reach the sea; {which} "
-        f"runs {length * KILOMETRES_A_UNIT:.0f} km ({length:.0f} units)"
-    )
+    return f"{count}, {summary.mouths} of which reach the sea; {which} runs {kilometres(lengths[longest])} km"
 
 
 def _shown(text: str | None) -> str:

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use riverseed::recipe::link;
+use riverseed::scale::{MapScale, figures};
 
 use crate::map::Map;
 use crate::order::Parameters;
@@ -33,6 +34,16 @@ impl Map {
 
     fn size(&self) -> (f32, f32) {
         self.session().domain().size.into()
+    }
+
+    fn scale(&self) -> (f64, f32) {
+        let scale = MapScale::of(self.session().recipe());
+        (scale.metres_a_unit, scale.metres_up)
+    }
+
+    /// Writes a length as the map does, from units: in kilometres.
+    fn kilometres(&self, units: f32) -> String {
+        figures(MapScale::of(self.session().recipe()).kilometres(units))
     }
 
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

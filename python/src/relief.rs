@@ -4,7 +4,6 @@ use numpy::{Element, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riverseed::export::rasters::{Layer, Rasters, Values};
-use riverseed::relief::METRES;
 
 use crate::arrays::{array, ask_for_memory};
 use crate::failure::{Done, Failure};
@@ -47,8 +46,9 @@ impl Columns {
     fn of(rasters: &Rasters) -> Done<Self> {
         const BYTES_A_CELL: usize = 15;
         ask_for_memory(rasters.columns * rasters.rows, BYTES_A_CELL)?;
+        let metres_up = rasters.map_scale.metres_up;
         Ok(Self {
-            heights: rasters.relief().heights().iter().map(|height| height * METRES).collect(),
+            heights: rasters.relief().heights().iter().map(|height| height * metres_up).collect(),
             widths: widths(rasters),
             flow: rasters.flow().directions.clone(),
             basins: rasters.flow().basins.clone(),

@@ -75,9 +75,19 @@ def test_the_words_are_the_call_and_its_numbers(small: riverseed.Map) -> None:
 def test_the_longest_river_is_as_long_as_its_plate_says() -> None:
     map_ = riverseed.grow("country=usual&seed=kauri", cartouche="lengths", attractors=3000)
     longest = int(map_.rivers.lengths.argmax())
-    kilometres = f"{map_.rivers.lengths[longest] * 1.1132:.0f} km"
+    kilometres = f"{map_.rivers.lengths[longest] * map_.metres_a_unit / 1000:.0f} km"
     assert f"{map_.rivers.name[longest]}, {kilometres}" in map_.svg(text=True).decode()
     assert kilometres in repr(map_)
+
+
+def test_a_map_is_as_wide_as_its_span(small: riverseed.Map) -> None:
+    assert small.metres_a_unit * small.size[0] == pytest.approx(small.recipe["span"] * 1000)
+    near = riverseed.grow(TINY, span=10)
+    assert near.metres_a_unit * near.size[0] == pytest.approx(10_000)
+    # 25 m a unit at 200 km, and 25 · (10 / 200)^0.4 at 10.
+    assert (small.metres_a_unit_of_height, near.metres_a_unit_of_height) == (25.0, pytest.approx(7.54, abs=1e-3))
+    longest = near.rivers.lengths.max() * near.metres_a_unit / 1000
+    assert f"runs {longest:.1f} km" in repr(near)
 
 
 def test_lengths_are_those_of_the_lines(small: riverseed.Map) -> None:

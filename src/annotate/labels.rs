@@ -20,7 +20,7 @@ use crate::map::Map;
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::Shown;
 use crate::recipe::{self, Labels, Mark, NumberKey, Recipe, Style};
-use crate::relief::{METRES, Relief};
+use crate::relief::Relief;
 
 /// The em of the smallest letters that can be read, in pixels.
 pub(crate) const LEAST_EM: f32 = 11.0;
@@ -108,6 +108,7 @@ fn map_input<'a>(
 ) -> MapInput<'a> {
     let (network, land) = (map.network(), map.land());
     MapInput {
+        scale: map.scale(),
         courses: network.rivers.iter().map(|river| network.middle(river)).collect(),
         discharges: network.rivers.iter().map(|river| network.discharge(river)).collect(),
         total_discharge: total_discharge(network),
@@ -144,7 +145,7 @@ fn cartouche(map: &Map, names: &Names, sheet: [Vec2; 2]) -> Cartouche {
     let style: Style = recipe.get();
     Cartouche {
         plate: match recipe.get() {
-            recipe::Cartouche::Lengths => Some(Plate::Lengths(plates::longest(map.network(), names))),
+            recipe::Cartouche::Lengths => Some(Plate::Lengths(plates::longest(map.network(), names, &map.scale()))),
             recipe::Cartouche::Profile => plates::profile(map, names).map(Plate::Profile),
             _ => None,
         },
@@ -199,7 +200,7 @@ fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Ma
     let has_heights = style.shows(Shown::SpotHeights);
     let relief = map.shown_relief().filter(|_| has_heights);
     Marks {
-        elevations: relief.map(|relief| elevations(relief, recipe.get())),
+        elevations: relief.map(|relief| elevations(relief, map.scale().metres_up, recipe.get())),
         has_grid: has_heights,
         grid: sheet_grid(recipe, sheet, least_em).filter(|_| has_heights),
         legend: style.shows(Shown::Legend).then(|| legend(recipe, map.network(), names)),
@@ -207,13 +208,13 @@ fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Ma
     }
 }
 
-fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
+fn elevations(relief: &Relief, metres: f32, labels: Labels) -> Elevations<'_> {
     let apart = match labels {
         Labels::None | Labels::Few => 150.0,
         Labels::Some => 105.0,
         Labels::Many => 75.0,
     };
-    Elevations { heights: heights(relief), metres: METRES, apart }
+    Elevations { heights: heights(relief), metres, apart }
 }
 
 /// Returns the grid whose columns and rows have letters and numbers; `None` in pictures without room for these.

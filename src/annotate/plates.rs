@@ -3,12 +3,12 @@
 use glam::Vec2;
 
 use crate::annotate::names::Names;
-use crate::annotate::place::{KILOMETRE, LongProfile, StraightRiver, Tributary};
+use crate::annotate::place::{LongProfile, StraightRiver, Tributary};
 use crate::base::geometry::distance;
 use crate::base::sort;
 use crate::map::Map;
 use crate::network::{NONE, Network, River, Vertex};
-use crate::relief::METRES;
+use crate::scale::MapScale;
 
 /// The greatest number of rivers that are straightened.
 const MOST: usize = 14;
@@ -17,7 +17,7 @@ const PIECES: u16 = 96;
 const HEIGHTS: u16 = 160;
 
 /// Straightens the longest rivers that have names, the longest first.
-pub fn longest(network: &Network, names: &Names) -> Vec<StraightRiver> {
+pub fn longest(network: &Network, names: &Names, scale: &MapScale) -> Vec<StraightRiver> {
     let lengths: Vec<f32> = network.rivers.iter().map(|river| network.length(river)).collect();
     let order = sort::argsort(lengths.iter().map(|length| sort::key(-length)));
     let named =
@@ -25,7 +25,7 @@ pub fn longest(network: &Network, names: &Names) -> Vec<StraightRiver> {
     let straight = |(i, name): (usize, &crate::annotate::names::RiverName)| StraightRiver {
         river: i as u32,
         name: name.name.clone(),
-        kilometres: lengths[i] / KILOMETRE,
+        kilometres: scale.kilometres(lengths[i]),
         points: straightened(network, &network.rivers[i]),
     };
     named.take(MOST).map(straight).collect()
@@ -95,10 +95,10 @@ pub fn profile(map: &Map, names: &Names) -> Option<LongProfile> {
     let number = of_the_sea.min_by_key(|&i| u32::MAX - network.discharge(&network.rivers[i]))?;
     let river = &network.rivers[number];
     let relief = map.shown_relief().filter(|_| network.vertices.iter().all(|vertex| vertex.elevation <= 0.0));
-    let mut highest = 0.0f32;
+    let (metres_up, mut highest) = (map.scale().metres_up, 0.0f32);
     // No river runs uphill, whatever the grid of a relief says between two of its corners.
     let height = |station: Station| {
-        let height = relief.map_or(station.elevation, |relief| relief.at(station.at)) * METRES;
+        let height = relief.map_or(station.elevation, |relief| relief.at(station.at)) * metres_up;
         highest = highest.max(height);
         highest
     };
@@ -106,7 +106,7 @@ pub fn profile(map: &Map, names: &Names) -> Option<LongProfile> {
     (heights.last()? > &1.0).then(|| LongProfile {
         river: number as u32,
         name: names.rivers[number].name.clone(),
-        kilometres: network.length(river) / KILOMETRE,
+        kilometres: map.scale().kilometres(network.length(river)),
         tributaries: tributaries(network, names, number as u32),
         heights,
     })

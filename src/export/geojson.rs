@@ -3,8 +3,8 @@
 //! Every feature has a `key`, its place in the list, counted from 1: a number that no other has, whatever its kind, as vector
 //! tiles keep it. `bbox` is the map's own frame, that of its picture.
 //!
-//! The domain lies around the null meridian and the equator, with north up; a unit is a hundredth of a degree (about
-//! 1.1 km). Degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is
+//! The domain lies around the null meridian and the equator, with north up, as wide as the recipe's span. Degrees are rounded to a
+//! thousandth of a unit or less, heights to whole metres above the sea. A tributary's last position is
 //! one of its parent's, to the digit. Lakes are valid as written, after rounding: rings run counterclockwise and
 //! neither cross nor touch themselves. A lake whose banks cross is made narrower or shorter; one narrower than the last
 //! decimal place is left out.
@@ -12,10 +12,12 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
+use super::degrees::DegreeGrid;
 use super::names::{self, Feature as Named};
 use super::polygons::{Polygon, inside_out, is_in, polygons};
 use super::rings::GridPoint;
 use super::{ExportError, rivers};
+use crate::analyse::statistics::Drained;
 use crate::annotate::names::Names;
 use crate::domain::Domain;
 use crate::land::SmoothedDistance;
@@ -23,7 +25,8 @@ use crate::map::Map;
 use crate::network::Banks;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
-use crate::relief::{CELL_SIZE, Flow, METRES, Relief};
+use crate::relief::{CELL_SIZE, Flow, Relief};
+use crate::scale::MapScale;
 
 /// Makes a feature collection of a map's rivers and the land around them, ready to be written.
 ///
@@ -44,11 +47,13 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     let relief = map.make_relief()?;
     // If a river passes another one's bend, its cell may be lower than the cells below it.
     let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
-    let features = Features { network, domain: map.domain(), elevations, names };
+    let (domain, scale) = (map.domain(), map.scale());
+    let grid = DegreeGrid::of(domain.size, &scale);
+    let features = Features { network, domain, scale, grid, drained: Drained::of(map), elevations, names };
     let ground = Ground::new(map, &features, &relief)?;
     let mut oxbows = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
-        if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {
+        if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| grid.steps(at)) {
             oxbows.push((id, ring));
         }
     }
@@ -70,8 +75,8 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
         let feature = match part {
             Part::River => features.river(at as u32),
             Part::Oxbow => features.oxbow(oxbows[at].0, &oxbows[at].1),
-            Part::Basin => ground.basin(at),
-            Part::Land => ground.land(at),
+            Part::Basin => ground.basin(at, &features),
+            Part::Land => ground.land(at, grid),
             Part::Water => ground.water(at, &features),
             Part::Ridge => features.ridge(map, at),
             Part::Named => features.name(at),
@@ -119,6 +124,9 @@ fn part(parts: &[(Part, usize)], mut i: usize) -> (Part, usize) {
 struct Features<'a> {
     network: &'a Network,
     domain: Domain,
+    scale: MapScale,
+    grid: DegreeGrid,
+    drained: Drained,
     elevations: Vec<f32>,
     names: Names,
 }
@@ -164,7 +172,8 @@ impl<'a> Features<'a> {
             .whole("order", river.order.into())
             .whole("magnitude", river.magnitude)
             .whole("discharge", network.discharge(river))
-            .double("length", rounded(network.length(river), 100.0, 100.0))
+            .double("length_m", self.scale.metres(network.length(river)).round())
+            .double("width_m", rounded(self.drained.river_width(network.discharge(river)) as f32, 100.0, 100.0))
             .double("sinuosity", rounded(network.sinuosity(river), 1000.0, 1000.0));
         names::river_feature(&mut properties, self.names.rivers.get(id as usize));
         Feature { id: format!("river-{id}"), shape: "LineString", coordinates: positions(line), properties }
@@ -180,7 +189,7 @@ impl<'a> Features<'a> {
 
     fn oxbow(&self, id: u32, ring: &[GridPoint]) -> Feature<'a> {
         let oxbow = &self.network.oxbows[id as usize];
-        let ring: Vec<[f64; 2]> = ring.iter().map(|at| at.map(degrees)).collect();
+        let ring: Vec<[f64; 2]> = ring.iter().map(|at| self.grid.degrees(*at)).collect();
         let mut properties = Members::default();
         properties.text("kind", "oxbow").whole("number", id).whole("river", oxbow.river).whole("born", oxbow.born);
         let rings = Json::list(1, move |_| positions(ring.clone()));
@@ -197,18 +206,11 @@ impl<'a> Features<'a> {
 
     fn position(&self, vertex: usize) -> [f64; 3] {
         let [east, north] = self.degrees(self.network.vertices[vertex].at);
-        [east, north, rounded(self.elevations[vertex] * METRES, 1.0, 1.0)]
+        [east, north, rounded(self.elevations[vertex] * self.scale.metres_up, 1.0, 1.0)]
     }
 
     fn degrees(&self, at: Vec2) -> [f64; 2] {
-        self.grid(at).map(degrees)
-    }
-
-    /// Returns a place in hundred-thousandths of a degree east and north of the middle.
-    fn grid(&self, at: Vec2) -> GridPoint {
-        let from_middle = at - self.domain.size * 0.5;
-        // A thousandth of a unit is a hundred-thousandth of a degree.
-        [from_middle.x, -from_middle.y].map(|x| (f64::from(x) * 1000.0).round() as i32)
+        self.grid.degrees(self.grid.steps(at))
     }
 }
 
@@ -227,7 +229,7 @@ impl Ground {
     fn new(map: &Map, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
         // North is up here, so the left side of a line stays the left side.
         let on_grid = |rings: Vec<Vec<Vec2>>| {
-            polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid(at)).collect()))
+            polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid.steps(at)).collect()))
         };
         let size = map.domain().size;
         let land = match map.land() {
@@ -243,10 +245,10 @@ impl Ground {
         Ok(Self { water: inside_out(&land), land, basins })
     }
 
-    fn land<'a>(&self, i: usize) -> Feature<'a> {
+    fn land<'a>(&self, i: usize, grid: DegreeGrid) -> Feature<'a> {
         let mut properties = Members::default();
         properties.text("kind", "land").whole("number", i as u32);
-        let coordinates = parts(self.land[i].clone());
+        let coordinates = parts(self.land[i].clone(), grid);
         Feature { id: format!("land-{i}"), shape: "Polygon", coordinates, properties }
     }
 
@@ -254,31 +256,34 @@ impl Ground {
         let lake = &self.water[i];
         let is_around = |land: &Polygon| land[1..].iter().any(|hole| hole.contains(&lake[0][0]));
         let land = self.land.iter().position(is_around).unwrap_or_default();
-        let is_here = |at: Vec2| is_in(&lake[0], features.grid(at));
+        let is_here = |at: Vec2| is_in(&lake[0], features.grid.steps(at));
         let mut properties = Members::default();
         properties.text("kind", "water").whole("number", i as u32).whole("land", land as u32);
         names::lake(&mut properties, &features.names, is_here);
-        Feature { id: format!("water-{i}"), shape: "Polygon", coordinates: parts(lake.clone()), properties }
+        Feature {
+            id: format!("water-{i}"),
+            shape: "Polygon",
+            coordinates: parts(lake.clone(), features.grid),
+            properties,
+        }
     }
 
-    fn basin<'a>(&self, i: usize) -> Feature<'a> {
+    fn basin<'a>(&self, i: usize, features: &Features<'a>) -> Feature<'a> {
+        let (grid, scale) = (features.grid, features.scale);
         let (number, mouth, area, polygons) = self.basins[i].clone();
         let mut properties = Members::default();
-        properties.text("kind", "basin").whole("number", number).whole("mouth", mouth).whole("area", area as u32);
-        let coordinates = Json::list(polygons.len(), move |i| parts(polygons[i].clone()));
+        properties.text("kind", "basin").whole("number", number).whole("mouth", mouth);
+        properties.double("area_m2", scale.square_metres(area.into()).round());
+        let coordinates = Json::list(polygons.len(), move |i| parts(polygons[i].clone(), grid));
         Feature { id: format!("basin-{number}"), shape: "MultiPolygon", coordinates, properties }
     }
 }
 
 /// Writes the rings of a polygon as lists of degrees.
-fn parts<'a>(polygon: Polygon) -> Json<'a> {
+fn parts<'a>(polygon: Polygon, grid: DegreeGrid) -> Json<'a> {
     let count = polygon.len();
-    let ring = move |i: usize| positions(polygon[i].iter().map(|at: &GridPoint| at.map(degrees)).collect());
+    let ring = move |i: usize| positions(polygon[i].iter().map(|at: &GridPoint| grid.degrees(*at)).collect());
     Json::list(count, ring)
-}
-
-fn degrees(parts: i32) -> f64 {
-    f64::from(parts) / 100_000.0
 }
 
 fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Json<'a> {

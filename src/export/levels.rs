@@ -1,7 +1,7 @@
 //! Heights as whole 16-bit numbers, in which water still runs down.
 
 use crate::base::memory::{Refused, lengthen};
-use crate::relief::{CELL_SIZE, METRES};
+use crate::relief::CELL_SIZE;
 
 /// The scale of heights written as whole numbers, called steps. Step 0 is the map's deepest place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,22 +10,24 @@ pub struct Scale {
     pub sea_level: u16,
     /// The height of a step, in metres.
     pub metres_a_step: f64,
+    /// The metres of a unit of height.
+    pub metres_up: f64,
 }
 
 impl Scale {
-    /// Makes the finest scale for heights in units that leaves `free` steps above the highest.
-    fn of(heights: &[f32], free: u16) -> Self {
+    /// Makes the finest scale for heights in units of so many metres that leaves `free` steps above the highest.
+    fn of(heights: &[f32], metres_up: f64, free: u16) -> Self {
         let most = f64::from(u16::MAX - free);
         let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
         let (down, up) = (f64::from(-deepest), f64::from(highest).max(f64::from(CELL_SIZE)));
         // The sea's surface is a whole step, with room for everything below it.
         let sea_level = (most * down / (down + up)).ceil();
-        Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (most - sea_level) }
+        Self { sea_level: sea_level as u16, metres_a_step: up * metres_up / (most - sea_level), metres_up }
     }
 
     /// Returns the step nearest to a height in units. Land is at least a step above the sea.
     pub fn step(&self, height: f32) -> u16 {
-        let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
+        let steps = (f64::from(height) * self.metres_up / self.metres_a_step).round();
         let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
         (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
     }
@@ -43,17 +45,17 @@ pub(super) struct Levels {
 }
 
 impl Levels {
-    /// Rounds heights in units to steps. `next` is the cell that a cell's water runs to; a cell that would not be
+    /// Rounds heights in units of so many metres to steps. `next` is the cell that a cell's water runs to; a cell that would not be
     /// higher than that is raised to the step above it.
-    pub fn new(heights: &[f32], next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
+    pub fn new(heights: &[f32], metres_up: f64, next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
         /// Numbers of steps to leave free at the top, tried in turn until raised land fits below it. Only a slope of
         /// tens of thousands of cells without a step of its own would need more than the last.
         const FREE: [u16; 6] = [0, 16, 128, 1024, 8192, 32_768];
         let mut steps = Vec::new();
         lengthen(&mut steps, heights.len(), 0)?;
-        let mut scale = Scale::of(heights, 0);
+        let mut scale = Scale::of(heights, metres_up, 0);
         for free in FREE {
-            scale = Scale::of(heights, free);
+            scale = Scale::of(heights, metres_up, free);
             if falls(&scale, heights, &next, &mut steps) {
                 break;
             }
@@ -91,9 +93,11 @@ fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, 
 mod tests {
     use super::*;
 
+    const METRES: f64 = 25.0;
+
     /// Makes a slope whose first cell lies in the sea, and whose water runs to the cell before.
     fn slope(heights: &[f32]) -> Levels {
-        Levels::new(heights, |cell| cell.checked_sub(1)).unwrap()
+        Levels::new(heights, METRES, |cell| cell.checked_sub(1)).unwrap()
     }
 
     fn rises(steps: &[u16]) -> bool {
@@ -120,7 +124,7 @@ mod tests {
             let top = (0..level).map(|i| 50.0 + i as f32 * 4e-6);
             let levels = slope(&[-1.0].into_iter().chain(top).collect::<Vec<_>>());
             assert!(rises(&levels.steps), "{level} level cells");
-            let off = levels.scale.metres(levels.steps[1]) - f64::from(50.0 * METRES);
+            let off = levels.scale.metres(levels.steps[1]) - 50.0 * METRES;
             assert!(off.abs() <= levels.scale.metres_a_step, "{level}: the lowest is as high as it is");
         }
     }

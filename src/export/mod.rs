@@ -4,6 +4,7 @@
 
 mod banks;
 mod data;
+pub mod degrees;
 pub mod geojson;
 pub mod json;
 mod levels;

@@ -6,7 +6,6 @@ mod archive;
 use std::ops::Range;
 
 use super::rasters::{Layer, Rasters, decimal, shortest};
-use crate::relief::METRES;
 #[cfg(feature = "pack")]
 pub use archive::{add, write};
 
@@ -23,17 +22,16 @@ pub fn readme(rasters: &Rasters) -> String {
     let mut text = format!(
         "A map by Riverseed. This draws it again:\n  {link}\n\n\
          SCALE\n\
-         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} x {pixel} units.\n{part}\
-         A unit of height is {unit} m. On the ground a unit is what you like; GeoJSON takes a hundredth of a degree, 1113 m.\n\
+         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} m wide ({units} units of the map).\n{part}\
          Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m.\n\
          One step is {step} m: metres = (value - {sea}) * {step}\n\n\
          FILES\n",
         link = rasters.link,
         columns = rasters.columns,
         rows = rasters.rows,
-        pixel = shortest(rasters.cell_size.into(), 6),
+        pixel = shortest(rasters.metres_a_pixel(), 2),
+        units = shortest(rasters.cell_size.into(), 6),
         part = rasters.part().map(|part| words_of(&part)).unwrap_or_default(),
-        unit = decimal(METRES.into(), 0),
         deepest = decimal(scale.metres(0), 1),
         highest = decimal(scale.metres(u16::MAX), 1),
         sea = scale.sea_level,

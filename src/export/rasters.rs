@@ -9,12 +9,14 @@ use glam::Vec2;
 use super::levels::Levels;
 pub use super::levels::Scale;
 use super::{ExportError, rivers};
+use crate::analyse::statistics::Drained;
 use crate::base::memory;
 use crate::domain::Domain;
 use crate::map::Map;
-use crate::network::Network;
+use crate::network::{Network, Vertex};
 use crate::recipe::link;
 use crate::relief::{Flow, Grid, Relief, ReliefError, ReliefSettings};
+use crate::scale::MapScale;
 
 const BYTES_A_VERTEX: usize = 40;
 
@@ -36,6 +38,8 @@ pub struct Rasters {
     pub size: Vec2,
     /// The scale of written heights.
     pub scale: Scale,
+    /// The real sizes of what is on the map.
+    pub map_scale: MapScale,
     relief: Arc<Relief>,
     flow: Flow,
     /// The number of columns west of the map and of rows north of it.
@@ -44,6 +48,8 @@ pub struct Rasters {
     steps: Vec<u16>,
     /// The width of the river in each cell, in units; 0 if there is none.
     widths: Vec<f32>,
+    network: Arc<Network>,
+    drained: Drained,
 }
 
 /// One of the rasters. Not `#[non_exhaustive]`: each is a form of file, for which the compiler is to ask.
@@ -149,7 +155,8 @@ impl Rasters {
     fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
         let grid = relief.grid();
-        let levels = Levels::new(relief.heights(), |cell| flow.next(&grid, cell));
+        let map_scale = map.scale();
+        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell));
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
             link: link::write_for_file(map.recipe()),
@@ -158,8 +165,11 @@ impl Rasters {
             cell_size: relief.cell_size(),
             size: map.domain().size,
             scale,
+            map_scale,
             steps,
-            widths: widths(&relief, &flow, network),
+            widths: widths(&relief, &flow, network, Vertex::width),
+            network: map.network().clone(),
+            drained: Drained::of(map),
             relief,
             flow,
             before: (0, 0),
@@ -229,7 +239,7 @@ impl Rasters {
 
     /// Writes what the values of a layer's raster mean, in English.
     pub fn meaning(&self, layer: Layer) -> String {
-        let Scale { sea_level, metres_a_step } = self.scale;
+        let Scale { sea_level, metres_a_step, .. } = self.scale;
         let more = match layer {
             Layer::Heights => format!(
                 ": metres above the sea = (value - {sea_level}) * {}. \
@@ -238,7 +248,7 @@ impl Rasters {
             ),
             Layer::Land => ", 0 is sea.".into(),
             Layer::Rivers => format!(
-                " in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
+                " as it is drawn, in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
                 shortest(f64::from(self.cell_size) * 1000.0, 3)
             ),
             Layer::Flow => " (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
@@ -255,6 +265,7 @@ impl Rasters {
             (LINK_KEYWORD, self.link.clone()),
             ("Description", self.meaning(layer)),
             ("units-a-pixel", shortest(self.cell_size.into(), 6)),
+            ("metres-a-pixel", shortest(self.metres_a_pixel(), 4)),
             ("map-units", format!("{} x {}", decimal(self.size.x.into(), 4), decimal(self.size.y.into(), 4))),
         ];
         if let Some([columns, rows]) = self.part() {
@@ -270,9 +281,21 @@ impl Rasters {
         texts
     }
 
+    /// Returns the side of a pixel, in metres.
+    pub fn metres_a_pixel(&self) -> f64 {
+        f64::from(self.cell_size) * self.map_scale.metres_a_unit
+    }
+
     /// Returns the flow directions and basins of the map's cells.
     pub fn flow(&self) -> &Flow {
         &self.flow
+    }
+
+    /// Computes how wide a river of nature is that drains as much land, in metres, for each cell of the map that a river is drawn in; 0
+    /// elsewhere.
+    pub fn real_widths(&self) -> Vec<f32> {
+        let width = |vertex: &Vertex| self.drained.river_width(vertex.discharge) as f32;
+        widths(&self.relief, &self.flow, &self.network, width)
     }
 
     /// Returns the relief that the rasters are made from.
@@ -308,9 +331,9 @@ fn thousandths(width: f32) -> u16 {
     (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
 }
 
-/// Returns for each cell the width of the widest river that passes it or has its middle between its banks, in units; 0
-/// where there is none.
-fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
+/// Returns for each cell the greatest of the widths, as `of` has them, of rivers that pass it or have its middle between their drawn
+/// banks; 0 where there is none.
+fn widths(relief: &Relief, flow: &Flow, network: &Network, of: impl Fn(&Vertex) -> f32) -> Vec<f32> {
     let mut widths = vec![0.0f32; relief.heights().len()];
     for river in &network.rivers {
         let course: Vec<_> = network.course(river).collect();
@@ -319,21 +342,20 @@ fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
             let count = (from.at.distance(to.at) / (0.5 * relief.cell_size())).ceil().max(1.0);
             for i in 0..=count as usize {
                 let share = i as f32 / count;
-                stamp(relief, &mut widths, from.at.lerp(to.at, share), from.width());
+                stamp(relief, &mut widths, from.at.lerp(to.at, share), (from.width(), of(from)));
             }
         }
     }
     for (width, &river) in widths.iter_mut().zip(&flow.rivers) {
         // The river's path may take a corner that its line misses.
-        let least =
-            network.rivers.get(river as usize).map_or(0.0, |river| network.vertices[river.start as usize].width());
+        let least = network.rivers.get(river as usize).map_or(0.0, |river| of(&network.vertices[river.start as usize]));
         *width = width.max(least);
     }
     widths
 }
 
-/// Marks the cells of a river of this width at a point.
-fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, width: f32) {
+/// Marks the cells of a river of this width at a point, with the width that is told.
+fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, (width, told): (f32, f32)) {
     let last = Vec2::new(relief.columns() as f32 - 1.0, relief.rows() as f32 - 1.0);
     let cell = |point: Vec2| (point / relief.cell_size()).floor().clamp(Vec2::ZERO, last);
     let (first, end, own) = (cell(at - width * 0.5), cell(at + width * 0.5), cell(at));
@@ -343,7 +365,7 @@ fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, width: f32) {
             let index = row * relief.columns() + column;
             let is_between = ((here + 0.5) * relief.cell_size()).distance(at) <= width * 0.5;
             if (is_between || here == own) && relief.heights()[index] > 0.0 {
-                widths[index] = widths[index].max(width);
+                widths[index] = widths[index].max(told);
             }
         }
     }

@@ -172,9 +172,10 @@ impl GroundCache {
         if shares.advance(view, shown) {
             return true;
         }
+        let (display, wind) = (rivers.settings.relief, rivers.settings.wind);
         self.prepared.take_if(|prepared| !prepared.is_of(relief));
         let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief));
-        if prepared.prepare(&look, (rivers.settings.light, rivers.settings.wind), rivers.network, view) {
+        if prepared.prepare(&look, (display, wind), rivers.network, view) {
             return true;
         }
         self.raised.take_if(|raised| !raised.is_of(relief, &rivers.settings));

@@ -7,7 +7,7 @@ use super::coverage::Coverage;
 use super::flat::{FlatGround, plain};
 use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook, Tints};
-use super::relief::{Inks, Light, Prepared, Sheet, tints_of};
+use super::relief::{Inks, Prepared, ReliefDisplay, Sheet, tints_of};
 use super::rivers::{Rivers, Widening, draw_network};
 use super::settings::PaintSettings;
 use super::styles::palette;
@@ -61,7 +61,7 @@ fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
 #[derive(Clone, Debug)]
 pub(super) struct RaisedGround {
     relief: Arc<Relief>,
-    light: Light,
+    display: ReliefDisplay,
     wind: Option<Wind>,
     palette: Palette,
     /// The means of painting it; `None` once everything is painted.
@@ -82,7 +82,7 @@ struct Making {
 impl RaisedGround {
     /// Begins the ground. `None` if it would have no pixels.
     pub fn new(look: ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
-        let PaintSettings { scheme, light, wind, .. } = rivers.settings;
+        let PaintSettings { scheme, relief: display, wind, .. } = rivers.settings;
         let palette = palette(scheme);
         let mut mask = Coverage::new(view.width, view.height)?;
         if look.minds_rivers() {
@@ -91,12 +91,12 @@ impl RaisedGround {
         }
         let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: mask, inks: None });
         let (relief, pixels) = (relief.clone(), Vec::with_capacity(view.pixels()));
-        Some(Self { relief, light, wind, palette, making, pixels })
+        Some(Self { relief, display, wind, palette, making, pixels })
     }
 
-    /// Returns `true` if it is made from this relief in this light and wind.
+    /// Returns `true` if it is made from this relief, shown like this.
     pub fn is_of(&self, relief: &Arc<Relief>, settings: &PaintSettings) -> bool {
-        Arc::ptr_eq(&self.relief, relief) && (self.light, self.wind) == (settings.light, settings.wind)
+        Arc::ptr_eq(&self.relief, relief) && (self.display, self.wind) == (settings.relief, settings.wind)
     }
 
     pub fn pixels(&self) -> &[[u8; 4]] {

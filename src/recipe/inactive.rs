@@ -35,7 +35,7 @@ struct Given<'a> {
 impl Given<'_> {
     fn inactive_reason(&self, key: Key) -> Reason {
         match key {
-            Key::Seed | Key::Edition | Key::Country | Key::Aspect | Key::Land | Key::Growth => None,
+            Key::Seed | Key::Edition | Key::Country | Key::Aspect | Key::Span | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
             Key::Drowning => self.no_coast().or_else(|| self.sea_is_drawn()).or_else(|| self.not_draining()),
             Key::Roughness => self.no_coast(),

@@ -25,6 +25,9 @@ macro_rules! rows {
                 Country = "country", "Country": Paint, Choice(Country);
                 /// Width of the map over its height. The area is always a million square units.
                 Aspect = "aspect", "Aspect": Land, Number(0.25 to 4.0 by 0.01, default 1.6, logarithmic);
+                /// Kilometres across the map. Every size that is told follows it: the scale bar, lengths of rivers, heights, what small
+                /// islands and rivers are called, and data files.
+                Span = "span", "Span": Name, Number(10.0 to 5000.0 by 1.0, default 200.0, logarithmic), in "km";
                 /// The shape of the land that rivers run through.
                 Land = "land", "Land": Land, Choice(LandKind);
                 /// The coasts, ridges and rivers of a drawn land. Without a coast, the whole rectangle is land.

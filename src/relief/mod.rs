@@ -50,9 +50,6 @@ pub use solver::{ReliefError, ReliefSolver};
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// The metres that a unit of height stands for in files: the highest land of usual maps is then 1,100 to 3,000 metres high.
-pub const METRES: f32 = 25.0;
-
 /// The heights of the cells of a grid, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {

@@ -127,7 +127,9 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let rivers = ((courses, 0u32..=95), 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
     let edition = prop_oneof![Just(String::new()), Just(format!("&edition={EDITION}"))];
     let start = (random_seed(), edition);
-    (start, land, ground, growth, bends, finish, rivers).prop_map(|(start, land, ground, growth, bends, finish, rivers)| {
+    let span = 1.0f64..=3.7;
+    (start, land, ground, growth, bends, finish, rivers, span).prop_map(|(start, land, ground, growth, bends, finish, rivers, span)| {
+        let span = 10f64.powf(span).clamp(10.0, 5000.0);
         let (seed, edition) = start;
         let (land, (sea, drowning), roughness, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
@@ -141,7 +143,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         format!(
             "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&drowning={drowning:.2}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
-             &trim={trim}&width={width:.2}&style={style}{rivers}"
+             &trim={trim}&width={width:.2}&style={style}&span={span:.2}{rivers}"
         )
     })
 }

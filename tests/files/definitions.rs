@@ -56,7 +56,7 @@ pub fn length(line: &[DVec2]) -> f64 {
 
 /// How high each vertex lies over the sea, in metres: as the relief's cell there, or the vertex below it where that is higher.
 pub fn heights(session: &Session) -> Vec<f64> {
-    const METRES_A_UNIT: f64 = 25.0;
+    let metres_a_unit = f64::from(session.map().unwrap().scale().metres_up);
     let (network, relief) = (session.network().unwrap(), session.map().unwrap().make_relief().unwrap());
     let mut heights = vec![f64::NAN; network.vertices.len()];
     // A river stands before those that join it, but for what a cutoff has given to another.
@@ -67,7 +67,7 @@ pub fn heights(session: &Session) -> Vec<f64> {
                 heights[course[course.len() - 1]] = 0.0;
             }
             for pair in course.windows(2).rev() {
-                let own = f64::from(relief.at(network.vertices[pair[0]].at)) * METRES_A_UNIT;
+                let own = f64::from(relief.at(network.vertices[pair[0]].at)) * metres_a_unit;
                 let below = heights[pair[1]];
                 heights[pair[0]] = if below.is_nan() { below } else { below.max(own) };
             }

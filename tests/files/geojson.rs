@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use glam::{DVec2, Vec2};
+use riverseed::NumberKey;
 use riverseed::recipe::link;
 use riverseed::session::Session;
 use serde_json::Value;
@@ -11,19 +12,24 @@ use serde_json::Value;
 use super::definitions::{course, heights, lakes, length, line, magnitudes, mouth, orders};
 use super::{SESSIONS, finished, geojson, list, names, some};
 
-/// Where a point of the domain lies on the globe, east and north: a unit is a hundredth of a degree, the middle at 0, 0.
+/// The metres of a unit: the map is as many kilometres wide as its span says.
+fn metres_a_unit(session: &Session) -> f64 {
+    f64::from(session.recipe().number(NumberKey::Span)) * 1000.0 / session.domain().size.as_dvec2().x
+}
+
+/// Where a point of the domain lies on the globe, east and north: a degree is 111.32 km, the middle at 0, 0.
 fn degrees(session: &Session, at: Vec2) -> DVec2 {
     let size = session.domain().size.as_dvec2();
-    let at = at.as_dvec2();
-    DVec2::new((at.x - size.x / 2.0) / 100.0, (size.y / 2.0 - at.y) / 100.0)
+    let (at, unit) = (at.as_dvec2(), metres_a_unit(session) / 111_320.0);
+    DVec2::new((at.x - size.x / 2.0) * unit, (size.y / 2.0 - at.y) * unit)
 }
 
 fn position(value: &Value) -> DVec2 {
     DVec2::new(value[0].as_f64().unwrap(), value[1].as_f64().unwrap())
 }
 
-/// Half of a hundred-thousandth of a degree, and what floats of units lose.
-const ROUNDING: f64 = 7e-6;
+/// Half of a millionth of a degree, which is written of maps of 200 km, and what floats of units lose.
+const ROUNDING: f64 = 7e-7;
 
 /// Checks the files of all maps, each written once.
 fn of_all_files(check: impl Fn(&Session, &Value)) {
@@ -145,7 +151,7 @@ fn lines_lie_where_the_rivers_are_north_up_and_to_scale() {
 
 #[test]
 fn south_is_where_a_map_s_mouths_are() {
-    // By hand: rivers of a plain rectangle run to its lower border, and 1.5 times as wide as high is 12.2 degrees by 8.2.
+    // By hand: rivers of a plain rectangle run to its lower border, and a map of 200 km by 133 is 1.8 degrees by 1.2.
     let session =
         finished("country=usual&seed=kauri&land=rectangle&aspect=1.5&mouths=3&sides=s&attractors=300&meander=none");
     for feature in list(&geojson(&session)["features"]) {
@@ -155,10 +161,10 @@ fn south_is_where_a_map_s_mouths_are() {
         let line = list(&feature["geometry"]["coordinates"]);
         if feature["properties"]["parent"].is_null() {
             let mouth = position(line.last().unwrap());
-            assert!((mouth.y + 4.082_48).abs() < 2e-5, "a mouth in the south lies at latitude {}", mouth.y);
+            assert!((mouth.y + 0.598_874).abs() < 3e-6, "a mouth in the south lies at latitude {}", mouth.y);
             assert!(line[0][1].as_f64().unwrap() > mouth.y, "its source lies north of it");
         }
-        assert!(line.iter().all(|at| at[0].as_f64().unwrap().abs() < 6.123_8));
+        assert!(line.iter().all(|at| at[0].as_f64().unwrap().abs() < 0.898_31));
     }
 }
 
@@ -169,7 +175,8 @@ fn rivers_have_the_properties_that_they_are_said_to_have() {
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         for (id, (river, feature)) in network.rivers.iter().zip(list(&file["features"])).enumerate() {
             let properties = &feature["properties"];
-            let expected = "kind number parent mouth order magnitude discharge length sinuosity name kind_name key";
+            let expected =
+                "kind number parent mouth order magnitude discharge length_m width_m sinuosity name kind_name key";
             assert_eq!(names(properties), expected.split(' ').collect::<Vec<_>>());
             assert_eq!(properties["parent"].as_u64(), some(river.parent));
             assert_eq!(properties["mouth"], mouth(network, id as u32));
@@ -182,7 +189,13 @@ fn rivers_have_the_properties_that_they_are_said_to_have() {
                 let value = properties[name].as_f64().unwrap();
                 assert!((value - expected).abs() < rounding + expected * 1e-5, "{name}: {value} and not {expected}");
             };
-            near("length", length(&line), 0.006);
+            near("length_m", length(&line) * metres_a_unit(session), 0.6);
+            // As wide as what drains as much: four times the water, twice the width.
+            let width = |river: &riverseed::River| f64::from(network.discharge(river).max(1)).sqrt();
+            let [first, own] =
+                [&file["features"][0]["properties"], properties].map(|of| of["width_m"].as_f64().unwrap());
+            let expected = first * width(river) / width(&network.rivers[0]);
+            assert!((own - expected).abs() < 0.02 + 0.02 * expected, "{own} m, not {expected}");
             near("sinuosity", if straight > 0.0 { length(&line) / straight } else { 1.0 }, 0.0006);
         }
     });
@@ -209,7 +222,9 @@ fn lakes_are_closed_wound_and_where_the_loops_were() {
             // RFC 7946: outer rings counterclockwise.
             assert!(turned(&ring) > 0.0, "lake {id} is wound the wrong way");
             let lake = oxbow.lake();
-            let width = f64::from(lake.iter().map(|(vertex, _)| vertex.width()).fold(0.0, f32::max)) / 100.0;
+            let width = f64::from(lake.iter().map(|(vertex, _)| vertex.width()).fold(0.0, f32::max))
+                * metres_a_unit(session)
+                / 111_320.0;
             let middle: Vec<DVec2> = lake.iter().map(|(vertex, _)| degrees(session, vertex.at)).collect();
             let off = |at: &DVec2| middle.iter().map(|place| place.distance(*at)).fold(f64::INFINITY, f64::min);
             let step = middle.windows(2).map(|pair| pair[0].distance(pair[1])).fold(0.0, f64::max);

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use clap::ArgMatches;
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 use riverseed::export;
+use riverseed::scale::MapScale;
 use serde_json::{Map, Value, json};
 
 use super::grow::{grow, progress};
@@ -20,7 +21,7 @@ pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     let map = grow(order, &progress, &say)?.finish()?;
     progress.finish_and_clear();
     let measures = Measures::of(&map);
-    let text = if matches.get_flag("json") { as_json(&measures)? } else { table(&measures) };
+    let text = if matches.get_flag("json") { as_json(&measures)? } else { table(&measures, &map.scale()) };
     Ok(writeln!(io::stdout().lock(), "{text}")?)
 }
 
@@ -41,12 +42,15 @@ fn range(nature: Nature) -> Value {
 const COLUMNS: usize = 100;
 
 /// Writes each measure beside nature's values, with what it is below; then where those values come from, and the pattern.
-fn table(measures: &Measures) -> String {
+fn table(measures: &Measures, scale: &MapScale) -> String {
     let sources = sources();
     let row = |measure: &Measure| {
         let nature = measure.nature.map_or(String::new(), |nature| in_words(nature, &sources));
-        let unit = (measure.value)(measures).map_or("", |_| measure.unit);
-        [measure.label.into(), value(measure, measures), unit.into(), nature]
+        let (value, unit) = measure.told(measures, scale);
+        let unit = value.map_or("", |_| unit);
+        let places = measure.places;
+        let value = value.map_or("too small".into(), |value| format!("{value:.places$}"));
+        [measure.label.into(), value, unit.into(), nature]
     };
     let head = ["", "this map", "", "nature"].map(String::from);
     let rows: Vec<[String; 4]> = [head].into_iter().chain(TABLE.iter().map(row)).collect();
@@ -94,11 +98,6 @@ fn pattern(measures: &Measures) -> Option<String> {
     let distances = pattern.nearest_first().map(|(name, distance)| format!("{name} {distance:.1}"));
     let distances = indented(&format!("distances: {}", distances.join(", ")));
     Some(format!("Pattern: {}\n{distances}", pattern.name()))
-}
-
-fn value(measure: &Measure, measures: &Measures) -> String {
-    let places = measure.places;
-    (measure.value)(measures).map_or("too small".into(), |value| format!("{value:.places$}"))
 }
 
 /// Writes nature's values and the number of their source, such as `4.1 (3.5 to 5.2) [1]`.

@@ -7,6 +7,7 @@ use clap::ArgMatches;
 use riverseed::annotate::glyph::lacking;
 use riverseed::annotate::names::Names;
 use riverseed::recipe::{Key, Labels, Mark, Recipe};
+use riverseed::scale::{MapScale, figures};
 use riverseed::{Map, Network, River};
 
 use super::grow::{grow, progress};
@@ -23,8 +24,9 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     progress.finish_and_clear();
     let (names, network) = (Names::of(&map), map.network());
     say_what_is_unused(&map, &say);
-    let mut rows = vec![["mark", "name", "order", "length"].map(String::from)];
-    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, mark, name)));
+    let mut rows = vec![["mark", "name", "order", "km"].map(String::from)];
+    let scale = map.scale();
+    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, &scale, mark, name)));
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
@@ -61,12 +63,12 @@ fn listed(text: &str) -> Option<String> {
     (!letters.is_empty()).then(|| letters.join(", "))
 }
 
-/// Makes the row of a name: its mark, the name, and for a river its order and length.
-fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
+/// Makes the row of a name: its mark, the name, and for a river its order and its length in kilometres.
+fn row(network: &Network, scale: &MapScale, mark: Mark, name: &str) -> [String; 4] {
     let is_it = |river: &&River| Mark::River(river.identity) == mark;
     let river = network.rivers.iter().find(is_it);
     let [order, length] = river.map_or([String::new(), String::new()], |river| {
-        [river.order.to_string(), format!("{:.0}", network.length(river))]
+        [river.order.to_string(), figures(scale.kilometres(network.length(river)))]
     });
     [mark.to_string(), name.into(), order, length]
 }

@@ -19,8 +19,8 @@ where that is in italics, the value of its country: see [Countries](algorithms.m
 
 Numbers keep four decimal places. Units of length:
 
-- a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect. On the scale bar, and wherever the page tells a
-  length, a unit is 1.1132 km;
+- a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect. It is `span` over the map's width in kilometres,
+  158 m at the default aspect and span, and all lengths that are told are in kilometres;
 - a *spacing* is the distance between streams that growth begins with: in space colonization the mean distance between attractors,
   √(area of land that has river mouths / `attractors`); in drainage, and where `valleys` lead space colonization, √(usual area of land / `attractors`),
   whatever the actual sea: the mean distance between parcels; in a Brownian tree, for `clearance`, its `sensitivity`;

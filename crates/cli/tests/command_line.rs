@@ -199,7 +199,7 @@ fn names_are_printed_greatest_first_with_their_marks() {
     };
     let (plain, complaints) = printed(&[]);
     assert_eq!(complaints, "");
-    assert_eq!(plain[0].split_whitespace().collect::<Vec<_>>(), ["mark", "name", "order", "length"]);
+    assert_eq!(plain[0].split_whitespace().collect::<Vec<_>>(), ["mark", "name", "order", "km"]);
     assert!(plain[1].trim_start().starts_with("t  Kauri"), "{:?}", plain[1]);
     let network = network("names.json", &["seed=kauri&land=island&attractors=3000"]);
     let rivers = network["rivers"].as_array().unwrap();

@@ -57,13 +57,7 @@ fn table_of_layers() -> String {
         let name = layer.geometry.to_lowercase().replace("multi", "multi-").replace("linestring", "line");
         if layer.has_heights { format!("{name} with heights") } else { name }
     };
-    let column = |column: &Column| {
-        let called = match column.name == column.property {
-            true => format!("`{}`", column.name),
-            false => format!("`{}` (GeoJSON: `{}`)", column.name, column.property),
-        };
-        format!("{called}, {}", column.help)
-    };
+    let column = |column: &Column| format!("`{}`, {}", column.name, column.help);
     let row = |layer: &Layer| {
         let kinds: Vec<String> = layer.kinds.iter().map(|kind| format!("`{kind}`")).collect();
         let columns: Vec<String> = layer.columns.iter().filter(|own| own.name != KEY.name).map(column).collect();

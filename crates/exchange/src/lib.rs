@@ -20,8 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Two scales are chosen here. Geographic information systems have 1113.2 m to a unit, as the map's scale bar has it
-//! (`gis::crs`); game engines have 50 m (`engine::METRES_A_UNIT`).
+//! All files are in the map's own scale (`riverseed::scale`): as many kilometres wide as the recipe's span.
 //!
 //! As wasm it is empty: no page writes these files.
 #![cfg(not(target_arch = "wasm32"))]

@@ -78,8 +78,8 @@ pub fn write(form: Form, mut out: &mut dyn Write, source: &Source<'_>) -> Result
             engine::pack::write(out, map, engine, source.rasters()?, source.picture()?, has_beds)
         }
         Form::GeoPackage => gis::geopackage::write(out, map, options.crs),
-        Form::GeoTiff => gis::geotiff::write_picture(out, &domain, source.picture()?, &link(), options.crs),
+        Form::GeoTiff => gis::geotiff::write_picture(out, map, source.picture()?, &link(), options.crs),
         Form::RasterTiff(layer) => gis::geotiff::write_raster(out, &domain, source.rasters()?, layer, options.crs),
-        Form::HeightStyle => gis::style::write_heights(&mut out, &link()),
+        Form::HeightStyle => gis::style::write_heights(&mut out, &link(), &map.scale()),
     }
 }

@@ -7,7 +7,7 @@ use std::num::NonZero;
 use riverseed::Map;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::{DVec3, Vec2};
-use riverseed_exchange::engine::{self, METRES_A_UNIT, Terrain};
+use riverseed_exchange::engine::{self, Terrain};
 use riverseed_exchange::{Engine, Form};
 use serde_json::Value;
 
@@ -133,7 +133,8 @@ fn rivers_run_down_on_the_ground_and_end_on_their_parent_or_at_the_sea() {
                 None => assert_eq!(end[2], 0.0, "{link}: river {number}"),
             }
             for point in line {
-                let at = map.domain().size * 0.5 + Vec2::new(point[0] as f32, -point[1] as f32) / METRES_A_UNIT as f32;
+                let at = map.domain().size * 0.5
+                    + Vec2::new(point[0] as f32, -point[1] as f32) / map.scale().metres_a_unit as f32;
                 let ground = terrain.height_between(terrain.corners(at));
                 let is_mouth = point == end && json["rivers"][number]["parent"].is_null();
                 assert!(
@@ -159,7 +160,7 @@ fn lines_of_all_engines_are_the_same_places() {
         lines(&serde_json::from_slice(&json).unwrap()).concat()
     };
     let plain = of(Form::Splines, None);
-    let side = (rasters.columns - 1) as f64 * f64::from(rasters.cell_size) * METRES_A_UNIT;
+    let side = (rasters.columns - 1) as f64 * f64::from(rasters.cell_size) * map.scale().metres_a_unit;
     // The map lies in the middle, to half a pixel.
     let half = side * 0.5;
     for engine in ENGINES {
@@ -237,7 +238,7 @@ fn numbers_of_the_recipes_give_back_the_heights_and_the_ground() {
         String::from_utf8(files["README.txt"].clone()).unwrap()
     };
     let (unreal, unity, godot) = (readme(Engine::Unreal), readme(Engine::Unity), readme(Engine::Godot));
-    let pixel = f64::from(rasters.cell_size) * METRES_A_UNIT;
+    let pixel = f64::from(rasters.cell_size) * map.scale().metres_a_unit;
     let side = pixel * (rasters.columns - 1) as f64;
     assert!((after(&unreal, "Scale: X") - pixel * 100.0).abs() < 0.01);
     assert!((after(&unity, "Terrain Size: X") - side).abs() < 0.1);

@@ -7,6 +7,7 @@ use std::time::Duration;
 use std::{fs, thread};
 
 use riverseed::Map;
+use riverseed::export::degrees::METRES_A_DEGREE;
 use riverseed_exchange::gis::crs::{self, Crs};
 use riverseed_exchange::gis::geopackage;
 use riverseed_exchange::gis::layers::LAYERS;
@@ -150,28 +151,18 @@ fn assert_equal(database: &Connection, layer: &str, row: i64, feature: &Json) {
             assert_eq!(counts, parts, "{layer} {row}");
             let dimensions = if matches!(layer, "rivers" | "segments") { 3 } else { 2 };
             for (i, (metres, degrees)) in numbers.iter().zip(&degrees).enumerate() {
-                let back = if i % dimensions == 2 {
-                    *metres
-                } else {
-                    (metres / crs::METRES_A_UNIT * 1000.0).round() / 100_000.0 + 0.0
-                };
+                let back =
+                    if i % dimensions == 2 { *metres } else { (metres / METRES_A_DEGREE * 1e9).round() / 1e9 + 0.0 };
                 assert_eq!(back, *degrees, "{layer} {row}");
             }
             assert_eq!(numbers.len(), degrees.len(), "{layer} {row}");
             for name in names.iter().filter(|name| !matches!(name.as_str(), "fid" | "geom")) {
                 let value: Value = found.get(name.as_str())?;
-                let unit = crs::METRES_A_UNIT;
-                let properties = &feature["properties"];
-                let expected = match name.as_str() {
-                    "length_m" => Value::Real(properties["length"].as_f64().unwrap() * unit),
-                    "width_m" => Value::Real(properties["width"].as_f64().unwrap() * unit),
-                    "area_m2" => Value::Real((properties["area"].as_f64().unwrap() * unit * unit).round()),
-                    name => match &properties[name] {
-                        Json::Null => Value::Null,
-                        Json::String(text) => Value::Text(text.clone()),
-                        number if number.is_i64() => Value::Integer(number.as_i64().unwrap()),
-                        number => Value::Real(number.as_f64().unwrap()),
-                    },
+                let expected = match &feature["properties"][name.as_str()] {
+                    Json::Null => Value::Null,
+                    Json::String(text) => Value::Text(text.clone()),
+                    number if number.is_i64() => Value::Integer(number.as_i64().unwrap()),
+                    number => Value::Real(number.as_f64().unwrap()),
                 };
                 assert_eq!(value, expected, "{layer} {row} {name}");
             }
@@ -190,7 +181,7 @@ fn every_property_of_geojson_is_a_column_and_every_column_a_property() {
             let (layer, other) = (layers.next().unwrap(), layers.next());
             assert!(other.is_none(), "{kind} is in two layers");
             let properties = feature["properties"].as_object().unwrap().keys().map(String::as_str);
-            let columns = layer.columns.iter().map(|column| column.property).chain(["kind"]);
+            let columns = layer.columns.iter().map(|column| column.name).chain(["kind"]);
             assert_eq!(properties.collect::<BTreeSet<_>>(), columns.collect::<BTreeSet<_>>(), "{kind}");
         }
     }
@@ -353,4 +344,53 @@ fn view_in_the_place_of_metadata_is_not_read() {
         Connection::open(&path).unwrap().execute_batch(&change).unwrap();
         assert_eq!(found(&path, link), Found::Other, "{view}");
     }
+}
+
+/// The numbers of all positions of a collection, with heights where there are any, and the measures that go with lengths.
+fn measured(collection: &Json) -> (Vec<f64>, Vec<f64>, Vec<[f64; 2]>) {
+    let (mut places, mut heights, mut measures) = (Vec::new(), Vec::new(), Vec::new());
+    for feature in collection["features"].as_array().unwrap() {
+        let (mut numbers, mut parts) = (Vec::new(), Vec::new());
+        coordinates(&feature["geometry"]["coordinates"], &mut numbers, &mut parts);
+        let properties = &feature["properties"];
+        if matches!(properties["kind"].as_str(), Some("river" | "segment")) {
+            for position in numbers.chunks(3) {
+                places.extend(&position[..2]);
+                heights.push(position[2]);
+            }
+            measures.push(["length_m", "width_m"].map(|name| properties[name].as_f64().unwrap()));
+        }
+    }
+    (places, heights, measures)
+}
+
+#[test]
+fn files_of_two_spans_are_one_map_in_two_scales() {
+    const LINK: &str = "seed=kauri&attractors=900";
+    let options = Options { has_segments: true, ..Options::default() };
+    let of = |span: f64| {
+        let map = map(&format!("{LINK}&span={span}"));
+        let collection = geojson(&map, &options);
+        let rasters = riverseed::export::rasters::Rasters::new(&map).unwrap();
+        (measured(&collection), rasters.metres_a_pixel(), rasters.scale.metres(u16::MAX))
+    };
+    let ((places, heights, measures), pixel, highest) = of(50.0);
+    let ((wide_places, wide_heights, wide_measures), wide_pixel, wide_highest) = of(1600.0);
+    // By hand: 32 times as wide, and 32^0.4 = 4 times as high; heights of a unit are rounded to a centimetre.
+    assert!((wide_pixel / pixel - 32.0).abs() < 1e-6 && (wide_highest / highest - 4.0).abs() < 2e-3);
+    assert_eq!((places.len(), measures.len()), (wide_places.len(), wide_measures.len()));
+    assert!(places.iter().zip(&wide_places).all(|(near, far)| (far - near * 32.0).abs() < 4e-5), "degrees");
+    assert!(
+        heights.iter().zip(&wide_heights).all(|(low, high)| (high - low * 4.0).abs() <= 3.0 + low * 3e-3),
+        "heights"
+    );
+    for (own, wide) in measures.iter().zip(&wide_measures) {
+        assert!((wide[0] - own[0] * 32.0).abs() <= 17.0, "a length: {} and {}", own[0], wide[0]);
+        // A thousand times the land, the root of that in width.
+        assert!((wide[1] - own[1] * 32.0).abs() <= 0.17, "a width: {} and {}", own[1], wide[1]);
+    }
+    // The whole map is as wide as its span, on a sphere of 111.32 km to a degree.
+    let frame = geojson(&map(&format!("{LINK}&span=50")), &options)["bbox"].clone();
+    let degrees = frame[2].as_f64().unwrap() - frame[0].as_f64().unwrap();
+    assert!((degrees * 111.32 - 50.0).abs() < 1e-3, "{degrees}");
 }

@@ -3,9 +3,9 @@
 use std::io::Cursor;
 
 use riverseed::Map;
+use riverseed::analyse::statistics::Drained;
 use riverseed::export::rasters::{Layer, Rasters, Values};
-use riverseed::relief::METRES;
-use riverseed_exchange::gis::crs::{self, Crs};
+use riverseed_exchange::gis::crs::Crs;
 use riverseed_exchange::gis::geotiff;
 use riverseed_exchange::{Form, Options};
 use tiff::decoder::{Decoder, DecodingResult};
@@ -33,13 +33,16 @@ fn rasters_are_read_as_they_are() {
         let of = |layer| file(Form::RasterTiff(layer), &map, Some(&rasters), None);
         let DecodingResult::F32(heights) = read(&of(Layer::Heights)) else { panic!() };
         for (metres, height) in heights.iter().zip(rasters.relief().heights()) {
-            assert!((metres - height * METRES).abs() <= 1e-3, "{link}: {metres} {height}");
+            assert!((metres - height * map.scale().metres_up).abs() <= 1e-3, "{link}: {metres} {height}");
         }
         let DecodingResult::F32(widths) = read(&of(Layer::Rivers)) else { panic!() };
         let Values::Words(thousandths) = rasters.values(Layer::Rivers) else { panic!() };
-        for (metres, thousandths) in widths.iter().zip(&thousandths) {
-            assert_eq!((f64::from(*metres) / crs::METRES_A_UNIT * 1000.0).round() as u16, *thousandths, "{link}");
-        }
+        // Where a river is drawn it has a width; the greatest is that of what drains the most.
+        assert!(widths.iter().zip(&thousandths).all(|(metres, drawn)| (*metres > 0.0) == (*drawn > 0)), "{link}");
+        let (network, drained) = (map.network(), Drained::of(&map));
+        let most = network.rivers.iter().map(|river| network.discharge(river)).max().unwrap();
+        let widest = widths.iter().copied().fold(0.0, f32::max);
+        assert!((0.95..=1.0001).contains(&(f64::from(widest) / drained.river_width(most))), "{link}: {widest}");
         for layer in [Layer::Land, Layer::Flow] {
             let (DecodingResult::U8(bytes), Values::Bytes(expected)) = (read(&of(layer)), rasters.values(layer)) else {
                 panic!()
@@ -84,11 +87,11 @@ fn place(bytes: &[u8]) -> ([f64; 2], [f64; 2]) {
 fn rasters_and_pictures_lie_where_the_map_lies() {
     for link in LINKS {
         let map = map(link);
-        let half = map.domain().size.as_dvec2() * 0.5 * crs::METRES_A_UNIT;
+        let half = map.domain().size.as_dvec2() * 0.5 * map.scale().metres_a_unit;
         let rasters = Rasters::with_size(&map, 1100).unwrap();
         let (corner, pixel) = place(&file(Form::RasterTiff(Layer::Land), &map, Some(&rasters), None));
         assert_eq!(corner, [-half.x, half.y]);
-        assert_eq!(pixel, [f64::from(rasters.cell_size) * crs::METRES_A_UNIT; 2]);
+        assert_eq!(pixel, [f64::from(rasters.cell_size) * map.scale().metres_a_unit; 2]);
         let picture = picture(&map);
         let (corner, pixel) = place(&file(Form::GeoTiff, &map, None, Some(&picture)));
         // The map covers the picture: along one axis it ends where the picture does, and nowhere before.

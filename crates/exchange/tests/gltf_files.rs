@@ -5,7 +5,7 @@ use riverseed::Map;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::{DVec2, Vec3};
 use riverseed_exchange::Form;
-use riverseed_exchange::engine::{METRES_A_UNIT, gltf as own};
+use riverseed_exchange::engine::gltf as own;
 
 use crate::maps::{LINKS, file, map, picture};
 
@@ -48,7 +48,7 @@ fn corners_are_the_relief_with_a_flat_sea() {
         let half = map.domain().size.as_dvec2() * 0.5;
         for (i, (position, step)) in mesh.positions.iter().zip(steps).enumerate() {
             let cell = DVec2::new((i % rasters.columns) as f64, (i / rasters.columns) as f64) + 0.5;
-            let at = (cell * f64::from(rasters.cell_size) - half) * METRES_A_UNIT;
+            let at = (cell * f64::from(rasters.cell_size) - half) * map.scale().metres_a_unit;
             let height = rasters.scale.metres(step).max(0.0);
             let off = [f64::from(position[0]) - at.x, f64::from(position[1]) - height, f64::from(position[2]) - at.y];
             assert!(off.iter().all(|off| off.abs() < 0.01), "{link}: {off:?}");
@@ -70,7 +70,7 @@ fn triangles_face_up_and_cover_the_map() {
             assert!(twice > 0.0, "{link}");
             area += f64::from(twice) * 0.5;
         }
-        let pixel = f64::from(rasters.cell_size) * METRES_A_UNIT;
+        let pixel = f64::from(rasters.cell_size) * map.scale().metres_a_unit;
         let whole = (rasters.columns - 1) as f64 * (rasters.rows - 1) as f64 * pixel * pixel;
         assert!((area / whole - 1.0).abs() < 1e-4, "{link}");
         assert!(mesh.normals.iter().all(|normal| (Vec3::from(*normal).length() - 1.0).abs() < 1e-4 && normal[1] > 0.0));
@@ -87,7 +87,7 @@ fn picture_lies_where_the_map_lies() {
     let scale = (120.0 / map.domain().size.x).max(80.0 / map.domain().size.y);
     for (place, position) in mesh.places.iter().zip(&mesh.positions) {
         let expected = [position[0] * scale / 120.0, position[2] * scale / 80.0]
-            .map(|x| (x / METRES_A_UNIT as f32 + 0.5).clamp(0.0, 1.0));
+            .map(|x| (x / map.scale().metres_a_unit as f32 + 0.5).clamp(0.0, 1.0));
         assert!(place.iter().all(|share| (0.0..=1.0).contains(share)), "{place:?}");
         assert!(
             (place[0] - expected[0]).abs() < 1e-4 && (place[1] - expected[1]).abs() < 1e-4,
@@ -103,8 +103,8 @@ fn large_rasters_are_thinned_and_the_last_corner_stays() {
     let mesh = read(&of(&map, &rasters));
     assert_eq!(mesh.positions.len(), 751 * 751);
     let last = mesh.positions.last().unwrap();
-    let border = map.domain().size * 0.5 * METRES_A_UNIT as f32;
-    let pixel = rasters.cell_size * METRES_A_UNIT as f32;
+    let border = map.domain().size * 0.5 * map.scale().metres_a_unit as f32;
+    let pixel = rasters.cell_size * map.scale().metres_a_unit as f32;
     assert!(
         (last[0] - (border.x - pixel * 0.5)).abs() < 0.1 && (last[2] - (border.y - pixel * 0.5)).abs() < 0.1,
         "{last:?}"

@@ -21,7 +21,7 @@ use glam::Vec2;
 
 use self::basins::RiverBasins;
 use self::lines::CourseLines;
-use crate::analyse::statistics::land_area;
+use crate::analyse::statistics::Drained;
 use crate::base::memory;
 use crate::map::Map;
 use crate::network::{NONE, Network, Place};
@@ -33,9 +33,7 @@ pub struct Inspector {
     lines: CourseLines,
     orders: Vec<u8>,
     basins: RiverBasins,
-    /// The discharge that stands for all land, whose area is `land_area`, in square units.
-    all: u32,
-    land_area: f64,
+    drained: Drained,
 }
 
 /// The properties of a river.
@@ -66,17 +64,11 @@ impl Inspector {
         if !memory::can_allocate(network.vertices.len() * BYTES_A_VERTEX) {
             return None;
         }
-        let mut drained = 0;
-        for &mouth in &network.mouths() {
-            drained += network.discharge(&network.rivers[mouth as usize]);
-        }
         Some(Self {
             lines: CourseLines::new(network),
             orders: orders::along(network),
             basins: RiverBasins::new(map)?,
-            // The total discharge of a Brownian tree is only an approximation.
-            all: map.grown().total_discharge.max(drained).max(1),
-            land_area: land_area(map),
+            drained: Drained::of(map),
             network: network.clone(),
         })
     }
@@ -122,7 +114,7 @@ impl Inspector {
     /// Returns the properties of the river at a place.
     pub fn facts(&self, spot: &Spot) -> RiverFacts {
         let river = &self.network.rivers[spot.river as usize];
-        let share = f64::from(self.network.discharge(river)) / f64::from(self.all);
+        let discharge = self.network.discharge(river);
         let vertex = (river.start + spot.segment).min(river.end - 1);
         let mut into = Vec::new();
         let mut below = river.parent;
@@ -136,8 +128,8 @@ impl Inspector {
             order: river.order,
             order_here: self.orders[vertex as usize],
             length: self.network.length(river),
-            share,
-            area: share * self.land_area,
+            share: self.drained.share(discharge),
+            area: self.drained.area(discharge),
             into,
         }
     }

@@ -4,6 +4,7 @@
 mod along_coast;
 mod courses;
 mod directions;
+mod drained;
 mod fit;
 mod index;
 mod knots;
@@ -21,6 +22,7 @@ mod umbrellas;
 pub use along_coast::along_coast;
 pub use courses::{Angles, junction_angles, sinuosity, total_length, tributary_angle};
 pub use directions::Directions;
+pub use drained::Drained;
 pub(crate) use index::Index;
 pub use knots::knots;
 pub use parallels::parallels;

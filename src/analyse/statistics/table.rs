@@ -1,6 +1,7 @@
 //! The table of measures: their names, their meaning, and the values of natural rivers.
 
 use super::Measures;
+use crate::scale::MapScale;
 
 /// One of the measures.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +21,18 @@ pub struct Measure {
     pub nature: Option<Nature>,
     /// Its value; `None` if the network is too small.
     pub value: fn(&Measures) -> Option<f64>,
+}
+
+impl Measure {
+    /// Returns its value as it is told, and the unit of that: lengths are in kilometres.
+    pub fn told(&self, measures: &Measures, scale: &MapScale) -> (Option<f64>, &'static str) {
+        let (value, kilometres) = ((self.value)(measures), scale.metres_a_unit / 1000.0);
+        match self.unit {
+            "units" => (value.map(|units| units * kilometres), "km"),
+            "per unit" => (value.map(|per_unit| per_unit / kilometres), "km per km\u{b2}"),
+            unit => (value, unit),
+        }
+    }
 }
 
 /// The values of a measure in nature.

@@ -3,6 +3,7 @@
 
 use glam::Vec2;
 
+use crate::base::geometry::distance;
 use crate::base::sort;
 use crate::tree::{Hydrology, NO_PARENT, Tree};
 
@@ -45,6 +46,13 @@ impl<'a> Heads<'a> {
     /// Returns the discharge of a node.
     pub fn discharge(&self, node: usize) -> u32 {
         self.discharge[node]
+    }
+
+    /// Returns the length of a river from its lowest node to the tip of the branch that it follows, in units.
+    pub fn length(&self, lowest: usize) -> f32 {
+        let arm = |node: &usize| Some(self.own_arm[*node]).filter(|&arm| arm != NO_PARENT).map(|arm| arm as usize);
+        let nodes = std::iter::successors(Some(lowest), arm);
+        nodes.clone().zip(nodes.skip(1)).map(|(from, to)| distance(self.tree.at[from], self.tree.at[to])).sum()
     }
 
     /// Returns the lowest node of the river that a river joins; `None` for a node that is not the lowest of its own river, as where rivers

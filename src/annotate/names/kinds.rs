@@ -2,7 +2,7 @@
 
 use super::PlaceKind;
 
-/// A kind of river, by the share of all water that it drains.
+/// A kind of river, by its length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Size {
     River,
@@ -11,15 +11,11 @@ pub(super) enum Size {
 }
 
 impl Size {
-    /// The least thousandths of all water of a river.
-    pub const RIVER: u64 = 20;
-
-    /// Returns the size of a river by its share of the whole discharge.
-    pub fn of(discharge: u32, total: u32) -> Self {
-        let thousandths = u64::from(discharge) * 1000 / u64::from(total.max(1));
-        match thousandths {
-            Self::RIVER.. => Self::River,
-            6.. => Self::Creek,
+    /// Returns the size of a river of so many kilometres.
+    pub fn of(kilometres: f32) -> Self {
+        match kilometres {
+            20.0.. => Self::River,
+            6.0.. => Self::Creek,
             _ => Self::Brook,
         }
     }
@@ -56,21 +52,29 @@ pub(super) fn fork(parent: &str, [east, south]: [f32; 2], manner: u32) -> [Strin
     [format!("{side} Fork of the {parent}"), format!("{side} Fork")]
 }
 
-/// Forms the name of a place from its kind, its word, its size in units and some chance.
+/// Forms the name of a place from its kind, its word, its real size and some chance. The size of seas, lakes and islands is in square
+/// kilometres, that of ranges their height in metres, that of others in kilometres.
 pub(super) fn place(kind: PlaceKind, word: &str, size: f32, chance: u32) -> String {
-    /// The forms of places' names, with the word where `#` is: the smaller places of a kind have those of the second list.
-    const FORMS: [(PlaceKind, f32, &str, &str); 8] = [
-        (PlaceKind::Sea, 200.0, "The # Sea|Sea of #|The # Sea", "# Sound|The # Water"),
-        (PlaceKind::Gulf, 0.0, "Gulf of #|The Gulf of #|# Gulf", ""),
-        (PlaceKind::Lake, 70.0, "Lake #|Lough #|Lake #", "# Mere|# Water|# Tarn"),
-        (PlaceKind::Island, 63.0, "Isle of #|# Island|#", "# Holm|# Skerry|# Eyot|The # Stone"),
-        (PlaceKind::Bay, 0.0, "Bay of #|# Bay|# Bight|# Bay", ""),
-        (PlaceKind::Cape, 0.0, "Cape #|# Point|# Head|Cape #|The Naze of #|# Ness", ""),
-        (PlaceKind::Strait, 0.0, "Strait of #|# Sound|The # Narrows|Strait of #", ""),
-        (PlaceKind::Range, 24.0, "The # Mountains|The # Range|# Mountains", "The # Hills|# Fells|The # Heights"),
+    /// The forms of places' names, with the word where `#` is, from some size on; the largest of a kind first.
+    const FORMS: [(PlaceKind, f32, &str); 14] = [
+        (PlaceKind::Sea, 1000.0, "The # Sea|Sea of #|The # Sea"),
+        (PlaceKind::Sea, 0.0, "# Sound|The # Water"),
+        (PlaceKind::Gulf, 5.0, "Gulf of #|The Gulf of #|# Gulf"),
+        (PlaceKind::Gulf, 0.0, "Bay of #|# Bay|# Bight"),
+        (PlaceKind::Lake, 15.0, "Lake #|Lough #|Lake #"),
+        (PlaceKind::Lake, 1.0, "# Mere|# Water"),
+        (PlaceKind::Lake, 0.0, "# Mere|# Water|# Tarn"),
+        (PlaceKind::Island, 10.0, "Isle of #|# Island|#"),
+        (PlaceKind::Island, 3.0, "# Holm|# Skerry"),
+        (PlaceKind::Island, 0.0, "# Holm|# Skerry|# Eyot|The # Stone"),
+        (PlaceKind::Bay, 0.0, "Bay of #|# Bay|# Bight|# Bay"),
+        (PlaceKind::Cape, 0.0, "Cape #|# Point|# Head|Cape #|The Naze of #|# Ness"),
+        (PlaceKind::Strait, 0.0, "Strait of #|# Sound|The # Narrows|Strait of #"),
+        (PlaceKind::Range, 600.0, "The # Mountains|The # Range|# Mountains"),
     ];
-    let forms = FORMS.iter().find(|(of, ..)| *of == kind);
-    let forms = forms.map_or("", |(_, least, large, small)| if size >= *least { large } else { small });
+    /// The forms of ranges that are lower.
+    const HILLS: &str = "The # Hills|# Fells|The # Heights";
+    let forms = FORMS.iter().find(|(of, least, _)| *of == kind && size >= *least).map_or(HILLS, |(.., forms)| forms);
     let count = forms.split('|').count().max(1);
     let form = forms.split('|').nth(chance as usize % count).unwrap_or("#");
     form.replace('#', word)
@@ -134,11 +138,11 @@ pub(super) fn is_winding_word(folded: &[u8]) -> bool {
 }
 
 /// Chooses the name of a reach that winds: after its bends, or after something that winds as it does.
-pub(super) fn reach(bits: u32, manner: u32) -> String {
+pub(super) fn reach(bits: u32, size: Size, manner: u32) -> String {
     let which = bits as usize % WINDING.len();
     let word = WINDING[which];
     match bits / WINDING.len() as u32 % 2 {
-        0 if which >= WINDING.len() / 2 => format!("{word} {}", Size::River.generic(manner)),
+        0 if which >= WINDING.len() / 2 => format!("{word} {}", size.generic(manner)),
         _ => format!("The {word}"),
     }
 }
@@ -148,11 +152,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_river_s_size_is_its_share_of_all_water() {
-        let sizes = [20, 19, 6, 5].map(|thousandths| Size::of(thousandths, 1000));
+    fn a_river_s_size_is_its_length() {
+        let sizes = [20.0, 19.9, 6.0, 5.9].map(Size::of);
         assert_eq!(sizes, [Size::River, Size::Creek, Size::Creek, Size::Brook]);
-        assert_eq!(Size::of(u32::MAX, 1), Size::River);
-        assert_eq!(Size::of(0, 0), Size::Brook);
     }
 
     #[test]
@@ -164,6 +166,16 @@ mod tests {
     }
 
     #[test]
+    fn only_small_islands_are_stones_holms_and_skerries() {
+        let forms = |size: f32| (0..12).map(move |chance| place(PlaceKind::Island, "Dellen", size, chance));
+        let is = |name: &str, words: &[&str]| words.iter().any(|word| name.ends_with(word));
+        assert!(forms(2.9).any(|name| is(&name, &["Stone"])) && forms(2.9).any(|name| is(&name, &["Eyot"])));
+        assert!(!forms(3.0).any(|name| is(&name, &["Stone", "Eyot"])));
+        assert!(forms(9.9).all(|name| is(&name, &["Holm", "Skerry"])));
+        assert!(!forms(10.0).any(|name| is(&name, &["Holm", "Skerry", "Stone", "Eyot"])));
+    }
+
+    #[test]
     fn the_kinds_have_their_forms() {
         assert_eq!(
             [0, 4, 1, 2].map(|manner| river("Dellen", Size::River, manner)),
@@ -171,15 +183,19 @@ mod tests {
         );
         assert_eq!(river("Dellen", Size::Brook, 1), "Dellen Burn");
         let named = |kind, size| [0, 1].map(|chance| place(kind, "Dellen", size, chance));
-        assert_eq!(named(PlaceKind::Island, 90.0), ["Isle of Dellen", "Dellen Island"]);
-        assert_eq!(named(PlaceKind::Island, 20.0), ["Dellen Holm", "Dellen Skerry"]);
-        assert_eq!(named(PlaceKind::Lake, 20.0), ["Dellen Mere", "Dellen Water"]);
-        assert_eq!(named(PlaceKind::Sea, 500.0), ["The Dellen Sea", "Sea of Dellen"]);
-        assert_eq!(named(PlaceKind::Gulf, 0.0)[0], "Gulf of Dellen");
+        assert_eq!(named(PlaceKind::Island, 10.0), ["Isle of Dellen", "Dellen Island"]);
+        assert_eq!(named(PlaceKind::Island, 9.9), ["Dellen Holm", "Dellen Skerry"]);
+        assert_eq!(named(PlaceKind::Lake, 15.0)[0], "Lake Dellen");
+        assert_eq!(named(PlaceKind::Lake, 14.0), ["Dellen Mere", "Dellen Water"]);
+        assert_eq!(named(PlaceKind::Sea, 1000.0), ["The Dellen Sea", "Sea of Dellen"]);
+        assert_eq!(named(PlaceKind::Sea, 999.0), ["Dellen Sound", "The Dellen Water"]);
+        assert_eq!(named(PlaceKind::Gulf, 5.0)[0], "Gulf of Dellen");
+        assert_eq!(named(PlaceKind::Gulf, 4.9)[0], "Bay of Dellen");
         assert_eq!(named(PlaceKind::Bay, 0.0)[1], "Dellen Bay");
         assert_eq!(named(PlaceKind::Cape, 0.0), ["Cape Dellen", "Dellen Point"]);
         assert_eq!(named(PlaceKind::Strait, 0.0), ["Strait of Dellen", "Dellen Sound"]);
-        assert_eq!(named(PlaceKind::Range, 300.0)[0], "The Dellen Mountains");
-        assert_eq!([0, 24, 72].map(|bits| reach(bits, 0)), ["The Meanders", "Snake River", "The Snake"]);
+        assert_eq!(named(PlaceKind::Range, 600.0)[0], "The Dellen Mountains");
+        assert_eq!(named(PlaceKind::Range, 599.0), ["The Dellen Hills", "Dellen Fells"]);
+        assert_eq!([0, 24, 72].map(|bits| reach(bits, Size::River, 0)), ["The Meanders", "Snake River", "The Snake"]);
     }
 }

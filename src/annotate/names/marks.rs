@@ -103,7 +103,7 @@ mod tests {
 
     fn place(kind: PlaceKind, x: f32, y: f32, size: f32) -> Place {
         let found = Found { kind, at: Vec2::new(x, y), line: vec![], size };
-        Place { found, region: Region::default(), rank: 0, height_or_size: size }
+        Place { found, region: Region::default(), rank: 0, extent: size }
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::land::{Land, Region};
 use crate::map::Map;
 use crate::network::{Network, Reach};
 use crate::recipe::{IntegerKey, Mark, OwnNames, Recipe};
-use crate::tree::Tree;
+use crate::scale::MapScale;
 
 impl Names {
     /// Names the rivers of a map, and what lies around them.
@@ -28,12 +28,13 @@ impl Names {
     pub fn with_regions(map: &Map) -> (Self, Vec<Region>) {
         let (network, all_reaches) = (map.network(), map.reaches());
         let namer = Namer::new(map.recipe());
-        let (rivers, great) = namer.rivers(network, map.tree(), map.grown().total_discharge);
+        let facts = Rivers { heads: Heads::of(map.tree()), total: map.grown().total_discharge, scale: map.scale() };
+        let (rivers, great) = namer.rivers(network, &facts);
         let water =
             |reach: &Reach| network.rivers.get(reach.river as usize).map_or(0, |river| network.discharge(river));
         let order = sort::argsort(all_reaches.iter().map(|reach| u32::MAX - water(reach)));
         let course = |i: usize| Some((all_reaches[i].river, reaches::course(network, &all_reaches[i])?));
-        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), (&rivers, &great));
+        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &facts, (&rivers, &great));
         let (places, regions) = map.land().map_or_else(Default::default, |land| namer.places(map, land));
         let title = namer.title();
         let subtitle = title::subtitle(&title, map.recipe().seed());
@@ -92,20 +93,19 @@ impl Namer {
         own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
     }
 
-    fn rivers(&self, network: &Network, tree: &Tree, total: u32) -> (Vec<RiverName>, Vec<(u32, String)>) {
-        let heads = Heads::of(tree);
-        let great = self.words.great(heads.great(Size::RIVER, total));
-        let name = |river: &crate::River| self.river(&heads, &great, river.identity, total);
+    fn rivers(&self, network: &Network, facts: &Rivers<'_>) -> (Vec<RiverName>, Vec<(u32, String)>) {
+        let great = self.words.great(facts.heads.great(GREAT, facts.total));
+        let name = |river: &crate::River| self.river(facts, &great, river.identity);
         let rivers = network.rivers.iter().map(name).collect();
         (rivers, great)
     }
 
-    fn river(&self, heads: &Heads, great: &Great, identity: u32, total: u32) -> RiverName {
-        let manner = self.words.language.manner;
+    fn river(&self, facts: &Rivers<'_>, great: &Great, identity: u32) -> RiverName {
+        let (heads, manner) = (&facts.heads, self.words.language.manner);
         let Some(node) = heads.node(identity) else {
             return RiverName { identity, name: String::new(), short: String::new(), kind: String::new() };
         };
-        let (name, short, kind) = match fork_of(heads, node, total) {
+        let (name, short, kind) = match facts.fork_of(node) {
             Some(parent) => {
                 let parent = heads.identity(parent);
                 let parent = self.name_of_others(Mark::River(parent), || self.river_word(great, parent));
@@ -113,7 +113,7 @@ impl Namer {
                 (name, short, "Fork")
             }
             None => {
-                let (word, size) = (self.river_word(great, identity), Size::of(heads.discharge(node), total));
+                let (word, size) = (self.river_word(great, identity), facts.size(node));
                 (kinds::river(&word, size, manner), word, size.generic(manner))
             }
         };
@@ -125,12 +125,18 @@ impl Namer {
     }
 
     /// Names reaches, which must come with the most water first.
-    fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, (rivers, great): (&[RiverName], &Great)) -> Vec<ReachName> {
+    fn reaches(
+        &self,
+        reaches: Vec<(u32, Vec<Vec2>)>,
+        facts: &Rivers<'_>,
+        (rivers, great): (&[RiverName], &Great),
+    ) -> Vec<ReachName> {
         let mut named: Vec<ReachName> = Vec::new();
         for (number, course) in reaches {
             let Some(river) = rivers.get(number as usize) else { continue };
             let bits = self.words.language.chance.bits([river.identity, 0, REACH]);
-            let usual = kinds::reach(bits, self.words.language.manner);
+            let size = facts.heads.node(river.identity).map_or(Size::River, |node| facts.size(node));
+            let usual = kinds::reach(bits, size, self.words.language.manner);
             let is_taken = named.iter().any(|reach| reach.name == usual);
             let word = || self.name_of_others(Mark::River(river.identity), || self.river_word(great, river.identity));
             let usual = if is_taken { format!("{} Meanders", word()) } else { usual };
@@ -177,7 +183,7 @@ impl Namer {
     fn usual(&self, place: &Place) -> String {
         let (kind, rank) = (place.found.kind, place.rank);
         let chance = self.words.language.chance.bits([rank, kind as u32, PLACE]);
-        kinds::place(kind, &self.words.place(number_of_word(kind, rank)), place.height_or_size, chance)
+        kinds::place(kind, &self.words.place(number_of_word(kind, rank)), place.extent, chance)
     }
 }
 
@@ -193,12 +199,32 @@ fn number_of_word(kind: PlaceKind, rank: u32) -> u64 {
 const REACH: u32 = 1 << 15;
 const PLACE: u32 = REACH + 1;
 
-/// Returns the river that a river is a fork of; `None` if it is no fork. A fork brings over a third of the water of the river that it
-/// joins, which is great and no fork itself. No river has two forks: above the one too little is left for another.
-fn fork_of(heads: &Heads, node: usize, total: u32) -> Option<usize> {
-    let parent = heads.parent(node)?;
-    let is_fork = u64::from(heads.discharge(node)) * 100 >= u64::from(heads.discharge(parent)) * 35
-        && Size::of(heads.discharge(parent), total) == Size::River
-        && fork_of(heads, parent, total).is_none();
-    is_fork.then_some(parent)
+/// The least thousandths of all water of a great river.
+const GREAT: u64 = 20;
+
+/// The facts about a map's rivers that their names rest on.
+struct Rivers<'a> {
+    heads: Heads<'a>,
+    /// The whole discharge.
+    total: u32,
+    scale: MapScale,
+}
+
+impl Rivers<'_> {
+    /// Returns the size of a river, by its lowest node.
+    fn size(&self, node: usize) -> Size {
+        Size::of(self.scale.kilometres(self.heads.length(node)))
+    }
+
+    /// Returns the river that a river is a fork of; `None` if it is no fork. A fork brings over a third of the water of the river that it
+    /// joins, which is great and no fork itself. No river has two forks: above the one too little is left for another.
+    fn fork_of(&self, node: usize) -> Option<usize> {
+        let heads = &self.heads;
+        let parent = heads.parent(node)?;
+        let is_great = || u64::from(heads.discharge(parent)) * 1000 / u64::from(self.total.max(1)) >= GREAT;
+        let is_fork = u64::from(heads.discharge(node)) * 100 >= u64::from(heads.discharge(parent)) * 35
+            && is_great()
+            && self.fork_of(parent).is_none();
+        is_fork.then_some(parent)
+    }
 }

@@ -6,6 +6,7 @@ use super::regions::{self, Found};
 use super::{ranges, shores};
 use crate::land::{Land, Region};
 use crate::map::Map;
+use crate::scale::MapScale;
 
 /// A place that is to have a name.
 pub(super) struct Place {
@@ -14,8 +15,9 @@ pub(super) struct Place {
     pub region: Region,
     /// The number of more important places of its kind.
     pub rank: u32,
-    /// The height over the sea of a range, the size of any other place, in units. It decides between large and small forms of the name.
-    pub height_or_size: f32,
+    /// Its real size, which decides between large and small forms of the name: the area of a sea, lake or island in square kilometres, the
+    /// height of a range in metres, the size of any other place in kilometres.
+    pub extent: f32,
 }
 
 impl Place {
@@ -34,40 +36,46 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<Place> {
     let lattice = Lattice::of(land.size(), [&seas, &islands]);
     let [gulfs, others] = shores::found(&lattice, land);
     let axis = regions::axis(&lattice);
+    let scale = map.scale();
     let mut places = Vec::new();
-    add_tracts(&mut places, land, PlaceKind::Sea, seas, LEAST_SEA);
-    add(&mut places, gulfs);
-    add_tracts(&mut places, land, PlaceKind::Lake, lakes, LEAST_LAKE);
+    add_tracts(&mut places, (land, &scale), PlaceKind::Sea, seas, LEAST_SEA);
+    add(&mut places, &scale, gulfs);
+    add_tracts(&mut places, (land, &scale), PlaceKind::Lake, lakes, LEAST_LAKE);
     let first = places.len();
-    add_tracts(&mut places, land, PlaceKind::Island, islands, LEAST_ISLAND);
+    add_tracts(&mut places, (land, &scale), PlaceKind::Island, islands, LEAST_ISLAND);
     if let Some(main_land) = places.get_mut(first) {
         main_land.found.line = axis;
     }
-    add(&mut places, others);
-    for (rank, (found, height_or_size)) in
+    add(&mut places, &scale, others);
+    for (rank, (found, height)) in
         (0..).zip(map.shown_relief().map_or_else(Vec::new, |relief| ranges::found(&lattice, relief)))
     {
-        places.push(Place { found, region: Region::default(), rank, height_or_size });
+        places.push(Place { found, region: Region::default(), rank, extent: height * scale.metres_up });
     }
     places
 }
 
 /// Adds the tracts of a kind that are at least so large, in square units.
-fn add_tracts(places: &mut Vec<Place>, land: &Land, kind: PlaceKind, tracts: Vec<Region>, least: f32) {
+fn add_tracts(
+    places: &mut Vec<Place>,
+    (land, scale): (&Land, &MapScale),
+    kind: PlaceKind,
+    tracts: Vec<Region>,
+    least: f32,
+) {
     for (rank, region) in (0..).zip(tracts) {
         let area = region.area();
         if area >= least {
-            let size = area.sqrt();
-            let found = Found { kind, at: regions::midst(land, &region), line: Vec::new(), size };
-            places.push(Place { found, region, rank, height_or_size: size });
+            let found = Found { kind, at: regions::midst(land, &region), line: Vec::new(), size: area.sqrt() };
+            places.push(Place { found, region, rank, extent: scale.square_kilometres(area.into()) as f32 });
         }
     }
 }
 
 /// Adds parts of coasts, by kind, the most important of each first.
-fn add(places: &mut Vec<Place>, parts: Vec<Found>) {
+fn add(places: &mut Vec<Place>, scale: &MapScale, parts: Vec<Found>) {
     for found in parts {
         let rank = places.iter().filter(|place| place.found.kind == found.kind).count() as u32;
-        places.push(Place { height_or_size: found.size, found, region: Region::default(), rank });
+        places.push(Place { extent: scale.kilometres(found.size), found, region: Region::default(), rank });
     }
 }

@@ -10,9 +10,7 @@ use crate::base::geometry::distance;
 use crate::base::random::Seed;
 use crate::land::{CoastDistance, Region};
 use crate::network::{Network, Place};
-
-/// The length of a kilometre, in units: a unit is a hundredth of a degree of the equator, of which a degree has 111.32 km.
-pub const KILOMETRE: f32 = 1.0 / 1.113_2;
+use crate::scale::MapScale;
 
 /// The title of a map, and what stands with it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -108,7 +106,7 @@ pub struct Tributary {
 pub struct Elevations<'a> {
     /// The relief.
     pub heights: Heights<'a>,
-    /// The number of metres of a unit of height.
+    /// The metres of a unit of height.
     pub metres: f32,
     /// The least distance between places whose heights are told, in units.
     pub apart: f32,
@@ -192,6 +190,8 @@ pub enum Own {
 /// The part of the input that is the same for pictures of all sizes: a map with its names. Lengths are units.
 #[derive(Debug)]
 pub struct MapInput<'a> {
+    /// The real sizes of what is on the map.
+    pub scale: MapScale,
     /// The centerline of each river, from the source, with its banks.
     pub courses: Vec<Vec<Place>>,
     /// The discharge of each river at its end.

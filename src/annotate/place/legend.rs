@@ -1,12 +1,13 @@
-//! The legend: a box in a corner that shows the name of the map, the length of a hundred kilometres, and the number of rivers of each
+//! The legend: a box in a corner that shows the name of the map, the length of some kilometres, and the number of rivers of each
 //! order.
 
 use glam::Vec2;
 
 use super::background::Background;
 use super::corner;
-use super::input::{Input, KILOMETRE, Legend, RiverClass};
+use super::input::{Input, Legend, RiverClass};
 use super::letters::{Box, Kind, Label, Stroke, Text};
+use crate::scale::{MapScale, figures, round_length};
 
 /// The length of its em, in units.
 const EM: f32 = 11.0;
@@ -26,8 +27,8 @@ const BETWEEN: f32 = 0.5;
 /// Half the width of the lines between its parts, in ems.
 const RULE: f32 = 0.014;
 
-/// The length of the scale, in units.
-const SCALE: f32 = 100.0 * KILOMETRE;
+/// The greatest length of the scale, in units.
+const SCALE: f32 = 100.0;
 /// The length of the samples of rivers, the least and the greatest half of their width, and the distance of type behind them and the scale,
 /// in ems.
 const SAMPLE: f32 = 2.4;
@@ -46,7 +47,7 @@ pub struct Set {
 /// Puts it into the corner with the most sea that is not taken; shorter if that keeps it off land, and on land. `None` if there is no room.
 pub fn set<G: Background>(input: &Input<'_>, background: &G, legend: &Legend, taken: &[(u32, Box)]) -> Option<Set> {
     let em = EM.max(input.least_em) * input.label_size;
-    let blocks = ORDERS.map(|orders| Block::new(legend, em, orders));
+    let blocks = ORDERS.map(|orders| Block::new(legend, &input.map.scale, em, orders));
     let corner = |block: &Block| corner::best(input, background, block.size, em, taken);
     let room = |share: Vec2| move |block: &&Block| block.size.cmple((input.frame[1] - input.frame[0]) * share).all();
     let at_sea = blocks.iter().filter(room(MOST)).find_map(|block| {
@@ -77,7 +78,7 @@ struct Line {
 
 impl Block {
     /// Sets a legend with some orders of rivers at most.
-    fn new(legend: &Legend, em: f32, orders: usize) -> Self {
+    fn new(legend: &Legend, scale: &MapScale, em: f32, orders: usize) -> Self {
         let mut this = Self { em, lines: Vec::new(), strokes: Vec::new(), size: Vec2::splat(2.0 * AROUND * em) };
         let mut rules = Vec::new();
         if let Some([title, seed]) = &legend.heading {
@@ -85,7 +86,7 @@ impl Block {
             this.add(seed, 0.0, 1.0);
             rules.push(this.part());
         }
-        this.add_scale();
+        this.add_scale(scale);
         if orders > 0 {
             rules.push(this.part());
         }
@@ -121,13 +122,15 @@ impl Block {
     }
 
     /// Adds a bar in two halves, the first of them filled.
-    fn add_scale(&mut self) {
+    fn add_scale(&mut self, scale: &MapScale) {
         const HEIGHT: f32 = 0.36;
         const THIN: f32 = 0.03;
         let (left, em) = (AROUND * self.em, self.em);
-        let foot = self.add("100 km", SCALE / em + BEHIND, 1.0);
+        let kilometres = round_length(scale.kilometres(SCALE));
+        let length = scale.units(kilometres);
+        let foot = self.add(&format!("{} km", figures(kilometres)), length / em + BEHIND, 1.0);
         let (top, thin) = (foot - HEIGHT * em, THIN * em);
-        let [middle, right] = [0.5, 1.0].map(|share| left + share * SCALE);
+        let [middle, right] = [0.5, 1.0].map(|share| left + share * length);
         self.stroke([[left, top], [right, top]], thin);
         self.stroke([[left, foot], [right, foot]], thin);
         [left, middle, right].into_iter().for_each(|x| self.stroke([[x, top], [x, foot]], thin));

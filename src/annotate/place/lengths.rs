@@ -6,7 +6,10 @@ use glam::Vec2;
 use super::input::StraightRiver;
 use super::letters::{Kind, Text};
 use super::panel::{Panel, step};
+use crate::scale::figures;
 
+/// The least length by which the scale of a plate is chosen, in kilometres.
+pub const SHORTEST: f32 = 0.01;
 /// The greatest and the least number of rivers.
 const MOST: usize = 14;
 const LEAST: usize = 3;
@@ -44,8 +47,11 @@ pub fn draw(panel: &mut Panel, rivers: &[StraightRiver]) -> bool {
     let names: Vec<(String, Text)> = rivers.iter().map(named).collect();
     // As long as the heading leaves room for.
     let room_over = |i: usize| foot - panel.ceiling(x(i) + TO_NAME * em + 0.6 * em) - 0.3 * em;
-    let per_kilometre =
-        rivers.iter().enumerate().map(|(i, river)| room_over(i) / river.kilometres.max(1.0)).fold(f32::MAX, f32::min);
+    let per_kilometre = rivers
+        .iter()
+        .enumerate()
+        .map(|(i, river)| room_over(i) / river.kilometres.max(SHORTEST))
+        .fold(f32::MAX, f32::min);
     if names.iter().enumerate().any(|(i, (_, name))| name.length * em > room_over(i) - 0.5 * em) {
         return false;
     }
@@ -62,7 +68,7 @@ pub fn draw(panel: &mut Panel, rivers: &[StraightRiver]) -> bool {
 
 /// Returns the text beside a river.
 fn named(river: &StraightRiver) -> (String, Text) {
-    let says = format!("{}, {} km", river.name, (river.kilometres + 0.5) as u32);
+    let says = format!("{}, {} km", river.name, figures(river.kilometres));
     let text = Text::new(&says, Kind::Plate);
     (says, text)
 }

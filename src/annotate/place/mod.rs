@@ -62,8 +62,8 @@ pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use heading::heading;
 pub use input::{
-    Cartouche, Elevations, Frame, Heights, Input, KILOMETRE, Legend, LongProfile, MapInput, Marks, NorthPoint, Own,
-    Plate, RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary, Weather,
+    Cartouche, Elevations, Frame, Heights, Input, Legend, LongProfile, MapInput, Marks, NorthPoint, Own, Plate,
+    RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary, Weather,
 };
 pub use letters::{Box, Kind, Label, LabelIn, Placed, PlacedIn, Stroke};
 pub use levels::{STEPS, least_em_of, step_for};

@@ -3,8 +3,10 @@
 use glam::Vec2;
 
 use super::input::LongProfile;
+use super::lengths::SHORTEST;
 use super::letters::{Kind, Text};
 use super::panel::{Panel, step};
+use crate::scale::figures;
 
 /// The width of the scale of heights, and the height of that of kilometres, in ems.
 const HEIGHTS: f32 = 3.2;
@@ -108,13 +110,13 @@ fn draw_axes(panel: &mut Panel, corner: Vec2, right: f32, [highest, kilometres]:
         panel.line(Vec2::new(corner.x, y), Vec2::new(corner.x - 0.3 * em, y), AXIS * em);
         panel.number(&says, Vec2::new(corner.x - 0.5 * em, y + 0.25 * em), 1.0, 0.9);
     }
-    let per_kilometre = (right - corner.x) / kilometres.max(1.0);
+    let per_kilometre = (right - corner.x) / kilometres.max(SHORTEST);
     let apart = step(kilometres, 5.0);
     let ticks = (1..=(kilometres / apart) as u32).map(|i| apart * i as f32);
     let ticks = ticks.filter(|along| (kilometres - along) * per_kilometre > 3.4 * em);
-    let whole = (kilometres + 0.5) as u32;
-    for (along, says) in
-        ticks.map(|along| (along, (along as u32).to_string())).chain([(kilometres, format!("{whole} km"))])
+    for (along, says) in ticks
+        .map(|along| (along, (along as u32).to_string()))
+        .chain([(kilometres, format!("{} km", figures(kilometres)))])
     {
         let at = Vec2::new(corner.x + along * per_kilometre, corner.y);
         panel.line(at, at + Vec2::new(0.0, 0.3 * em), AXIS * em);

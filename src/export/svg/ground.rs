@@ -9,14 +9,15 @@ use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
-use crate::paint::relief::{Basins, Light, Stroke, contours as contours_of, highest, strokes};
+use crate::paint::relief::{Basins, ReliefDisplay, Stroke, contours as contours_of, highest, strokes};
 use crate::paint::ridges;
-use crate::relief::{METRES, Rainfall, Relief};
+use crate::relief::{Rainfall, Relief};
+use crate::scale::USUAL_METRES;
 
 /// A relief with its display options.
 pub(super) struct Raised<'a> {
     pub relief: &'a Relief,
-    pub light: Light,
+    pub display: ReliefDisplay,
     /// The tints at each of some levels of rain, the driest first, and the rain; `None` if rain makes no difference.
     pub rain: Option<(Vec<Tints>, Rainfall)>,
     /// The basins in it, if they have colours.
@@ -99,12 +100,13 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     /// The number of steps up to the height above which tints do not change.
     const STEPS: u32 = 20;
-    let Some((Raised { relief, light: of, rain, basins }, look)) = relief.zip(palette.relief.as_ref()) else { return };
-    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * METRES;
+    let Some((Raised { relief, display, rain, basins }, look)) = relief.zip(palette.relief.as_ref()) else { return };
+    let ReliefDisplay { light: of, metres_up } = display;
+    let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height)) * USUAL_METRES;
     let steps = if look.tints.are_even() { 0 } else { STEPS };
     let metres = |step: f32| Tints::metres_at(step / STEPS as f32);
     let steps = (0..steps).map(|step| step as f32).take_while(|&step| metres(step) < top);
-    let above = |step: f32| path_of(relief.rings_above(metres(step) / METRES), 2);
+    let above = |step: f32| path_of(relief.rings_above(metres(step) / USUAL_METRES), 2);
     match rain {
         Some((levels, rain)) => {
             let bands: Vec<(Path, f32)> = steps.map(|step| (above(step), metres(step + 0.5))).collect();
@@ -118,7 +120,7 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     }
     light(out, relief, of, look);
     if let Some(lines) = &look.contours {
-        contours(out, relief, lines);
+        contours(out, (relief, metres_up), lines);
     }
     if let Some(look) = &look.hachures {
         hachures(out, &strokes(relief, highest(relief)), look, of.strength_of_hachures());
@@ -186,9 +188,9 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
 }
 
 /// Draws contour lines.
-fn contours(out: &mut Text, relief: &Relief, look: &Contours) {
+fn contours(out: &mut Text, (relief, metres_up): (&Relief, f32), look: &Contours) {
     out.text("<g id=\"contours\" fill=\"none\">\n");
-    for contour in contours_of(relief) {
+    for contour in contours_of(relief, metres_up) {
         let kind = usize::from(contour.is_index);
         out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
         line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(contour.height), 1));

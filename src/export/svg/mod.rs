@@ -88,7 +88,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     let basins = basins(map, network, &palette);
     let relief = map.shown_relief().map(|relief| Raised {
         relief,
-        light: settings.light,
+        display: settings.relief,
         rain: rain(settings, relief),
         basins: basins.as_ref().map(|(basins, _)| basins),
     });

@@ -9,7 +9,7 @@ use super::field::{Field, Place, places};
 use super::{Sheet, highest};
 use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
-use crate::relief::{METRES, Relief};
+use crate::relief::Relief;
 
 /// The number of times that heights are smoothed first: on valley floors lines would be sharper than any surveyor draws
 /// them.
@@ -19,12 +19,12 @@ const TIMES: u32 = 4;
 const INDEX: u32 = 5;
 
 /// Returns the difference in height between contours, in units of height: a round number of metres. `highest` is the
-/// height of the highest land.
-fn interval(highest: f32) -> f32 {
+/// height of the highest land, and `metres_up` the metres of a unit of height.
+fn interval(highest: f32, metres_up: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
-    let least = highest * METRES / MOST;
-    METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
+    let least = highest * metres_up / MOST;
+    METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / metres_up
 }
 
 /// A contour of a relief.
@@ -36,17 +36,17 @@ pub struct Contour {
     pub is_index: bool,
 }
 
-/// Lists the contours of a relief, the lowest first.
-pub fn contours(relief: &Relief) -> Vec<Contour> {
+/// Lists the contours of a relief whose units of height are so many metres, the lowest first.
+pub fn contours(relief: &Relief, metres_up: f32) -> Vec<Contour> {
     let top = relief.heights().iter().fold(0.0f32, |top, height| top.max(*height));
-    let interval = interval(highest(relief));
+    let interval = interval(highest(relief), metres_up);
     let contour = |level: u32| Contour { height: level as f32 * interval, is_index: level.is_multiple_of(INDEX) };
     (1..=(top / interval) as u32).map(contour).collect()
 }
 
 /// Makes a field of the heights of a relief, in numbers of contours.
-fn levels(relief: &Relief, highest: f32) -> Field {
-    let interval = interval(highest);
+fn levels(relief: &Relief, highest: f32, metres_up: f32) -> Field {
+    let interval = interval(highest, metres_up);
     Field::of(relief, |height| height / interval).smoothed(TIMES)
 }
 
@@ -54,6 +54,7 @@ fn levels(relief: &Relief, highest: f32) -> Field {
 #[derive(Clone, Debug)]
 pub(super) struct ContourLines {
     look: Contours,
+    metres_up: f32,
     /// The heights; `None` once all contours are found.
     levels: Option<Field>,
     places: Vec<Place>,
@@ -65,11 +66,12 @@ pub(super) struct ContourLines {
 }
 
 impl ContourLines {
-    pub fn new(look: Contours, relief: &Relief, highest: f32, view: &View) -> Self {
+    pub fn new((look, metres_up): (Contours, f32), relief: &Relief, highest: f32, view: &View) -> Self {
         let line = |i: usize, apart| Line::new(look.widths[i] * view.scale, look.strengths[i], apart);
         Self {
             look,
-            levels: Some(levels(relief, highest)),
+            metres_up,
+            levels: Some(levels(relief, highest, metres_up)),
             places: places(view, relief.grid()),
             lines: [line(0, 1.0), line(1, INDEX as f32)],
             covered: Vec::new(),
@@ -77,9 +79,9 @@ impl ContourLines {
         }
     }
 
-    /// Returns `true` if they were made for this look.
-    pub fn are(&self, look: &Contours) -> bool {
-        self.look == *look
+    /// Returns `true` if they were made for this look, and for so many metres of a unit of height.
+    pub fn are(&self, look: &Contours, metres_up: f32) -> bool {
+        self.look == *look && self.metres_up == metres_up
     }
 
     /// Lays the lines over some rows of a ground, broken where rivers run.

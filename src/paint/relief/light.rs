@@ -10,7 +10,8 @@ use glam::{Vec2, Vec3};
 use super::blur::{blurred, radius_of};
 use crate::base::work;
 use crate::land::beside;
-use crate::relief::{METRES, Relief};
+use crate::relief::Relief;
+use crate::scale::USUAL_METRES;
 
 /// Three lights: from the north-west at 45° above the horizon with a share of 0.55, from the west at 50° with 0.25 and
 /// from the north at 55° with 0.2. The strongest light is the lowest, and ridges of all directions have a dark side
@@ -64,7 +65,7 @@ pub(crate) fn light_of(relief: &Relief, Light { exaggeration }: Light) -> Vec<f3
     for_each_rise([&heights, &broad], columns, |cell, [detail, generalised]| {
         let lit = DETAIL * lit(detail * steeper) + BROAD * lit(generalised * (steeper * BROAD_SLOPES));
         let standing = STANDING * (heights[cell] - broad[cell]) * higher;
-        light.push(toned((lit + standing) * contrast(heights[cell] * METRES)));
+        light.push(toned((lit + standing) * contrast(heights[cell] * USUAL_METRES)));
     });
     light
 }

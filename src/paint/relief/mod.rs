@@ -30,6 +30,15 @@ pub(crate) use hachures::{Stroke, strokes};
 pub(crate) use light::{Light, light_of};
 pub(crate) use rain::{by_rain, tints_of};
 
+/// The display of a relief, besides the look of its style.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ReliefDisplay {
+    /// The light on it.
+    pub light: Light,
+    /// The metres of a unit of height, by which contours are spaced; 0 in styles without any.
+    pub metres_up: f32,
+}
+
 /// The ground that relief is laid on.
 pub(super) struct Sheet<'a> {
     pub view: &'a View,
@@ -88,7 +97,7 @@ impl Prepared {
     pub fn prepare(
         &mut self,
         look: &ReliefLook,
-        (light, wind): (Light, Option<Wind>),
+        (ReliefDisplay { light, metres_up }, wind): (ReliefDisplay, Option<Wind>),
         network: &Network,
         view: &View,
     ) -> bool {
@@ -98,9 +107,9 @@ impl Prepared {
         } else if self.rain.as_ref().map(|rain| rain.wind) != wind {
             self.rain = wind.map(|wind| RainLevels::new(relief, wind, view));
         } else if let Some(look) = &look.contours
-            && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
+            && !self.contours.as_ref().is_some_and(|lines| lines.are(look, metres_up))
         {
-            self.contours = Some(ContourLines::new(*look, relief, highest, view));
+            self.contours = Some(ContourLines::new((*look, metres_up), relief, highest, view));
         } else if look.hachures.is_some() && self.strokes.is_none() {
             self.strokes = Some(Strokes::new(relief, highest));
         } else if let Some(look) = &look.basins

@@ -8,7 +8,8 @@ use super::light::{Light, light_of};
 use super::rain::RainLevels;
 use crate::paint::palette::{Colour, Tints};
 use crate::paint::view::{Rows, View};
-use crate::relief::{METRES, Relief};
+use crate::relief::Relief;
+use crate::scale::USUAL_METRES;
 
 /// The height and the light of land in each pixel of a picture, from north to south as far as they have been looked up.
 #[derive(Clone, Debug)]
@@ -32,7 +33,7 @@ impl Shading {
     /// Computes the light on a relief.
     pub fn new(relief: &Relief, light: Light, view: &View) -> Self {
         let lit = Field { grid: relief.grid(), values: light_of(relief, light) };
-        let height = Field::of(relief, |height| Tints::place_of(height * METRES));
+        let height = Field::of(relief, |height| Tints::place_of(height * USUAL_METRES));
         Self {
             light,
             surface: Some(Surface { height, light: lit }),

@@ -34,7 +34,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "One island with bays and islets, all its rivers on their way to the sea.",
         weight: 8,
         climates: "temperate temperate temperate wet cold dry",
-        draws: "land=island sea=0.63..0.75 drowning=0.1..0.5 roughness=0.8..1 bending=1.2 hardness=1 hardness-scale=46 \
+        draws: "span=95~0.35 land=island sea=0.63..0.75 drowning=0.1..0.5 roughness=0.8..1 bending=1.2 hardness=1 hardness-scale=46 \
            fall=0.2 valleys=0.35 channel-area=6 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 \
            mountains=2~0.25 plains=60..200",
         style: None,
@@ -45,7 +45,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A green island without mountains, where rivers wind.",
         weight: 4,
         climates: "temperate wet wet cold cold",
-        draws: "land=island sea=0.6..0.72 drowning=0.15..0.6 roughness=0.9 bending=1.3 hardness=0.8 fall=0.2 \
+        draws: "span=70~0.35 land=island sea=0.6..0.72 drowning=0.15..0.6 roughness=0.9 bending=1.3 hardness=0.8 fall=0.2 \
            channel-area=6 trim=24 width=26 meander-rounds=80 flat-share=0.6 great-rivers=6 mountains=0.3..0.8 \
            plains=250 rills=0.4",
         style: None,
@@ -56,7 +56,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "An island with one long flank, down which rivers run side by side.",
         weight: 4,
         climates: "temperate temperate dry wet",
-        draws: "land=island sea=0.6..0.7 pattern=parallel drowning=0.1..0.4 roughness=1 bending=2 fall=0.2 hardness=0.8 \
+        draws: "span=110~0.35 land=island sea=0.6..0.7 pattern=parallel drowning=0.1..0.4 roughness=1 bending=2 fall=0.2 hardness=0.8 \
            channel-area=6 trim=26 width=26 meander-rounds=60 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
            plains=120",
         style: None,
@@ -67,7 +67,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "An island with one summit, from which rivers run to all sides.",
         weight: 3,
         climates: "temperate wet dry volcanic",
-        draws: "land=island sea=0.62..0.74 pattern=radial center-x=28..72 center-y=30..70 drowning=0.15..0.5 roughness=1 \
+        draws: "span=90~0.35 land=island sea=0.62..0.74 pattern=radial center-x=28..72 center-y=30..70 drowning=0.15..0.5 roughness=1 \
            bending=1.4 hardness=0.6 channel-area=6 trim=24 width=24 meander-rounds=40 flat-share=0.3 \
            mountains=1.6..3.4 plains=110",
         style: None,
@@ -78,7 +78,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers run down a steep cone on all sides.",
         weight: 3,
         climates: "volcanic",
-        draws: "land=island sea=0.64..0.76 pattern=radial drowning=0.03 roughness=0.35..0.7 bending=1 channel-area=8 \
+        draws: "span=35~0.4 land=island sea=0.64..0.76 pattern=radial drowning=0.03 roughness=0.35..0.7 bending=1 channel-area=8 \
            trim=30 width=22 meander-rounds=10 mountains=3..4 plains=20..90 rills=0.9",
         style: None,
     },
@@ -88,7 +88,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Many islands, each with rivers of its own.",
         weight: 6,
         climates: "temperate temperate wet wet cold",
-        draws: "land=archipelago sea=0.74..0.8 drowning=0.3..0.8 roughness=1 bending=1.2 channel-area=5 trim=20 width=22 \
+        draws: "span=65~0.35 land=archipelago sea=0.74..0.8 drowning=0.3..0.8 roughness=1 bending=1.2 channel-area=5 trim=20 width=22 \
            meander-rounds=30 mountains=1.8~0.4 plains=100",
         style: None,
     },
@@ -98,7 +98,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "More sea than land: islets and rocks with short streams.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "land=archipelago sea=0.68..0.78 drowning=0.85..1 roughness=1 pattern=deranged hardness=1.2 \
+        draws: "span=16~0.4 land=archipelago sea=0.68..0.78 drowning=0.85..1 roughness=1 pattern=deranged hardness=1.2 \
            hardness-scale=14 valley-spacing=12 bending=1.2 channel-area=5 trim=18 width=16 meander-rounds=12 \
            mountains=0.35..0.9 plains=100",
         style: None,
@@ -109,7 +109,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A low coast of bare rock, broken into islets.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "land=continent sides=n|e|s|w|se|sw sea=0.45..0.6 drowning=0.85..1 roughness=1 pattern=deranged \
+        draws: "span=40~0.4 land=continent sides=n|e|s|w|se|sw sea=0.45..0.6 drowning=0.85..1 roughness=1 pattern=deranged \
            hardness=1.2 hardness-scale=16 bending=1.4 channel-area=5 trim=20 width=18 meander-rounds=12 \
            mountains=0.35..0.9 plains=150",
         style: None,
@@ -120,7 +120,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Land along one or two sides of the sea.",
         weight: 7,
         climates: "temperate temperate temperate wet dry cold",
-        draws: "land=continent sides=n|e|s|w|ne|se|sw|nw sea=0.28..0.48 drowning=0.1..0.45 roughness=0.95 bending=1.8 \
+        draws: "span=190~0.35 land=continent sides=n|e|s|w|ne|se|sw|nw sea=0.28..0.48 drowning=0.1..0.45 roughness=0.95 bending=1.8 \
            channel-area=5 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
            plains=60..250",
         style: None,
@@ -131,7 +131,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A coast whose valleys the sea has drowned.",
         weight: 4,
         climates: "temperate temperate wet",
-        draws: "land=continent sides=e|s|w|se|sw sea=0.33..0.48 drowning=0.6..0.95 roughness=1 bending=1.8 channel-area=5 \
+        draws: "span=60~0.35 land=continent sides=e|s|w|se|sw sea=0.33..0.48 drowning=0.6..0.95 roughness=1 bending=1.8 channel-area=5 \
            trim=24 width=24 meander-rounds=40 flat-share=0.4 captures=12 mountains=0.6..1.2 plains=250",
         style: None,
     },
@@ -141,7 +141,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A steep coast with long inlets between mountains.",
         weight: 5,
         climates: "cold",
-        draws: "land=continent sea=0.36..0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
+        draws: "span=110~0.35 land=continent sea=0.36..0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
            meander-rounds=20 mountains=2.8..4 plains=0 \
            sides,strike,pattern,hardness=w,80,trellis,1.3|e,100,trellis,1.3|n,172,trellis,1.3|w,0,dendritic,1|e,0,dendritic,1|s,0,dendritic,1.1|n,0,dendritic,0.9",
         style: None,
@@ -152,7 +152,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Land with the sea on three sides.",
         weight: 6,
         climates: "temperate temperate wet dry cold",
-        draws: "land=continent sides=esw|nes|nws|new sea=0.45..0.6 drowning=0.15..0.5 roughness=1 bending=1.6 \
+        draws: "span=140~0.35 land=continent sides=esw|nes|nws|new sea=0.45..0.6 drowning=0.15..0.5 roughness=1 bending=1.6 \
            channel-area=5 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 mountains=1.6~0.4 \
            plains=120",
         style: None,
@@ -163,7 +163,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Land between two seas.",
         weight: 4,
         climates: "temperate temperate dry wet",
-        draws: "land=continent sides=ns|ew|nesw sea=0.42..0.58 drowning=0.15..0.6 roughness=1 bending=1.6 channel-area=5 \
+        draws: "span=120~0.35 land=continent sides=ns|ew|nesw sea=0.42..0.58 drowning=0.15..0.6 roughness=1 bending=1.6 channel-area=5 \
            trim=24 width=22 meander-rounds=40 flat-share=0.4 mountains=1.4~0.4 plains=120",
         style: None,
     },
@@ -173,7 +173,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "One river drains nearly all of the land.",
         weight: 7,
         climates: "wet wet temperate temperate dry",
-        draws: "land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12..0.24 drowning=0.12 roughness=0.9 bending=2 \
+        draws: "span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12..0.24 drowning=0.12 roughness=0.9 bending=2 \
            concavity=0.6 channel-area=7 trim=28 width=26 meander-rounds=70 flat-share=0.5 great-rivers=6 \
            mountains=1.6~0.35 plains=120..350 \
            pattern,captures,valleys,fall=dendritic,20,0.4,0.25|dendritic,20,0.5,0.2|centripetal,6,0.2,0.3",
@@ -185,7 +185,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A green plain with broad rivers.",
         weight: 6,
         climates: "wet wet temperate temperate",
-        draws: "land=continent sides=n|e|s|w|sw|nw|se mouths=0|3|4|6 mouth-spacing=250 sea=0.15..0.35 drowning=0.15 \
+        draws: "span=180~0.35 land=continent sides=n|e|s|w|sw|nw|se mouths=0|3|4|6 mouth-spacing=250 sea=0.15..0.35 drowning=0.15 \
            roughness=0.9 bending=2 captures=12 channel-area=7 trim=28 width=26 meander-rounds=45 flat-share=0.5 \
            great-rivers=5 mountains=0.2..0.45 plains=400 rills=0.1..0.35 fall=0.2 shade=0.35",
         style: None,
@@ -196,7 +196,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Few rivers, wide and old: loops, cut necks and oxbow lakes.",
         weight: 3,
         climates: "wet temperate",
-        draws: "land=valley sides=e|w|s|n mouths=1 sea=0.12 drowning=0 roughness=0.5 attractors=5000 bending=1 \
+        draws: "span=60~0.3 land=valley sides=e|w|s|n mouths=1 sea=0.12 drowning=0 roughness=0.5 attractors=5000 bending=1 \
            bending-variation=0 channel-area=20 width=30 meander-rounds=120 great-rivers=5 flat-share=0.6 neck=2.5 \
            oxbows=1 mountains=0.3..1 plains=400",
         style: Some(Style::PastCourses),
@@ -207,7 +207,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "High mountains with rivers in deep valleys.",
         weight: 5,
         climates: "cold cold temperate wet",
-        draws: "land=continent sides=n|e|s|w|sw|se captures=12 sea=0.1..0.3 drowning=0.24 roughness=1 bending=1.6 \
+        draws: "span=150~0.3 land=continent sides=n|e|s|w|sw|se captures=12 sea=0.1..0.3 drowning=0.24 roughness=1 bending=1.6 \
            channel-area=7 trim=26 width=22 meander-rounds=30 flat-share=0.25 mountains=3..4 plains=10..60 rills=1 \
            shade=0.55",
         style: None,
@@ -218,7 +218,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A high plain that rivers cut into.",
         weight: 4,
         climates: "dry dry dry temperate",
-        draws: "land=continent sides=n|e|s|w captures=12 sea=0.12..0.3 drowning=0.1 roughness=0.8 bending=1.6 \
+        draws: "span=300~0.3 land=continent sides=n|e|s|w captures=12 sea=0.12..0.3 drowning=0.1 roughness=0.8 bending=1.6 \
            channel-area=12 trim=32 width=20 meander-rounds=30 flat-share=0.2 mountains=2..3.2 plains=0 \
            rills=0.05..0.25 shade=0.6 fall=0.25",
         style: None,
@@ -229,7 +229,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A lake, and rivers that run to it from all around.",
         weight: 5,
         climates: "temperate temperate cold cold wet",
-        draws: "land=basin sea=0.08..0.24 drowning=0.3..0.9 roughness=1 bending=1.6 channel-area=6 trim=24 width=24 \
+        draws: "span=110~0.35 land=basin sea=0.08..0.24 drowning=0.3..0.9 roughness=1 bending=1.6 channel-area=6 trim=24 width=24 \
            meander-rounds=40 flat-share=0.3 mountains=1.3~0.4 plains=80",
         style: None,
     },
@@ -239,7 +239,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A sea in the midst of the land, with inlets.",
         weight: 3,
         climates: "temperate dry wet",
-        draws: "land=basin sea=0.24..0.38 drowning=0.75..1 roughness=1 hardness=1 bending=1.6 channel-area=6 trim=24 \
+        draws: "span=380~0.35 land=basin sea=0.24..0.38 drowning=0.75..1 roughness=1 hardness=1 bending=1.6 channel-area=6 trim=24 \
            width=26 meander-rounds=40 flat-share=0.4 mountains=1.5~0.4 plains=120",
         style: None,
     },
@@ -249,7 +249,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers run to a salt lake in dry country.",
         weight: 3,
         climates: "dry",
-        draws: "land=basin sea=0.06..0.16 drowning=0.3 roughness=0.8 bending=2.2 channel-area=12 trim=32 width=16 \
+        draws: "span=300~0.35 land=basin sea=0.06..0.16 drowning=0.3 roughness=0.8 bending=2.2 channel-area=12 trim=32 width=16 \
            meander-rounds=20 mountains=0.8..2 plains=300 rills=0.4 \
            pattern,hardness,center-x=centripetal,0.9,35|centripetal,0.9,64|dendritic,0.6,50",
         style: None,
@@ -260,7 +260,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Long rivers between ridges, with short ones down their flanks.",
         weight: 4,
         climates: "temperate temperate wet",
-        draws: "land=continent sea=0.12..0.3 drowning=0.24 roughness=0.9 pattern=trellis attractors=12000 bending=1.4 \
+        draws: "span=160~0.35 land=continent sea=0.12..0.3 drowning=0.24 roughness=0.9 pattern=trellis attractors=12000 bending=1.4 \
            channel-area=6 trim=24 width=20 meander-rounds=16 mountains=1..2.4 plains=80 \
            sides,strike=e,16|e,170|w,10|w,165|s,80|s,100|n,75|n,105",
         style: None,
@@ -271,7 +271,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers that turn at right angles, along cracks.",
         weight: 2,
         climates: "dry cold temperate",
-        draws: "land=continent sides=n|e|s|w sea=0.15..0.35 drowning=0.4 roughness=0.9 pattern=rectangular \
+        draws: "span=90~0.35 land=continent sides=n|e|s|w sea=0.15..0.35 drowning=0.4 roughness=0.9 pattern=rectangular \
            attractors=12000 bending=0.9 channel-area=7 trim=26 width=20 meander-rounds=8 mountains=1.5~0.4 plains=60",
         style: None,
     },
@@ -281,7 +281,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Arcs around a dome of hard and soft beds.",
         weight: 2,
         climates: "temperate dry",
-        draws: "land=continent sides=n|e|s|w|sw|se sea=0.15..0.4 drowning=0.24 roughness=0.9 pattern=annular bending=2 \
+        draws: "span=180~0.35 land=continent sides=n|e|s|w|sw|se sea=0.15..0.4 drowning=0.24 roughness=0.9 pattern=annular bending=2 \
            hardness=0.9 channel-area=8 trim=30 width=20 meander-rounds=14 mountains=0.8..1.8 plains=120",
         style: None,
     },
@@ -291,7 +291,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers side by side down an even plain.",
         weight: 3,
         climates: "dry temperate temperate",
-        draws: "land=continent sides=n|e|s|w sea=0.15..0.3 drowning=0.2 roughness=0.8 pattern=parallel hardness=0.7 \
+        draws: "span=200~0.35 land=continent sides=n|e|s|w sea=0.15..0.3 drowning=0.2 roughness=0.8 pattern=parallel hardness=0.7 \
            attractors=12000 bending=1.8 channel-area=7 trim=28 width=18 meander-rounds=20 mountains=0.4..1.1 \
            plains=300 rills=0.35",
         style: None,
@@ -302,7 +302,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers without order, as ice leaves them.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "land=continent sides=n|e|s|w|se sea=0.25..0.42 drowning=0.6 roughness=1 pattern=deranged attractors=12000 \
+        draws: "span=130~0.35 land=continent sides=n|e|s|w|se sea=0.25..0.42 drowning=0.6 roughness=1 pattern=deranged attractors=12000 \
            bending=1.8 channel-area=6 trim=24 width=20 meander-rounds=20 mountains=0.4..1.1 plains=150",
         style: None,
     },
@@ -312,7 +312,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Few rivers, far apart, in dry country.",
         weight: 4,
         climates: "dry",
-        draws: "land=continent sides=n|e|s|w sea=0.15..0.35 drowning=0.08 roughness=0.8 attractors=9000 bending=2 \
+        draws: "span=420~0.3 land=continent sides=n|e|s|w sea=0.15..0.35 drowning=0.08 roughness=0.8 attractors=9000 bending=2 \
            channel-area=20 trim=40 width=14 meander-rounds=30 mountains=0.7..2 plains=350 rills=0.3 fall=0.6",
         style: None,
     },
@@ -322,7 +322,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Water everywhere: a fine network of broad rivers.",
         weight: 4,
         climates: "wet",
-        draws: "land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12..0.25 \
+        draws: "span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12..0.25 \
            drowning=0.2 roughness=0.9 attractors=18000..24000 bending=2 channel-area=5 trim=22 width=28 \
            meander-rounds=60 flat-share=0.6 great-rivers=6 mountains=0.5..1.2 plains=350 fall=0.2",
         style: None,
@@ -333,7 +333,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Streams that wander everywhere, a Brownian tree.",
         weight: 2,
         climates: "wet",
-        draws: "land=island growth=brownian sensitivity=12 sea=0.42..0.6 drowning=0.3 roughness=0.9 width=24 trim=26 \
+        draws: "span=45~0.35 land=island growth=brownian sensitivity=12 sea=0.42..0.6 drowning=0.3 roughness=0.9 width=24 trim=26 \
            meander-rounds=30 mountains=0.2 plains=400 rills=0.1",
         style: None,
     },

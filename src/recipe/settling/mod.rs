@@ -16,6 +16,7 @@ use draws::Draws;
 
 /// The keys whose values, if a link leaves them out, are the country's.
 const DECIDED: &[Key] = &[
+    Key::Span,
     Key::Land,
     Key::Sea,
     Key::Drowning,

@@ -8,7 +8,7 @@ import prefixed from "./prefixed.json" with { type: "json" };
 /** Parameters whose values are numbers; below, those whose values are text. */
 // biome-ignore format: a list of words
 export const NUMBERS = [
-  "edition", "aspect", "sea", "drowning", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
+  "edition", "aspect", "span", "sea", "drowning", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
   "curl", "stretch", "valleys", "valley-spacing", "concavity", "captures", "hardness", "hardness-scale", "bending",
   "bending-variation", "strike", "center-x", "center-y", "fall", "channel-area", "head-variation", "trim", "trim-variation", "tributary-spacing", "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
   "great-rivers", "flat-share", "neck", "oxbows", "clearance", "taper", "mountains", "plains", "rills", "shade", "warmth", "rain", "rain-shadow", "wind", "label-size", "language", "woods", "hills",

@@ -3,9 +3,9 @@
 use clap::ArgMatches;
 use riverseed::Map;
 use riverseed::annotate::names::Names;
-use riverseed::annotate::place::KILOMETRE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Kind, Parameter, Recipe, link, visible};
+use riverseed::scale::figures;
 use serde_json::{Value, json};
 
 use super::super::Failure;
@@ -44,7 +44,7 @@ pub fn description(map: &Map, names: &Names) -> String {
         1 => "One river, grown from a word.".into(),
         count => format!("{count} rivers, grown from a word."),
     };
-    let kilometres = (length / KILOMETRE).round();
+    let kilometres = figures(map.scale().kilometres(length));
     match names.rivers.get(i).map(|river| river.name.as_str()).filter(|name| !name.is_empty()) {
         Some(name) => format!("{counted} The longest, {name}, is {kilometres} km long."),
         None => format!("{counted} The longest is {kilometres} km long."),

@@ -6,11 +6,12 @@
 use std::io::Result;
 
 use riverseed::Map;
+use riverseed::analyse::statistics::Drained;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::DVec2;
 
 use super::splines::depth;
-use super::terrain::{METRES_A_UNIT, Terrain};
+use super::terrain::Terrain;
 use crate::memory::ask;
 
 /// The least half of a bed's width, in pixels. At a place in its middle, heights between the corners around are then lowered
@@ -37,12 +38,12 @@ pub fn lowered(terrain: &Terrain, map: &Map, rasters: &Rasters) -> Result<Terrai
 /// Computes how deep the bed of a river lies under the ground at each corner of a landscape, in metres; 0 beside beds.
 fn depths(terrain: &Terrain, map: &Map) -> Vec<f32> {
     let mut depths = vec![0.0; terrain.columns * terrain.rows];
-    let (network, pixels_a_metre) = (map.network(), 1.0 / terrain.metres_a_pixel);
+    let (network, drained, pixels_a_metre) = (map.network(), Drained::of(map), 1.0 / terrain.metres_a_pixel);
     for river in &network.rivers {
         let places: Vec<Place> = network
             .course(river)
             .map(|vertex| {
-                let width = f64::from(vertex.width()) * METRES_A_UNIT;
+                let width = drained.river_width(vertex.discharge);
                 let half = (width * 0.5 * pixels_a_metre).max(LEAST_HALF);
                 Place { at: terrain.corners(vertex.at), half, depth: depth(width) }
             })

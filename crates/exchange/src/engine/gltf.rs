@@ -12,7 +12,7 @@ use riverseed::paint::View;
 use riverseed::tiny_skia::Pixmap;
 use serde_json::{Value, json};
 
-use super::terrain::{METRES_A_UNIT, Terrain};
+use super::terrain::Terrain;
 use crate::memory::ask;
 
 /// The most vertices on a side: readers take a million easily, and the picture shows what is finer.
@@ -94,7 +94,7 @@ impl Mesh {
         let corners = || grid.rows.iter().flat_map(|&row| grid.columns.iter().map(move |&column| (column, row)));
         let at = |(column, row): (usize, usize)| Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * rasters.cell_size;
         let position = |corner: (usize, usize)| {
-            let from_centre = (at(corner) - domain.size * 0.5).as_dvec2() * METRES_A_UNIT;
+            let from_centre = (at(corner) - domain.size * 0.5).as_dvec2() * terrain.scale.metres_a_unit;
             let height = terrain.height(corner.0 as isize, corner.1 as isize).max(0.0);
             [from_centre.x as f32, height as f32, from_centre.y as f32]
         };

@@ -13,7 +13,7 @@ mod terrain;
 mod textures;
 
 pub use sizes::{EngineError, check, name, rasters, sizes, usual};
-pub use terrain::{METRES_A_UNIT, Terrain};
+pub use terrain::Terrain;
 
 use std::io::{Result, Write};
 

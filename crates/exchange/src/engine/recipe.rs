@@ -2,11 +2,9 @@
 //!
 //! No engine runs where Riverseed is tested. The texts say so, and say where each fact comes from.
 
-use riverseed::relief::METRES;
-
 use super::sizes::name;
 use super::splat::GROUNDS;
-use super::terrain::{METRES_A_UNIT, Terrain};
+use super::terrain::Terrain;
 use crate::form::Engine;
 
 /// Writes the first lines of a README, which depend on nothing that has to be computed.
@@ -37,13 +35,15 @@ fn scale(terrain: &Terrain) -> String {
     let size = (terrain.columns - 1) as f64 * terrain.metres_a_pixel;
     format!(
         "SCALE\n\
-         A pixel is {pixel} m wide, and the landscape {size} m. A unit of the map is {METRES_A_UNIT} m on the ground and\n\
-         {METRES} m in height. Slopes are half as steep as the picture shades them, so that most land can be walked on.\n\
-         To make the landscape smaller or larger, multiply all three axes by the same number.\n\
+         A pixel is {pixel} m wide, and the landscape {size} m. The map is {span} km wide: that is the span of the link.\n\
+         With another span, the landscape has another size; a smaller one is steeper, as in nature, and span=20 is one to walk\n\
+         through. Rivers are as wide as those of nature that drain as much land, whatever the width that is drawn.\n\
+         To make this one smaller or larger, multiply all three axes by the same number.\n\
          Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m. One step is {step} m.\n\
          The first row of every picture and of heights.r16 is the northernmost.\n\n",
         pixel = number(terrain.metres_a_pixel, 4),
         size = number(size, 2),
+        span = number(f64::from(terrain.map().x) * terrain.scale.metres_a_unit / 1000.0, 2),
         deepest = number(deepest, 2),
         highest = number(highest, 2),
         sea = terrain.sea_level,

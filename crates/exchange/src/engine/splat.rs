@@ -20,12 +20,12 @@ pub const GROUNDS: [(&str, &str); 4] = [
     ("high", "high ground, such as scree or snow"),
 ];
 
-/// Slopes between which ground becomes steep, in metres up on a metre.
-const STEEP: [f64; 2] = [0.75, 1.05];
+/// Slopes between which ground becomes steep, in units of height on a unit: whatever the scale, the same ground is steep.
+const STEEP: [f64; 2] = [1.5, 2.1];
 /// Shares of the highest land's height between which ground becomes high.
 const HIGH: [f64; 2] = [0.5, 0.7];
-/// Heights over the sea between which a shore ends, in metres.
-const SHORE: [f64; 2] = [6.0, 20.0];
+/// Heights over the sea between which a shore ends, in units.
+const SHORE: [f64; 2] = [0.24, 0.8];
 
 /// Computes the shares of all pixels of a landscape, four bytes each.
 ///
@@ -37,12 +37,12 @@ pub fn shares(rasters: &Rasters, terrain: &Terrain) -> Result<Vec<u8>> {
         Values::Words(widths) => widths,
         Values::Bytes(_) => Vec::new(),
     };
-    let highest = terrain.highest();
+    let (highest, metres_up) = (terrain.highest(), f64::from(terrain.scale.metres_up));
     let cells = (0..terrain.rows).flat_map(|row| (0..terrain.columns).map(move |column| (column, row)));
     let texel = |((column, row), width): ((usize, usize), &u16)| {
         let height = terrain.height(column as isize, row as isize);
-        let slope = terrain.slope(column, row).length();
-        grounds(height, height / highest, slope, *width > 0)
+        let slope = terrain.slope(column, row).length() * terrain.scale.metres_a_unit / metres_up;
+        grounds(height / metres_up, height / highest, slope, *width > 0)
     };
     Ok(cells.zip(&widths).flat_map(texel).collect())
 }
@@ -89,8 +89,8 @@ mod tests {
 
     #[test]
     fn grounds_share_a_pixel_whole() {
-        for height in [-200.0, 0.0, 0.1, 7.0, 13.0, 300.0, 999.0] {
-            for slope in [0.0, 0.8, 0.9, 3.0] {
+        for height in [-8.0, 0.0, 0.01, 0.3, 0.5, 12.0, 40.0] {
+            for slope in [0.0, 1.6, 1.8, 6.0] {
                 for share in [0.0, 0.55, 0.65, 1.0] {
                     for is_river in [false, true] {
                         let shares = grounds(height, share, slope, is_river);
@@ -103,10 +103,10 @@ mod tests {
 
     #[test]
     fn each_ground_has_pixels_of_its_own() {
-        assert_eq!(grounds(100.0, 0.1, 0.1, false), [255, 0, 0, 0]);
-        assert_eq!(grounds(100.0, 0.1, 2.0, false), [0, 255, 0, 0]);
-        assert_eq!(grounds(100.0, 0.1, 2.0, true), [0, 0, 255, 0]);
+        assert_eq!(grounds(4.0, 0.1, 0.2, false), [255, 0, 0, 0]);
+        assert_eq!(grounds(4.0, 0.1, 4.0, false), [0, 255, 0, 0]);
+        assert_eq!(grounds(4.0, 0.1, 4.0, true), [0, 0, 255, 0]);
         assert_eq!(grounds(-1.0, -0.1, 0.0, false), [0, 0, 255, 0]);
-        assert_eq!(grounds(900.0, 0.9, 0.1, false), [0, 0, 0, 255]);
+        assert_eq!(grounds(36.0, 0.9, 0.2, false), [0, 0, 0, 255]);
     }
 }

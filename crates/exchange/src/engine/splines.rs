@@ -7,13 +7,14 @@
 use std::io::{Result, Write};
 
 use riverseed::Map;
+use riverseed::analyse::statistics::Drained;
 use riverseed::annotate::names::Names;
 use riverseed::glam::{DVec2, DVec3};
-use riverseed::network::{NONE, Network, River, hydrology};
+use riverseed::network::{NONE, Network, River, Vertex, hydrology};
 use riverseed::recipe::link;
 use serde_json::{Map as Members, Value, json};
 
-use super::terrain::{METRES_A_UNIT, Terrain};
+use super::terrain::Terrain;
 use crate::form::Engine;
 use crate::memory::ask;
 
@@ -96,14 +97,14 @@ pub fn write(mut out: impl Write, map: &Map, terrain: &Terrain, axes: Axes) -> R
 
 fn rivers(map: &Map, terrain: &Terrain, axes: Axes) -> Value {
     let (network, names) = (map.network(), Names::of(map));
-    let heights = heights(network, terrain);
+    let (heights, drained) = (heights(network, terrain), Drained::of(map));
     let river = |(number, river): (usize, &River)| {
         let name = names.rivers.get(number).map(|river| river.name.clone()).filter(|name| !name.is_empty());
         let parent = (river.parent != NONE).then_some(river.parent);
         let junction = (river.junction != NONE).then_some(river.junction as usize);
         let vertices = river.vertex_range().chain(junction);
         let points: Vec<Value> =
-            vertices.map(|vertex| point(network, vertex, heights[vertex], terrain, axes)).collect();
+            vertices.map(|i| point(&network.vertices[i], heights[i], &drained, terrain, axes)).collect();
         json!({ "number": number, "name": name, "parent": parent, "order": river.order, "points": points })
     };
     network.rivers.iter().enumerate().map(river).collect()
@@ -115,13 +116,12 @@ fn heights(network: &Network, terrain: &Terrain) -> Vec<f32> {
     hydrology::upward(network, |vertex, below| ground(vertex).max(below))
 }
 
-fn point(network: &Network, vertex: usize, height: f32, terrain: &Terrain, axes: Axes) -> Value {
+fn point(vertex: &Vertex, height: f32, drained: &Drained, terrain: &Terrain, axes: Axes) -> Value {
     /// The last digit that is written is a hundredth of a metre or of a centimetre.
     const PARTS: f64 = 100.0;
     let rounded = |number: f64| (number * PARTS).round() / PARTS + 0.0;
-    let vertex = &network.vertices[vertex];
     let place = axes.place(terrain.metres(vertex.at), f64::from(height), terrain);
-    let width = f64::from(vertex.width()) * METRES_A_UNIT;
+    let width = drained.river_width(vertex.discharge);
     let sizes = [width, depth(width)].map(|metres| metres * axes.units_a_metre());
     [place.x, place.y, place.z, sizes[0], sizes[1]].map(rounded).to_vec().into()
 }

@@ -4,11 +4,7 @@ use std::io::{Result, Write};
 
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::{DVec2, Vec2};
-
-/// The length of a unit of the map on the ground, in metres: twice a unit of height, so that slopes are half as steep as
-/// pictures shade them. As steep, most land would be steeper than the 45 degrees that engines let people walk up.
-/// Everything for engines that depends on the scale takes it from here.
-pub const METRES_A_UNIT: f64 = 50.0;
+use riverseed::scale::MapScale;
 
 /// A landscape. Its corners are the middles of the rasters' pixels, whose first one is its own first corner.
 #[derive(Clone, Debug)]
@@ -23,6 +19,8 @@ pub struct Terrain {
     pub metres_a_step: f64,
     /// The step of the sea's surface.
     pub sea_level: u16,
+    /// The real sizes of what is on the map.
+    pub scale: MapScale,
     /// The width and height of the map, in units.
     map: Vec2,
     cell_size: f64,
@@ -43,9 +41,10 @@ impl Terrain {
         Self {
             columns: rasters.columns,
             rows: rasters.rows,
-            metres_a_pixel: cell_size * METRES_A_UNIT,
+            metres_a_pixel: rasters.metres_a_pixel(),
             metres_a_step: rasters.scale.metres_a_step,
             sea_level: rasters.scale.sea_level,
+            scale: rasters.map_scale,
             map: rasters.size,
             cell_size,
             before,

@@ -7,12 +7,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use riverseed::domain::Domain;
+use riverseed::export::degrees::METRES_A_DEGREE;
 use riverseed::glam::Vec2;
+use riverseed::scale::MapScale;
 use thiserror::Error;
-
-/// The length of a unit of the map in metres, as the scale bar and GeoJSON have it: a hundredth of a degree of the
-/// equator. Everything else here that depends on the scale takes it from here.
-pub const METRES_A_UNIT: f64 = 1113.2;
 
 /// The name of the map's own system.
 pub const NAME: &str = "Riverseed map, metres from its centre";
@@ -153,15 +151,15 @@ fn no_offset() -> [(&'static str, String); 2] {
     ["false_easting", "false_northing"].map(|name| (name, "0".into()))
 }
 
-/// Converts GeoJSON's degrees to metres. A hundred-thousandth of a degree, its last digit, is a thousandth of a unit.
+/// Converts GeoJSON's degrees to metres.
 pub fn metres_of_degrees(degrees: f64) -> f64 {
-    (degrees * 100_000.0).round() * (METRES_A_UNIT / 1000.0) + 0.0
+    degrees * METRES_A_DEGREE + 0.0
 }
 
 /// Converts a place of the map in units, south down, to metres east and north of its centre.
-pub fn place(domain: &Domain, at: Vec2) -> [f64; 2] {
+pub fn place(domain: &Domain, scale: &MapScale, at: Vec2) -> [f64; 2] {
     let half = domain.size.as_dvec2() * 0.5;
-    let from_centre = (at.as_dvec2() - half) * METRES_A_UNIT;
+    let from_centre = (at.as_dvec2() - half) * scale.metres_a_unit;
     [from_centre.x, -from_centre.y]
 }
 

@@ -3,7 +3,9 @@
 use std::io::{Result, Write};
 
 use riverseed::Map;
+use riverseed::analyse::statistics::Drained;
 use riverseed::export::{Json, geojson};
+use riverseed::scale::MapScale;
 
 use super::segments::{self, Segment};
 
@@ -56,16 +58,26 @@ fn with_segments<'a>(map: &'a Map, features: Json<'a>) -> Result<Json<'a>> {
     let Json::List(count, feature) = features else { return Ok(features) };
     let segments = segments::of(map)?;
     let all = count + segments.len();
+    let sizes = Sizes { scale: map.scale(), drained: Drained::of(map) };
     let with = move |i: usize| match i.checked_sub(count) {
         None => feature(i),
         // Rivers come first, and their positions are those of their segments.
-        Some(at) => of_segment(&segments[at], at as i64 + 1, i as i64 + 1, feature(segments[at].river as usize)),
+        Some(at) => {
+            let river = feature(segments[at].river as usize);
+            of_segment(&segments[at], &sizes, [at as i64 + 1, i as i64 + 1], river)
+        }
     };
     Ok(Json::List(all, Box::new(with)))
 }
 
+/// The scale of a map, and the land that drains to its rivers: all that the real sizes of segments depend on.
+struct Sizes {
+    scale: MapScale,
+    drained: Drained,
+}
+
 /// Makes the feature of a segment from that of its river.
-fn of_segment<'a>(segment: &Segment, number: i64, key: i64, river: Json<'a>) -> Json<'a> {
+fn of_segment<'a>(segment: &Segment, sizes: &Sizes, [number, key]: [i64; 2], river: Json<'a>) -> Json<'a> {
     let course = items(member(member(river, "geometry"), "coordinates"));
     let line: Vec<Json<'_>> = course.into_iter().skip(segment.from).take(segment.to - segment.from + 1).collect();
     let whole = |number: u32| Json::Whole(number.into());
@@ -80,9 +92,9 @@ fn of_segment<'a>(segment: &Segment, number: i64, key: i64, river: Json<'a>) -> 
         ("magnitude", whole(segment.magnitude)),
         ("discharge", whole(segment.discharge)),
         ("lateral", whole(segment.lateral)),
-        ("length", rounded(segment.length, 100.0)),
-        ("width", rounded(segment.width, 1000.0)),
-        ("area", Json::Whole(segment.area as i64)),
+        ("length_m", Json::Double(sizes.scale.metres(segment.length).round())),
+        ("width_m", rounded(sizes.drained.river_width(segment.discharge) as f32, 100.0)),
+        ("area_m2", Json::Double(sizes.scale.square_metres(segment.area.into()).round())),
         ("key", Json::Whole(key)),
     ];
     Json::Object(vec![

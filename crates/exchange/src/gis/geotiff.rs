@@ -2,6 +2,7 @@
 
 use std::io::{Cursor, Error, Result, Write};
 
+use riverseed::Map;
 use riverseed::domain::Domain;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::Vec2;
@@ -12,7 +13,7 @@ use tiff::encoder::colortype::{ColorType, Gray8, Gray16, Gray32, Gray32Float, RG
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, TiffValue};
 use tiff::tags::Tag;
 
-use super::crs::{self, Crs, METRES_A_UNIT};
+use super::crs::{self, Crs};
 use super::heights;
 use crate::memory::ask;
 use crate::xml::escaped;
@@ -45,7 +46,7 @@ pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: 
     let plain = Predictor::None;
     match (layer, rasters.values(layer)) {
         (Layer::Heights, _) => write::<Gray32Float>(out, &frame, plain, &heights::metres(rasters)),
-        (Layer::Rivers, Values::Words(widths)) => write::<Gray32Float>(out, &frame, plain, &metres_of_widths(&widths)),
+        (Layer::Rivers, _) => write::<Gray32Float>(out, &frame, plain, &rasters.real_widths()),
         // More than 65,535 basins do not fit into the words of a PNG.
         (Layer::Basins, _) => write::<Gray32>(out, &frame, Predictor::Horizontal, &rasters.flow().basins),
         (_, Values::Bytes(bytes)) => write::<Gray8>(out, &frame, plain, &bytes),
@@ -57,9 +58,9 @@ pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: 
 ///
 /// # Errors
 /// Fails if there is not enough memory, and with the writer's errors.
-pub fn write_picture(out: impl Write, domain: &Domain, picture: &Pixmap, link: &str, crs: Crs) -> Result<()> {
+pub fn write_picture(out: impl Write, map: &Map, picture: &Pixmap, link: &str, crs: Crs) -> Result<()> {
     ask(picture.data().len())?;
-    let frame = Frame { crs, ..Frame::of_picture(domain, picture, link)? };
+    let frame = Frame { crs, ..Frame::of_picture(map, picture, link)? };
     let pixels: Vec<u8> = picture.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
     write::<RGB8>(out, &frame, Predictor::Horizontal, &pixels)
 }
@@ -81,7 +82,7 @@ impl Frame {
     fn of_raster(domain: &Domain, rasters: &Rasters, layer: Layer) -> Self {
         let more = match layer {
             Layer::Heights => " over the sea; less than 0 at sea, and every cell of land is higher than the one that its water runs to".into(),
-            Layer::Rivers => ", 0 where there is none".into(),
+            Layer::Rivers => " that drains as much land in nature, 0 where none is drawn".into(),
             Layer::Basins => ", counted from 1; 0 at sea, and where water runs to the sea in no river".into(),
             layer => rasters.meaning(layer).trim_start_matches(layer.subject()).to_owned(),
         };
@@ -91,8 +92,8 @@ impl Frame {
         };
         Self {
             sides: [rasters.columns, rasters.rows],
-            corner: crs::place(domain, Vec2::ZERO),
-            pixel: [f64::from(rasters.cell_size) * METRES_A_UNIT; 2],
+            corner: crs::place(domain, &rasters.map_scale, Vec2::ZERO),
+            pixel: [rasters.metres_a_pixel(); 2],
             link: rasters.link.clone(),
             description: format!("{}{more}", subject(layer)),
             no_data,
@@ -100,12 +101,12 @@ impl Frame {
         }
     }
 
-    fn of_picture(domain: &Domain, picture: &Pixmap, link: &str) -> Result<Self> {
+    fn of_picture(map: &Map, picture: &Pixmap, link: &str) -> Result<Self> {
         let sides = [picture.width(), picture.height()];
-        let [north_west, south_east] = View::new(domain, sides[0], sides[1])
+        let [north_west, south_east] = View::new(&map.domain(), sides[0], sides[1])
             .map_err(Error::other)?
             .frame()
-            .map(|corner| crs::place(domain, corner));
+            .map(|corner| crs::place(&map.domain(), &map.scale(), corner));
         Ok(Self {
             sides: sides.map(|side| side as usize),
             corner: north_west,
@@ -193,9 +194,4 @@ where
 /// first `&`.
 pub(crate) fn metadata(link: &str) -> String {
     format!("<GDALMetadata>\n  <Item name=\"riverseed\">{}</Item>\n</GDALMetadata>\n", escaped(&escaped(link)))
-}
-
-/// Converts widths in thousandths of a unit to metres.
-fn metres_of_widths(thousandths: &[u16]) -> Vec<f32> {
-    thousandths.iter().map(|&width| (f64::from(width) * (METRES_A_UNIT / 1000.0)) as f32).collect()
 }

@@ -19,10 +19,8 @@ pub struct Layer {
 
 /// A column.
 pub struct Column {
-    /// The name in a GeoPackage.
+    /// Its name, and that of the property in GeoJSON.
     pub name: &'static str,
-    /// The property in GeoJSON that it holds.
-    pub property: &'static str,
     /// What its values are.
     pub of: Of,
     /// What it says, for documents.
@@ -38,10 +36,6 @@ pub enum Of {
     Real,
     /// A text.
     Text,
-    /// A length, which the property has in units.
-    Metres,
-    /// An area, which the property has in square units.
-    SquareMetres,
 }
 
 impl Of {
@@ -49,26 +43,22 @@ impl Of {
     pub const fn sql(self) -> &'static str {
         match self {
             Self::Whole => "INTEGER",
-            Self::Real | Self::Metres | Self::SquareMetres => "REAL",
+            Self::Real => "REAL",
             Self::Text => "TEXT",
         }
     }
 }
 
 const fn column(name: &'static str, of: Of, help: &'static str) -> Column {
-    Column { name, property: name, of, help }
+    Column { name, of, help }
 }
 
 const fn whole(name: &'static str, help: &'static str) -> Column {
     column(name, Of::Whole, help)
 }
 
-const fn metres(name: &'static str, property: &'static str, help: &'static str) -> Column {
-    Column { name, property, of: Of::Metres, help }
-}
-
-const fn square_metres(help: &'static str) -> Column {
-    Column { name: "area_m2", property: "area", of: Of::SquareMetres, help }
+const fn real(name: &'static str, help: &'static str) -> Column {
+    column(name, Of::Real, help)
 }
 
 /// The column that every layer has.
@@ -106,7 +96,7 @@ pub static LAYERS: [Layer; 9] = [
         columns: &[
             whole("number", "as in the raster of basins"),
             whole("mouth", "the river at whose mouth it ends"),
-            square_metres("its area"),
+            real("area_m2", "its area"),
             KEY,
         ],
     },
@@ -136,8 +126,9 @@ pub static LAYERS: [Layer; 9] = [
             whole("order", "Strahler's order at its end"),
             whole("magnitude", "Shreve's magnitude at its end"),
             whole("discharge", "what it drains, at its end"),
-            metres("length_m", "length", "its length"),
-            column("sinuosity", Of::Real, "length over the straight distance from source to end"),
+            real("length_m", "its length"),
+            real("width_m", "how wide a river of nature is that drains as much land, at its end"),
+            real("sinuosity", "length over the straight distance from source to end"),
             column("name", Of::Text, "its name, null if the recipe takes it away"),
             column("kind_name", Of::Text, "what kind of river the name says, such as `River`, `Beck` or `Fork`"),
             KEY,
@@ -159,9 +150,9 @@ pub static LAYERS: [Layer; 9] = [
             whole("magnitude", "Shreve's magnitude: the number of sources upstream"),
             whole("discharge", "what it drains, at its end"),
             whole("lateral", "how much of its discharge comes from no segment"),
-            metres("length_m", "length", "its length"),
-            metres("width_m", "width", "from bank to bank, at its end"),
-            square_metres("the area of its catchment, with all that lies upstream"),
+            real("length_m", "its length"),
+            real("width_m", "how wide a river of nature is that drains as much land, at its end"),
+            real("area_m2", "the area of its catchment, with all that lies upstream"),
             KEY,
         ],
     },

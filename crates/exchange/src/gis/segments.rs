@@ -34,8 +34,6 @@ pub struct Segment {
     pub lateral: u32,
     /// The length in units.
     pub length: f32,
-    /// The width at its end in units.
-    pub width: f32,
     /// The area of all land whose water runs through it, in square units.
     pub area: f32,
 }
@@ -108,7 +106,6 @@ fn cut(network: &Network) -> Vec<Segment> {
                 discharge: end.discharge,
                 lateral: end.discharge,
                 length: (from..to).map(|i| place(i).distance(place(i + 1))).sum(),
-                width: end.width(),
                 area: 0.0,
             });
             from = to;

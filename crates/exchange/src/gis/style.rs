@@ -5,6 +5,7 @@
 use std::io::{Result, Write};
 
 use riverseed::paint::atlas;
+use riverseed::scale::{MapScale, USUAL_METRES};
 
 use crate::xml::escaped;
 
@@ -19,9 +20,11 @@ const DEPTHS: [(f32, [u8; 3]); 3] = [(-600.0, [0x5f, 0x93, 0xae]), (-150.0, atla
 /// The least height of land in metres, so that the sea's surface has a colour of its own.
 const ASHORE: f32 = 0.01;
 
-/// Lists the colours of depths and heights in metres, from below.
-fn tints() -> impl Iterator<Item = (f32, [u8; 3])> {
-    DEPTHS.into_iter().chain(atlas::TINTS.iter().map(|(metres, colour)| (metres.max(ASHORE), *colour)))
+/// Lists the colours of depths and heights in metres, from below, as the picture has them.
+fn tints(scale: &MapScale) -> impl Iterator<Item = (f32, [u8; 3])> {
+    let told = scale.metres_up / USUAL_METRES;
+    let land = move |(metres, colour): &(f32, _)| ((metres * told).max(ASHORE), *colour);
+    DEPTHS.into_iter().map(move |(metres, colour)| (metres * told, colour)).chain(atlas::TINTS.iter().map(land))
 }
 
 /// Writes a colour as QGIS has it in the options of a symbol.
@@ -53,8 +56,8 @@ pub fn of_layer(name: &str) -> String {
 ///
 /// # Errors
 /// Fails with the writer's errors.
-pub fn write_heights(mut out: impl Write, link: &str) -> Result<()> {
-    let items: Vec<String> = tints()
+pub fn write_heights(mut out: impl Write, link: &str, scale: &MapScale) -> Result<()> {
+    let items: Vec<String> = tints(scale)
         .map(|(metres, [red, green, blue])| {
             format!(
                 "<item value=\"{metres}\" color=\"#{red:02x}{green:02x}{blue:02x}\" label=\"{metres:.0} m\" alpha=\"255\"/>\n"
@@ -62,7 +65,7 @@ pub fn write_heights(mut out: impl Write, link: &str) -> Result<()> {
         })
         .collect();
     let (least, most) =
-        tints().fold((f32::MAX, f32::MIN), |(least, most), (metres, _)| (least.min(metres), most.max(metres)));
+        tints(scale).fold((f32::MAX, f32::MIN), |(least, most), (metres, _)| (least.min(metres), most.max(metres)));
     writeln!(
         out,
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n\
@@ -182,10 +185,14 @@ mod tests {
     use super::*;
     use crate::gis::layers::LAYERS;
 
+    fn scale(link: &str) -> MapScale {
+        MapScale::of(&link.parse().unwrap())
+    }
+
     #[test]
     fn every_style_is_a_document_of_qgis() {
         let mut heights = Vec::new();
-        write_heights(&mut heights, "seed=a%3Cb&edition=1").unwrap();
+        write_heights(&mut heights, "seed=a%3Cb&edition=1", &scale("span=200")).unwrap();
         let heights = String::from_utf8(heights).unwrap();
         let layers: Vec<String> = LAYERS.iter().map(|layer| of_layer(layer.name)).collect();
         for style in layers.iter().chain([&heights]) {
@@ -197,8 +204,12 @@ mod tests {
     }
 
     #[test]
-    fn tints_rise() {
-        let heights: Vec<f32> = tints().map(|(metres, _)| metres).collect();
+    fn tints_rise_with_the_span() {
+        let heights: Vec<f32> = tints(&scale("span=200")).map(|(metres, _)| metres).collect();
         assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
+        let wider: Vec<f32> = tints(&scale("span=5000")).map(|(metres, _)| metres).collect();
+        assert!(
+            wider.iter().zip(&heights).all(|(wider, height)| *height == 0.01 || (wider / height - 3.624).abs() < 1e-5)
+        );
     }
 }

@@ -121,7 +121,8 @@ fn coasts(map: &Map) -> Vec<Vec<Vec2>> {
 /// Lists every fifth of the contours, or the others.
 fn contours(map: &Map, are_index: bool) -> Vec<Vec<Vec2>> {
     let Some(relief) = map.relief() else { return Vec::new() };
-    let contours = paint::contours(relief).into_iter().filter(|contour| contour.is_index == are_index);
+    let contours =
+        paint::contours(relief, map.scale().metres_up).into_iter().filter(|contour| contour.is_index == are_index);
     let rings = contours.flat_map(|contour| relief.rings_above(contour.height));
     rings.map(|ring| rounded(&ring)).collect()
 }

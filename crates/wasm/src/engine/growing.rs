@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 use crate::make::river::River;
 use crate::objects::object;
 use riverseed::analyse::query::{cut, former_ways, tips};
-use riverseed::annotate::place::KILOMETRE;
 use riverseed::land::SmoothedDistance;
+use riverseed::scale::MapScale;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -68,8 +68,9 @@ impl River {
     pub fn lengths(&self) -> Object {
         let growth = self.session.growth().settings();
         let Vec2 { x, y } = self.session.domain().size;
+        let kilometre = MapScale::of(self.session.recipe()).units(1.0);
         let lengths =
-            [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill), ("kilometre", KILOMETRE)];
+            [("width", x), ("height", y), ("reach", growth.reach), ("kill", growth.kill), ("kilometre", kilometre)];
         object(&lengths.map(|(name, length)| (name, length.into())))
     }
 }

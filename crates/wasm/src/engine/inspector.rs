@@ -8,11 +8,11 @@ use super::named::Named;
 use crate::make::river::River;
 use crate::objects::object;
 use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
-use riverseed::annotate::place::KILOMETRE;
 use riverseed::export::svg::overlay;
 use riverseed::land::Land;
 use riverseed::network::NONE;
 use riverseed::recipe::{CourseShape, LandKind};
+use riverseed::scale::MapScale;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -34,16 +34,22 @@ export interface RiverFacts {
   /** The place on it. */
   readonly x: number;
   readonly y: number;
+  /** `true` if that land is so small that its shape shows its cells. */
+  readonly isBasinSmall: boolean;
   /** From there to the sea, and the land that it drains: paths of SVG, in units. */
   readonly way: string;
   readonly basin: string;
 }
 "#;
 
+/// Basins of fewer square units are small: of so few cells, one sees the cells.
+const LEAST_BASIN: f64 = 200.0;
+
 /// The rivers of a finished map, ready for queries.
 #[wasm_bindgen]
 pub struct Inspector {
     rivers: Rivers,
+    scale: MapScale,
     /// Width and height of the map, in units.
     pub(super) size: Vec2,
     courses: CourseShape,
@@ -64,7 +70,8 @@ impl River {
         let (size, recipe) = (map.domain().size, map.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
         let named = Named::of(&map);
-        Some(Inspector { rivers, size, courses: recipe.get(), ends_in, named, last: (NONE, String::new()) })
+        let scale = map.scale();
+        Some(Inspector { rivers, scale, size, courses: recipe.get(), ends_in, named, last: (NONE, String::new()) })
     }
 }
 
@@ -114,19 +121,19 @@ impl Inspector {
         let RiverFacts { identity, order, order_here, length, share, area, into } = self.rivers.facts(spot);
         let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
         let Vec2 { x, y } = spot.place.at / self.size;
-        let square = f64::from(KILOMETRE) * f64::from(KILOMETRE);
         object(&[
             ("mark", identity.into()),
             ("order", order.into()),
             ("orderHere", order_here.into()),
-            ("length", (length / KILOMETRE).into()),
+            ("length", self.scale.kilometres(length).into()),
             ("share", share.into()),
-            ("area", (area / square).into()),
+            ("area", self.scale.square_kilometres(area).into()),
             ("into", Uint32Array::from(&into[..]).into()),
             ("endsIn", self.ends_in.into()),
             ("x", x.into()),
             ("y", y.into()),
             ("way", overlay::lines(&[way], self.courses).into()),
+            ("isBasinSmall", (area < LEAST_BASIN).into()),
             ("basin", self.basin(spot.river).into()),
         ])
     }

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use crate::make::river::River;
 use crate::objects::{object, set};
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
-use riverseed::annotate::place::KILOMETRE;
+use riverseed::scale::MapScale;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -31,8 +31,9 @@ impl River {
     /// Returns the measures of the finished rivers, and as the last one the pattern that they are named after.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Result<Array, JsValue> {
-        let measures = Measures::of(&self.map()?);
-        Ok(TABLE.iter().map(|measure| row(measure, &measures)).chain([pattern(&measures)]).collect())
+        let map = self.map()?;
+        let (measures, scale) = (Measures::of(&map), map.scale());
+        Ok(TABLE.iter().map(|measure| row(measure, &measures, &scale)).chain([pattern(&measures)]).collect())
     }
 }
 
@@ -47,13 +48,9 @@ fn pattern(measures: &Measures) -> Object {
     row
 }
 
-/// Makes the row of a measure. A length is in kilometres, as the scale bar has them.
-fn row(measure: &Measure, measures: &Measures) -> Object {
-    let value = (measure.value)(measures);
-    let (unit, value) = match measure.unit {
-        "units" => ("km", value.map(|units| units / f64::from(KILOMETRE))),
-        unit => (unit, value),
-    };
+/// Makes the row of a measure.
+fn row(measure: &Measure, measures: &Measures, scale: &MapScale) -> Object {
+    let (value, unit) = measure.told(measures, scale);
     let row = object(&[
         ("name", measure.name.into()),
         ("help", measure.help.into()),

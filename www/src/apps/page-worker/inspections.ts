@@ -22,8 +22,6 @@ type Player = RiverPlayer<WholeRiver>;
 
 /** The time for making a relief before other messages are handled. */
 const SLICE_MS = 8;
-/** Basins of fewer square kilometres are not drawn: of so few cells, one would see the cells. */
-const LEAST_BASIN = 250;
 /** The number of colours of basins. */
 const BASIN_KINDS = 6;
 
@@ -59,11 +57,12 @@ export class Inspections {
     if (!river) return;
     const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
     const into = Array.from(river.into, nameOf);
-    const basin = river.area < LEAST_BASIN ? "" : river.basin;
+    const { isBasinSmall, ...facts } = river;
+    const basin = isBasinSmall ? "" : river.basin;
     // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
     return {
-      ...river,
+      ...facts,
       basin,
       orderHere,
       link: kept.link,

@@ -26,7 +26,7 @@ export interface Names {
 export type RiverPlace = { x: number; y: number; reach: number } | { mark: string };
 
 /** A river that was pointed at, with names in place of marks; empty for those without a name. */
-export interface PointedRiver extends Omit<RiverFacts, "mark" | "into"> {
+export interface PointedRiver extends Omit<RiverFacts, "mark" | "into" | "isBasinSmall"> {
   /** The link of the map. */
   link: string;
   /** Width and height of the map, in units. */

@@ -24,6 +24,8 @@ test("a river is told by its order, its length and what it drains", () => {
   expect(measuresOf(RIVER)).toBe("Order 4 · 312 km long · drains 18 % of the land, 100,000 km²");
   const small = { ...RIVER, orderHere: 1, share: 0.004, area: 0 };
   expect(measuresOf(small)).toBe("Order 4 (1 here) · 312 km long · drains less than 1 % of the land, 0 km²");
+  const short = { ...RIVER, length: 2.44, area: 3.26 };
+  expect(measuresOf(short)).toBe("Order 4 · 2.4 km long · drains 18 % of the land, 3.3 km²");
 });
 
 test("where its water goes is told by name, and names with an article keep one", () => {

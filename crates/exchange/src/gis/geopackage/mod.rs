@@ -12,11 +12,10 @@ use riverseed::Map;
 use rusqlite::types::Value;
 use rusqlite::{Connection, params, params_from_iter};
 
-use super::crs::{self, Crs};
+use super::crs::Crs;
 use super::feature::Feature;
 use super::features::Collection;
-use super::geojson::number;
-use super::layers::{Column, LAYERS, Layer, Of};
+use super::layers::{Column, LAYERS, Layer};
 use super::style;
 use crate::xml::escaped;
 use riverseed::export::Json;
@@ -102,18 +101,12 @@ fn add_layer(work: &Connection, layer: &Layer, collection: &Collection<'_>, syst
 
 /// Makes the value of a feature in a column.
 fn value(column: &Column, feature: &Feature<'_>) -> Value {
-    let property = feature.property(column.property);
-    match (column.of, property) {
-        (Of::Metres, Some(json)) => number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT).into()),
-        (Of::SquareMetres, Some(json)) => {
-            // Whole ones: tables of other programs have room for fifteen digits.
-            number(json).map_or(Value::Null, |units| (units * crs::METRES_A_UNIT * crs::METRES_A_UNIT).round().into())
-        }
-        (_, Some(Json::Whole(whole))) => Value::Integer(*whole),
-        (_, Some(Json::Single(single))) => Value::Real(f64::from(*single)),
-        (_, Some(Json::Double(double))) => Value::Real(*double),
-        (_, Some(Json::Text(text))) => Value::Text((*text).into()),
-        (_, Some(Json::Owned(text))) => Value::Text(text.clone()),
+    match feature.property(column.name) {
+        Some(Json::Whole(whole)) => Value::Integer(*whole),
+        Some(Json::Single(single)) => Value::Real(f64::from(*single)),
+        Some(Json::Double(double)) => Value::Real(*double),
+        Some(Json::Text(text)) => Value::Text((*text).into()),
+        Some(Json::Owned(text)) => Value::Text(text.clone()),
         _ => Value::Null,
     }
 }

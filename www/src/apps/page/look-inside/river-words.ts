@@ -14,8 +14,8 @@ export function titleOf({ name }: PointedRiver): string {
 /** Describes its order, its length and the land it drains. */
 export function measuresOf({ order, orderHere, length, share, area }: PointedRiver): string {
   const here = orderHere === order ? "" : ` (${orderHere} here)`;
-  const land = `drains ${percent(share)} of the land, ${count(roughly(area))} km²`;
-  return `Order ${order}${here} · ${count(Math.round(length))} km long · ${land}`;
+  const land = `drains ${percent(share)} of the land, ${figures(roughly(area))} km²`;
+  return `Order ${order}${here} · ${figures(length)} km long · ${land}`;
 }
 
 /** Describes the way of its water to the sea. */
@@ -36,8 +36,14 @@ function percent(share: number): string {
   return `${Math.round(share * 100)} %`;
 }
 
+/** Writes a number whole, and below ten with a decimal place, as the map writes kilometres. */
+function figures(number: number): string {
+  const tenths = Math.round(number * 10);
+  return count(tenths < 100 ? tenths / 10 : Math.round(number));
+}
+
 /** Rounds to two figures, since the estimate is no finer. */
 function roughly(area: number): number {
-  const step = 10 ** Math.max(0, Math.floor(Math.log10(Math.max(1, area))) - 1);
+  const step = 10 ** Math.max(-1, Math.floor(Math.log10(Math.max(1, area))) - 1);
   return Math.round(area / step) * step;
 }
