@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use clap::ArgMatches;
 use riverseed::annotate::glyph::lacking;
-use riverseed::annotate::names::Names;
+use riverseed::annotate::names::{Names, RiverName};
 use riverseed::recipe::{Key, Labels, Mark, Recipe};
 use riverseed::{Map, Network, River};
 
@@ -24,7 +24,7 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     let (names, network) = (Names::of(&map), map.network());
     say_what_is_unused(&map, &say);
     let mut rows = vec![["mark", "name", "order", "length"].map(String::from)];
-    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, mark, name)));
+    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, &names, mark, name)));
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
@@ -62,9 +62,9 @@ fn listed(text: &str) -> Option<String> {
 }
 
 /// Makes the row of a name: its mark, the name, and for a river its order and length.
-fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
-    let is_it = |river: &&River| Mark::River(river.identity) == mark;
-    let river = network.rivers.iter().find(is_it);
+fn row(network: &Network, names: &Names, mark: Mark, name: &str) -> [String; 4] {
+    let is_it = |(_, named): &(&River, &RiverName)| Mark::River(named.identity) == mark;
+    let river = network.rivers.iter().zip(&names.rivers).find(is_it).map(|(river, _)| river);
     let [order, length] = river.map_or([String::new(), String::new()], |river| {
         [river.order.to_string(), format!("{:.0}", network.length(river))]
     });

@@ -14,10 +14,14 @@ impl Size {
     /// The least thousandths of all water of a river.
     pub const RIVER: u64 = 20;
 
+    /// Returns the thousandths of the whole discharge that a river drains.
+    pub fn thousandths(discharge: u32, total: u32) -> u64 {
+        u64::from(discharge) * 1000 / u64::from(total.max(1))
+    }
+
     /// Returns the size of a river by its share of the whole discharge.
     pub fn of(discharge: u32, total: u32) -> Self {
-        let thousandths = u64::from(discharge) * 1000 / u64::from(total.max(1));
-        match thousandths {
+        match Self::thousandths(discharge, total) {
             Self::RIVER.. => Self::River,
             6.. => Self::Creek,
             _ => Self::Brook,

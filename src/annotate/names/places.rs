@@ -12,7 +12,7 @@ pub(super) struct Place {
     pub found: Found,
     /// The region of a sea, a lake or an island; empty for other places.
     pub region: Region,
-    /// The number of more important places of its kind.
+    /// The number of more important places of its kind: the main land is island 0.
     pub rank: u32,
     /// The height over the sea of a range, the size of any other place, in units. It decides between large and small forms of the name.
     pub height_or_size: f32,
