@@ -33,6 +33,7 @@ mod mask;
 mod meanders;
 mod mouths;
 mod names;
+mod names_stay;
 mod network;
 mod outlines;
 mod own_names;

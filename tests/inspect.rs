@@ -7,7 +7,7 @@ use crate::common::tier::{first, tiers};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::analyse::query::{Inspector, Spot};
-use riverseed::network::{NONE, River};
+use riverseed::network::NONE;
 use riverseed::recipe::link;
 use riverseed::session::Session;
 
@@ -31,14 +31,13 @@ fn area(rings: &[Vec<Vec2>]) -> f64 {
 }
 
 /// Checks the answers for a pointer on each river in turn.
-fn check_river(inspector: &Inspector, identity: u32) -> Result<(), TestCaseError> {
+fn check_river(inspector: &Inspector, number: u32) -> Result<(), TestCaseError> {
     let network = inspector.network();
-    let Some(source) = inspector.source(identity) else { return Ok(()) };
+    let Some(source) = inspector.source(number) else { return Ok(()) };
     let facts = inspector.facts(&source);
-    prop_assert_eq!((facts.identity, facts.order_here), (identity, 1));
+    prop_assert_eq!((source.river, facts.order_here), (number, 1));
     let way = inspector.way_to_the_sea(&source);
-    let mouth = facts.into.last().copied().unwrap_or(identity);
-    let last = network.rivers.iter().find(|river| river.identity == mouth).unwrap();
+    let last = &network.rivers[facts.into.last().copied().unwrap_or(number) as usize];
     prop_assert_eq!(last.parent, NONE);
     prop_assert_eq!(way.last().copied(), network.middle(last).last().copied());
     // It is as long as the rivers that it follows, and has no jump.
@@ -48,13 +47,12 @@ fn check_river(inspector: &Inspector, identity: u32) -> Result<(), TestCaseError
     });
     let longest = longest.fold(0.0, f32::max) + network.vertices.iter().map(|v| v.width()).fold(0.0, f32::max);
     prop_assert!(way.windows(2).all(|pair| pair[0].at.distance(pair[1].at) <= longest));
-    check_orders(inspector, identity)
+    check_orders(inspector, number as usize)
 }
 
 /// Orders never fall from the source to the sea, and end with that of each river.
-fn check_orders(inspector: &Inspector, identity: u32) -> Result<(), TestCaseError> {
+fn check_orders(inspector: &Inspector, mut river: usize) -> Result<(), TestCaseError> {
     let network = inspector.network();
-    let mut river = network.rivers.iter().position(|river| river.identity == identity).unwrap();
     let mut order = 1;
     loop {
         let here = network.rivers[river];
@@ -67,9 +65,10 @@ fn check_orders(inspector: &Inspector, identity: u32) -> Result<(), TestCaseErro
 }
 
 /// The order at a river's last vertex is the river's.
-fn check_last_order(inspector: &Inspector, river: &River) -> Result<(), TestCaseError> {
+fn check_last_order(inspector: &Inspector, number: u32) -> Result<(), TestCaseError> {
+    let river = &inspector.network().rivers[number as usize];
     let line = inspector.network().middle(river);
-    let spot = inspector.source(river.identity).map(|source| Spot { segment: line.len() as u32 - 1, ..source });
+    let spot = inspector.source(number).map(|source| Spot { segment: line.len() as u32 - 1, ..source });
     prop_assert!(spot.is_none_or(|spot| inspector.facts(&spot).order_here == river.order));
     Ok(())
 }
@@ -81,11 +80,11 @@ proptest! {
         let session = finished(&text);
         let inspector = inspected(&session);
         let network = inspector.network();
-        for river in network.rivers.iter().step_by(1 + network.rivers.len() / 40) {
-            check_river(&inspector, river.identity)?;
+        for river in (0..network.rivers.len()).step_by(1 + network.rivers.len() / 40) {
+            check_river(&inspector, river as u32)?;
         }
         let mouths = network.mouths();
-        let facts = |&river: &u32| inspector.facts(&inspector.source(network.rivers[river as usize].identity).unwrap());
+        let facts = |&river: &u32| inspector.facts(&inspector.source(river).unwrap());
         let (mut share, mut land) = (0.0, 0.0);
         for facts in mouths.iter().map(facts) {
             prop_assert!(facts.into.is_empty());
@@ -107,20 +106,19 @@ proptest! {
         let session = finished(&text);
         let inspector = inspected(&session);
         let network = inspector.network();
-        for river in network.rivers.iter().step_by(1 + network.rivers.len() / 40) {
-            let mut order = 1;
+        for number in (0..network.rivers.len()).step_by(1 + network.rivers.len() / 40) {
+            let (river, mut order) = (&network.rivers[number], 1);
             for place in network.middle(river) {
                 let spot = inspector.nearest(place.at, 0.0).unwrap();
                 prop_assert!(spot.off <= 0.0);
-                let here = &network.rivers[spot.river as usize];
                 // Another one may be wider there, or the river itself a little farther on.
-                if here.identity == river.identity && spot.place.at.distance(place.at) < 0.01 {
+                if spot.river == number as u32 && spot.place.at.distance(place.at) < 0.01 {
                     let facts = inspector.facts(&spot);
                     prop_assert!(facts.order_here >= order && facts.order_here <= facts.order);
                     order = facts.order_here;
                 }
             }
-            check_last_order(&inspector, river)?;
+            check_last_order(&inspector, number as u32)?;
         }
     }
 }
@@ -133,7 +131,7 @@ fn a_basin_holds_those_of_its_tributaries_and_is_as_large_as_what_it_drains() {
     let network = inspector.network();
     let greatest = network.mouths().into_iter().max_by_key(|&river| network.discharge(&network.rivers[river as usize]));
     let greatest = greatest.unwrap();
-    let facts = inspector.facts(&inspector.source(network.rivers[greatest as usize].identity).unwrap());
+    let facts = inspector.facts(&inspector.source(greatest).unwrap());
     let own = area(&inspector.basin(greatest));
     assert!((own / facts.area - 1.0).abs() < 0.2, "{own} of {}", facts.area);
     let arms = (0..network.rivers.len() as u32).filter(|&river| network.rivers[river as usize].parent == greatest);

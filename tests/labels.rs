@@ -12,7 +12,7 @@ use crate::common::tier::{first, tiers};
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::annotate::labels;
-use riverseed::annotate::names::{PlaceKind, PlaceName};
+use riverseed::annotate::names::{Names, PlaceKind, PlaceName};
 use riverseed::annotate::place::{Box, Input, Kind, Label, Piece, Placed, Raster, place};
 use riverseed::glam::Vec2;
 use riverseed::land::{CELL_SIZE, Region, Run};
@@ -505,7 +505,7 @@ fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
     let map = session.map().unwrap();
     let (labels, _) = placed(&map, 1400.0);
     let river = labels[0].river.unwrap();
-    let identity = session.network().unwrap().rivers[river as usize].identity;
+    let identity = Names::identities(&map)[river as usize];
     let texts = |own: &str| -> Vec<String> {
         let session = finished(&format!(
             "land=island&attractors=4000&country=usual&seed=kauri&labels=some&names={identity}.{own}"

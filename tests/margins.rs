@@ -143,7 +143,8 @@ fn a_scale_bar_is_as_long_as_it_says_and_so_is_that_of_a_legend() {
 
 /// Measures a scale bar by the width of its map.
 fn check_scale_bar(span: &str, says: [&str; 3]) {
-    let session = finished(&format!("land=island&attractors=900&country=usual&seed=kauri&labels=some&style=atlas&span={span}"));
+    let session =
+        finished(&format!("land=island&attractors=900&country=usual&seed=kauri&labels=some&style=atlas&span={span}"));
     let map = session.map().unwrap();
     let kilometres = span.parse::<f64>().unwrap() / f64::from(map.domain().size.x);
     let [half, whole] = [1, 2].map(|i| says[i].trim_end_matches(" km").parse::<f64>().unwrap());

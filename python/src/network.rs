@@ -60,13 +60,14 @@ impl Rivers {
     fn of(network: &Network, names: Names) -> Self {
         let rivers = &network.rivers;
         let courses = rivers.iter().map(|river| network.course(river).map(|vertex| point(vertex, 1.0)));
+        let identity = names.rivers.iter().map(|river| river.identity).collect();
         let named = names.rivers.into_iter().map(|river| Some(river.name).filter(|name| !name.is_empty()));
         Self {
             parent: or_minus_one(rivers.iter().map(|river| river.parent).collect(), NONE),
             order: rivers.iter().map(|river| river.order).collect(),
             magnitude: rivers.iter().map(|river| river.magnitude).collect(),
             discharge: rivers.iter().map(|river| network.discharge(river)).collect(),
-            identity: rivers.iter().map(|river| river.identity).collect(),
+            identity,
             name: named.collect(),
             courses: Lines::of(courses),
         }

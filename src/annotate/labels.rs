@@ -130,7 +130,7 @@ fn own(recipe: &Recipe, network: &Network, names: &Names) -> Vec<Own> {
     }
     let own = recipe.own_names();
     let is_own = |mark: &Mark| own.get(*mark).is_some_and(|name| !name.is_empty());
-    let river = |identity: u32| network.rivers.iter().position(|river| river.identity == identity);
+    let river = |identity: u32| names.rivers.iter().position(|river| river.identity == identity);
     let thing = |mark: Mark| match mark {
         Mark::River(identity) => river(identity).map(Own::River),
         Mark::Reach(identity) => river(identity).map(Own::Reach),

@@ -42,9 +42,7 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
     let named_rivers = names.as_ref().map_or_else(Vec::new, |names| names.rivers.clone());
     let river = move |i: usize| {
         let mut members = river(network, i as u32);
-        if is_named {
-            members.whole("identity", network.rivers[i].identity);
-        }
+        names::identity(&mut members, named_rivers.get(i));
         names::river(&mut members, named_rivers.get(i));
         members.value("points", points(course(network, i)));
         Json::from(members)

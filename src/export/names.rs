@@ -10,6 +10,13 @@ fn name<'a>(name: &str) -> Json<'a> {
     if name.is_empty() { Json::Null } else { Json::Owned(name.into()) }
 }
 
+/// Adds the number by which names know a river for JSON.
+pub(super) fn identity<'a>(members: &mut Members<'a>, river: Option<&RiverName>) {
+    if let Some(river) = river {
+        members.whole("identity", river.identity);
+    }
+}
+
 /// Adds a river's name for JSON.
 pub(super) fn river<'a>(members: &mut Members<'a>, river: Option<&RiverName>) {
     if let Some(river) = river {

@@ -97,7 +97,8 @@ pub struct River {
     pub order: u8,
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
-    /// The identity of its lowest node that grew (`identity` of its tree): no other river has the same, and it stays
+    /// The identity of its lowest node that grew (`identity` of its tree), by which chance treats it; names know it by
+    /// [another](crate::annotate::names::RiverName::identity). No other river has the same, and it stays
     /// whatever becomes of the course.
     pub identity: u32,
 }

@@ -1,8 +1,9 @@
 //! The text of own names: `12.Silver Water_m12.The Old Man_214._t.Home`. An entry is a mark, which names a thing on the
 //! map, then a full stop and the name; underscores separate entries. An empty name removes the generated one.
 //!
-//! A mark rests on what a thing is or where it lies, never on its rank, so it stays when a slider moves: a river's is its identity, that
-//! of a place the number of the cell of the map in which its midst lies.
+//! A mark rests on what a thing is and where it lies, never on its rank, so it stays when a slider moves: a river's is the number of a
+//! square of the map through which it runs, that of a place the number of the cell in which its midst lies. If neither is there any more,
+//! the mark goes to the nearest thing of its kind.
 
 use std::fmt;
 
@@ -19,7 +20,7 @@ const MOST: usize = 40;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Mark {
-    /// A river, by its [identity](crate::River::identity).
+    /// A river, by its [identity](crate::annotate::names::RiverName::identity).
     River(u32),
     /// The stretch where a river meanders, by the river's identity.
     Reach(u32),

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use clap::ArgMatches;
 use riverseed::annotate::glyph::lacking;
-use riverseed::annotate::names::Names;
+use riverseed::annotate::names::{Names, RiverName};
 use riverseed::recipe::{Key, Labels, Mark, Recipe};
 use riverseed::scale::{MapScale, figures};
 use riverseed::{Map, Network, River};
@@ -26,7 +26,7 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     say_what_is_unused(&map, &say);
     let mut rows = vec![["mark", "name", "order", "km"].map(String::from)];
     let scale = map.scale();
-    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, &scale, mark, name)));
+    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, &names, &scale, mark, name)));
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
@@ -64,9 +64,9 @@ fn listed(text: &str) -> Option<String> {
 }
 
 /// Makes the row of a name: its mark, the name, and for a river its order and its length in kilometres.
-fn row(network: &Network, scale: &MapScale, mark: Mark, name: &str) -> [String; 4] {
-    let is_it = |river: &&River| Mark::River(river.identity) == mark;
-    let river = network.rivers.iter().find(is_it);
+fn row(network: &Network, names: &Names, scale: &MapScale, mark: Mark, name: &str) -> [String; 4] {
+    let is_it = |(_, named): &(&River, &RiverName)| Mark::River(named.identity) == mark;
+    let river = network.rivers.iter().zip(&names.rivers).find(is_it).map(|(river, _)| river);
     let [order, length] = river.map_or([String::new(), String::new()], |river| {
         [river.order.to_string(), figures(scale.kilometres(network.length(river)))]
     });

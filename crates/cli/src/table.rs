@@ -57,7 +57,7 @@ where they begin.
 
 ## Own names
 
-`names` gives names of your own to at most 40 things: `names=69.Silver+Water_m69.The+Old+Man_51._c48025.Cape+Anna_t.Home`. An entry is a
+`names` gives names of your own to at most 40 things: `names=203367.Silver+Water_m203367.The+Old+Man_214329._c48025.Cape+Anna_t.Home`. An entry is a
 mark, a full stop and a name of at most 40 characters; an underscore ends it. No name after the full stop takes a thing's name away. `riverseed names`
 prints the marks of a map.
 
@@ -65,8 +65,8 @@ prints the marks of a map.
 | --- | --- |
 | `t` | the map: its title |
 | `i0` | the main land |
-| `69` | a river, by its identity |
-| `m69` | the stretch where that river meanders |
+| `203367` | a river, by its identity |
+| `m203367` | the stretch where that river meanders |
 | `s98158` | a sea |
 | `b52101` | a bay or a gulf |
 | `l56107` | a lake |
@@ -75,7 +75,10 @@ prints the marks of a map.
 | `n57109` | a strait |
 | `h37074` | a range of mountains or hills, in styles that show heights |
 
-The number of a place is that of the cell of 8 units in which its midst lies: a thousand times the row, from the north, and the column, from the west. The nearest
+The number of a river is that of a square of 2 units through which it runs: a thousand times the row, from the north, and the column, from the west. If the map has no
+river with the number, the nearest one takes the name, if it runs within 6 units of the square.
+
+The number of a place is that of the cell of 8 units in which its midst lies, counted alike. The nearest
 place of the kind takes the name, if its midst is within 48 units and half its size of the mark (the size of a sea, lake or island is the side of a square of
 its area, that of a bay the width of its mouth, that of a strait or range its length). So a name stays where it is when the coast moves a little. A mark that the map has
 not is kept and does nothing.

@@ -39,8 +39,6 @@ pub struct Inspector {
 /// The properties of a river.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RiverFacts {
-    /// Its identity, by which names know it.
-    pub identity: u32,
     /// Strahler's order at its end.
     pub order: u8,
     /// Strahler's order at the place of the query.
@@ -51,7 +49,7 @@ pub struct RiverFacts {
     pub share: f64,
     /// The area that it drains, in square units.
     pub area: f64,
-    /// The identities of the rivers that its water comes to, in order; empty if it reaches the sea itself.
+    /// The numbers, in the network, of the rivers that its water comes to, in order; empty if it reaches the sea itself.
     pub into: Vec<u32>,
 }
 
@@ -105,10 +103,9 @@ impl Inspector {
         self.lines.nearest(at, reach)
     }
 
-    /// Finds the source of the river with an identity; `None` if there is none.
-    pub fn source(&self, identity: u32) -> Option<Spot> {
-        let river = self.network.rivers.iter().position(|river| river.identity == identity)?;
-        self.lines.source(river as u32)
+    /// Finds the source of a river by its number in the network; `None` if there is none.
+    pub fn source(&self, river: u32) -> Option<Spot> {
+        self.lines.source(river)
     }
 
     /// Returns the properties of the river at a place.
@@ -119,12 +116,10 @@ impl Inspector {
         let mut into = Vec::new();
         let mut below = river.parent;
         while below != NONE {
-            let river = &self.network.rivers[below as usize];
-            into.push(river.identity);
-            below = river.parent;
+            into.push(below);
+            below = self.network.rivers[below as usize].parent;
         }
         RiverFacts {
-            identity: river.identity,
             order: river.order,
             order_here: self.orders[vertex as usize],
             length: self.network.length(river),

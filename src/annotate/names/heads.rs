@@ -62,25 +62,45 @@ impl<'a> Heads<'a> {
         junction.map(|junction| self.lowest[junction] as usize)
     }
 
-    /// Returns the identities of all rivers of the untrimmed tree that drain at least `least` thousandths of all water, each with its
-    /// thousandths; the greatest first.
-    pub fn great(&self, least: u64, total: u32) -> Vec<(u32, u64)> {
-        let thousandths = |node: usize| u64::from(self.discharge[node]) * 1000 / u64::from(total.max(1));
-        let is_great = |node: &usize| self.lowest[*node] == *node as u32 && thousandths(*node) >= least;
+    /// Returns the lowest nodes of all rivers of the untrimmed tree, the greatest first.
+    pub fn rivers(&self) -> Vec<usize> {
+        let is_lowest = |node: &usize| self.lowest[*node] == *node as u32;
         // Of those that drain as much, the one with the lower identity comes first.
-        let great: Vec<usize> = self.by_identity.iter().copied().filter(is_great).collect();
-        let great = sort::sorted_by(&great, |&node| u32::MAX - self.discharge[node]);
-        great.into_iter().map(|node| (self.identity(node), thousandths(node))).collect()
+        let rivers: Vec<usize> = self.by_identity.iter().copied().filter(is_lowest).collect();
+        sort::sorted_by(&rivers, |&node| u32::MAX - self.discharge[node])
+    }
+
+    /// Returns the number of nodes.
+    pub fn len(&self) -> usize {
+        self.lowest.len()
+    }
+
+    /// Iterates over a river's nodes from one of them up to its source.
+    fn upstream(&self, from: usize) -> impl Iterator<Item = usize> {
+        let arm = |node: &usize| Some(self.own_arm[*node]).filter(|&arm| arm != NO_PARENT).map(|arm| arm as usize);
+        std::iter::successors(Some(from), arm)
+    }
+
+    /// Iterates over the places through which a river runs, from one of its nodes up to its source.
+    pub fn course(&self, from: usize) -> impl Iterator<Item = Vec2> {
+        self.upstream(from).map(|node| self.tree.at[node])
+    }
+
+    /// Iterates over the places of the lower course of the river of a lowest node, where it has at least a quarter of its water, without
+    /// its mouth, which lies where the coast does.
+    pub fn lower_course(&self, lowest: usize) -> impl Iterator<Item = Vec2> {
+        let is_mouth = self.tree.parent_of(lowest).is_none() && self.own_arm[lowest] != NO_PARENT;
+        let first = if is_mouth { self.own_arm[lowest] as usize } else { lowest };
+        let least = self.discharge[first] / 4;
+        let lower = self.upstream(first).take_while(move |&node| self.discharge[node] >= least);
+        lower.map(|node| self.tree.at[node])
     }
 
     /// Returns the way from the river that it joins to this one, both some nodes upstream of their junction: east and south, in units.
     pub fn side(&self, node: usize) -> [f32; 2] {
         /// The number of nodes upstream after which the way of a river can be told.
         const NODES: usize = 12;
-        let up = |from: usize| {
-            let arm = |node: &usize| Some(self.own_arm[*node]).filter(|&arm| arm != NO_PARENT).map(|arm| arm as usize);
-            std::iter::successors(Some(from), arm).take(NODES).last().map_or(Vec2::ZERO, |node| self.tree.at[node])
-        };
+        let up = |from: usize| self.course(from).take(NODES).last().unwrap_or_default();
         let Some(junction) = self.tree.parent_of(node) else { return [0.0, 0.0] };
         let own = self.own_arm.get(junction).map_or(junction, |&arm| arm as usize);
         (up(node) - up(own)).to_array()

@@ -1,15 +1,14 @@
 //! The numbers of places: those of the cells in which their midst lies, so that an own name stays on its place when the coast moves a little.
 
-use glam::Vec2;
-
 use super::lattice::SIDE;
 use super::places::Place;
+use super::squares::Squares;
 use super::{PlaceKind, PlaceName};
 use crate::base::sort;
 use crate::recipe::{Mark, OwnNames};
 
-/// The number of cells of a row, on maps of any aspect: the widest has 250.
-const STRIDE: u32 = 1000;
+/// Squares of the size of the cells on which coasts are read.
+const SQUARES: Squares = Squares(SIDE);
 
 /// The greatest distance of a place from its mark, in units, to which half its size is added.
 const TOLERANCE: f32 = 48.0;
@@ -35,17 +34,6 @@ impl PlaceName {
     }
 }
 
-/// Returns the number of the cell of a place, from 1: 0 is the main land's.
-fn cell_of(at: Vec2) -> u32 {
-    let [column, row] = [at.x, at.y].map(|x| (x / SIDE).max(0.0) as u32);
-    (row.min(STRIDE - 1) * STRIDE + column.min(STRIDE - 1)).max(1)
-}
-
-/// Returns the middle of a cell, in units.
-fn middle_of(cell: u32) -> Vec2 {
-    Vec2::new((cell % STRIDE) as f32 + 0.5, (cell / STRIDE) as f32 + 0.5) * SIDE
-}
-
 /// Numbers places: by an own mark for a place of the same kind that is the nearest to it and near enough, else by the place's cell. No two
 /// marks are alike. The main land has 0.
 pub(super) fn numbers(places: &[Place], own: &OwnNames) -> Vec<u32> {
@@ -54,7 +42,7 @@ pub(super) fn numbers(places: &[Place], own: &OwnNames) -> Vec<u32> {
     let mut pairs = Vec::new();
     for (i, place) in places.iter().enumerate().filter(|(_, place)| !place.is_main_land()) {
         for number in own.marks().filter_map(|own| number_of(own, place.found.kind)).filter(|&number| number > 0) {
-            let away = place.found.at.distance(middle_of(number));
+            let away = place.found.at.distance(SQUARES.middle(number));
             if away <= TOLERANCE + 0.5 * place.found.size {
                 pairs.push((away, i, number));
             }
@@ -68,7 +56,11 @@ pub(super) fn numbers(places: &[Place], own: &OwnNames) -> Vec<u32> {
         }
     }
     for (i, place) in places.iter().enumerate() {
-        let free = || (cell_of(place.found.at)..).find(|&number| !is_taken(places, &numbers, place.found.kind, number));
+        // 0 is the main land's.
+        let free = || {
+            (SQUARES.number(place.found.at).max(1)..)
+                .find(|&number| !is_taken(places, &numbers, place.found.kind, number))
+        };
         numbers[i] = numbers[i].or_else(free);
     }
     numbers.into_iter().map(Option::unwrap_or_default).collect()
@@ -97,6 +89,8 @@ fn number_of(own: Mark, kind: PlaceKind) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2;
+
     use super::super::regions::Found;
     use super::*;
     use crate::land::Region;
@@ -124,7 +118,5 @@ mod tests {
     fn places_in_one_cell_have_numbers_of_their_own_and_no_number_panics() {
         let places = [place(PlaceKind::Bay, 1.0, 1.0, 9.0), place(PlaceKind::Gulf, 2.0, 2.0, 9.0)];
         assert_eq!(numbers(&places, &OwnNames::readable("b4294967295.x_b0.y")), [1, 2]);
-        assert_eq!(cell_of(Vec2::splat(1e9)), 999_999);
-        assert_eq!(cell_of(Vec2::splat(-1e9)), 1);
     }
 }

@@ -1,14 +1,18 @@
 //! Names of rivers, their meanders, seas, lands and parts of their coasts, in a made-up language; and the country's, which is the seed.
 //!
-//! A river's name is made of its [identity](crate::River::identity), the seed and facts of the untrimmed tree: it has the same name
-//! whatever is trimmed, however it meanders and in whatever style it is drawn. Three names depend on others: a fork is called after its
-//! river; the second of two reaches with the same name is called after its own river; and of two great rivers with the same word the
-//! smaller takes another.
+//! Names are dealt by place, so that a thing which stays where it is keeps its name when the sea, the coast or its rank among its kind
+//! changes a little: a river's comes from a square through which it runs, that of any other thing from an anchor in the plane near it. A
+//! river's rests on the untrimmed tree alone: it has the same name whatever is trimmed, however it meanders and in whatever style it is
+//! drawn. Few names depend on others: a fork is called after its river; the second of two reaches with the same name is called after its
+//! own river; and of two things that draw one word or one place the smaller takes another.
 //!
 //! ```text
-//! identity ─► number ─► word (language, filter) ─► name (kinds), or one's own
+//! square (addresses) or anchor ─► number (deal) ─► word (language, filter) ─► name (kinds), or one's own
 //! ```
 
+mod addresses;
+mod anchors;
+mod deal;
 mod filter;
 mod heads;
 mod kinds;
@@ -20,8 +24,10 @@ mod places;
 mod ranges;
 mod reaches;
 mod regions;
+mod rivers;
 mod shores;
 mod sounds;
+mod squares;
 mod syllables;
 mod title;
 mod word;
@@ -34,7 +40,7 @@ pub(crate) use title::on_map;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RiverName {
-    /// The river's identity.
+    /// The number by which own names know it: that of a square through which it runs, or of an own name that was for it.
     pub identity: u32,
     /// Its name; empty if the recipe takes it away.
     pub name: String,

@@ -2,20 +2,21 @@
 
 use glam::Vec2;
 
-use super::heads::Heads;
-use super::kinds::{self, Size};
+use super::anchors::{self, Anchor};
+use super::deal::Deal;
+use super::kinds;
 use super::language::Language;
 use super::marks::{mark, numbers};
 use super::places::{self, Place};
 use super::regions::Found;
+use super::rivers::{RiverWords, Rivers};
 use super::word::Words;
-use super::{Names, PlaceKind, PlaceName, ReachName, RiverName, reaches, title};
+use super::{Names, PlaceName, ReachName, RiverName, reaches, title};
 use crate::base::sort;
 use crate::land::{Land, Region};
 use crate::map::Map;
 use crate::network::{Network, Reach};
 use crate::recipe::{IntegerKey, Mark, OwnNames, Recipe};
-use crate::scale::MapScale;
 
 impl Names {
     /// Names the rivers of a map, and what lies around them.
@@ -23,18 +24,26 @@ impl Names {
         Self::with_regions(map).0
     }
 
+    /// Returns the identities of a map's rivers, in their order, without naming anything.
+    #[doc(hidden)]
+    pub fn identities(map: &Map) -> Vec<u32> {
+        let rivers = Rivers::of(map, &map.recipe().own_names());
+        rivers.on_map().map(|river| river.map_or(0, |river| rivers.identity(river))).collect()
+    }
+
     /// Names the rivers of a map and what lies around them. Also returns the region of each place.
     #[doc(hidden)]
     pub fn with_regions(map: &Map) -> (Self, Vec<Region>) {
         let (network, all_reaches) = (map.network(), map.reaches());
         let namer = Namer::new(map.recipe());
-        let facts = Rivers { heads: Heads::of(map.tree()), total: map.grown().total_discharge, scale: map.scale() };
-        let (rivers, great) = namer.rivers(network, &facts);
+        let known = Rivers::of(map, &namer.own);
+        let words = known.words(&namer.words);
+        let rivers = known.on_map().map(|river| namer.river(river, &known, &words)).collect();
         let water =
             |reach: &Reach| network.rivers.get(reach.river as usize).map_or(0, |river| network.discharge(river));
         let order = sort::argsort(all_reaches.iter().map(|reach| u32::MAX - water(reach)));
         let course = |i: usize| Some((all_reaches[i].river, reaches::course(network, &all_reaches[i])?));
-        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &facts, (&rivers, &great));
+        let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &known, &words);
         let (places, regions) = map.land().map_or_else(Default::default, |land| namer.places(map, land));
         let title = namer.title();
         let subtitle = title::subtitle(&title, map.recipe().seed());
@@ -77,7 +86,7 @@ impl Namer {
         let language = Language::new(recipe.seed(), recipe.integer(IntegerKey::Language));
         let country = title::country(recipe.seed());
         let words = Words::new(language, country.as_deref().unwrap_or_default());
-        let country = country.unwrap_or_else(|| words.place(number_of_word(PlaceKind::Island, 0)));
+        let country = country.unwrap_or_else(|| words.place(Deal::COUNTRY));
         Self { words, own: recipe.own_names(), country }
     }
 
@@ -93,63 +102,50 @@ impl Namer {
         own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
     }
 
-    fn rivers(&self, network: &Network, facts: &Rivers<'_>) -> (Vec<RiverName>, Vec<(u32, String)>) {
-        let great = self.words.great(facts.heads.great(GREAT, facts.total));
-        let name = |river: &crate::River| self.river(facts, &great, river.identity);
-        let rivers = network.rivers.iter().map(name).collect();
-        (rivers, great)
-    }
-
-    fn river(&self, facts: &Rivers<'_>, great: &Great, identity: u32) -> RiverName {
-        let (heads, manner) = (&facts.heads, self.words.language.manner);
-        let Some(node) = heads.node(identity) else {
-            return RiverName { identity, name: String::new(), short: String::new(), kind: String::new() };
+    /// Names a river; one that did not grow has no name.
+    fn river(&self, river: Option<usize>, rivers: &Rivers, words: &RiverWords) -> RiverName {
+        let manner = self.words.language.manner;
+        let Some(river) = river else {
+            return RiverName { identity: 0, name: String::new(), short: String::new(), kind: String::new() };
         };
-        let (name, short, kind) = match facts.fork_of(node) {
+        let (name, short, kind) = match rivers.fork_of(river) {
             Some(parent) => {
-                let parent = heads.identity(parent);
-                let parent = self.name_of_others(Mark::River(parent), || self.river_word(great, parent));
-                let [name, short] = kinds::fork(&parent, heads.side(node), manner);
+                let parent = self.word_of(parent, rivers, words);
+                let [name, short] = rivers.fork(river, &parent, manner);
                 (name, short, "Fork")
             }
             None => {
-                let (word, size) = (self.river_word(great, identity), facts.size(node));
+                let (word, size) = (words.of(river, rivers, &self.words), rivers.size(river));
                 (kinds::river(&word, size, manner), word, size.generic(manner))
             }
         };
-        let kind = kind.into();
+        let (identity, kind) = (rivers.identity(river), kind.into());
         match self.own.get(Mark::River(identity)) {
             Some(own) => RiverName { identity, name: own.into(), short: own.into(), kind },
             None => RiverName { identity, name, short, kind },
         }
     }
 
-    /// Names reaches, which must come with the most water first.
-    fn reaches(
-        &self,
-        reaches: Vec<(u32, Vec<Vec2>)>,
-        facts: &Rivers<'_>,
-        (rivers, great): (&[RiverName], &Great),
-    ) -> Vec<ReachName> {
-        let mut named: Vec<ReachName> = Vec::new();
-        for (number, course) in reaches {
-            let Some(river) = rivers.get(number as usize) else { continue };
-            let bits = self.words.language.chance.bits([river.identity, 0, REACH]);
-            let size = facts.heads.node(river.identity).map_or(Size::River, |node| facts.size(node));
-            let usual = kinds::reach(bits, size, self.words.language.manner);
-            let is_taken = named.iter().any(|reach| reach.name == usual);
-            let word = || self.name_of_others(Mark::River(river.identity), || self.river_word(great, river.identity));
-            let usual = if is_taken { format!("{} Meanders", word()) } else { usual };
-            let name = self.name(Mark::Reach(river.identity), || usual);
-            named.push(ReachName { river: number, identity: river.identity, name, course });
-        }
-        named
+    /// Returns the word by which other things are named after a river.
+    fn word_of(&self, river: usize, rivers: &Rivers, words: &RiverWords) -> String {
+        self.name_of_others(Mark::River(rivers.identity(river)), || words.of(river, rivers, &self.words))
     }
 
-    /// Returns the word of a river.
-    fn river_word(&self, great: &Great, identity: u32) -> String {
-        let great = great.iter().find(|(of, _)| *of == identity);
-        great.map_or_else(|| self.words.other(identity.into()), |(_, word)| word.clone())
+    /// Names reaches, which must come with the most water first.
+    fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, rivers: &Rivers, words: &RiverWords) -> Vec<ReachName> {
+        let on_map: Vec<Option<usize>> = rivers.on_map().collect();
+        let mut named: Vec<ReachName> = Vec::new();
+        for (number, course) in reaches {
+            let Some(river) = on_map.get(number as usize).copied().flatten() else { continue };
+            let bits = self.words.language.chance.bits([rivers.address(river), 0, REACH]);
+            let usual = kinds::reach(bits, rivers.size(river), self.words.language.manner);
+            let is_taken = named.iter().any(|reach| reach.name == usual);
+            let usual = if is_taken { format!("{} Meanders", self.word_of(river, rivers, words)) } else { usual };
+            let identity = rivers.identity(river);
+            let name = self.name(Mark::Reach(identity), || usual);
+            named.push(ReachName { river: number, identity, name, course });
+        }
+        named
     }
 
     /// Returns the map's title: the recipe's own, or the main land's own name, or the country's.
@@ -168,10 +164,14 @@ impl Namer {
     fn places(&self, map: &Map, land: &Land) -> (Vec<PlaceName>, Vec<Region>) {
         let places = places::of(map, land);
         let numbers = numbers(&places, &self.own);
+        let chance = self.words.language.chance;
+        let anchors = anchors::of(&places, chance);
+        let mut deal = Deal::new(chance);
         let (mut names, mut regions) = (Vec::new(), Vec::new());
-        for (place, number) in places.into_iter().zip(numbers) {
+        for ((place, number), anchor) in places.into_iter().zip(numbers).zip(anchors) {
             let kind = place.found.kind;
-            let name = if number == 0 { self.land() } else { self.name(mark(kind, number), || self.usual(&place)) };
+            let usual = self.usual(&place, anchor, deal.place(anchor));
+            let name = if number == 0 { self.land() } else { self.name(mark(kind, number), || usual) };
             let Found { at, line, size, .. } = place.found;
             names.push(PlaceName { kind, number, name, at, line, size });
             regions.push(place.region);
@@ -179,52 +179,13 @@ impl Namer {
         (names, regions)
     }
 
-    /// Makes up the name of a place, by its kind and rank.
-    fn usual(&self, place: &Place) -> String {
-        let (kind, rank) = (place.found.kind, place.rank);
-        let chance = self.words.language.chance.bits([rank, kind as u32, PLACE]);
-        kinds::place(kind, &self.words.place(number_of_word(kind, rank)), place.extent, chance)
+    /// Makes up the name of a place with an anchor and the number of a word.
+    fn usual(&self, place: &Place, [anchor, of]: Anchor, word: u64) -> String {
+        let chance = self.words.language.chance.bits([anchor, of, PLACE]);
+        kinds::place(place.found.kind, &self.words.place(word), place.extent, chance)
     }
-}
-
-/// The words of great rivers, each with the river's identity.
-type Great = [(u32, String)];
-
-/// Returns the number of a place's word.
-fn number_of_word(kind: PlaceKind, rank: u32) -> u64 {
-    u64::from(rank) * 8 + kind as u64
 }
 
 /// The items of chances of reaches and of places; those of words are above.
 const REACH: u32 = 1 << 15;
 const PLACE: u32 = REACH + 1;
-
-/// The least thousandths of all water of a great river.
-const GREAT: u64 = 20;
-
-/// The facts about a map's rivers that their names rest on.
-struct Rivers<'a> {
-    heads: Heads<'a>,
-    /// The whole discharge.
-    total: u32,
-    scale: MapScale,
-}
-
-impl Rivers<'_> {
-    /// Returns the size of a river, by its lowest node.
-    fn size(&self, node: usize) -> Size {
-        Size::of(self.scale.kilometres(self.heads.length(node)))
-    }
-
-    /// Returns the river that a river is a fork of; `None` if it is no fork. A fork brings over a third of the water of the river that it
-    /// joins, which is great and no fork itself. No river has two forks: above the one too little is left for another.
-    fn fork_of(&self, node: usize) -> Option<usize> {
-        let heads = &self.heads;
-        let parent = heads.parent(node)?;
-        let is_great = || u64::from(heads.discharge(parent)) * 1000 / u64::from(self.total.max(1)) >= GREAT;
-        let is_fork = u64::from(heads.discharge(node)) * 100 >= u64::from(heads.discharge(parent)) * 35
-            && is_great()
-            && self.fork_of(parent).is_none();
-        is_fork.then_some(parent)
-    }
-}

@@ -13,7 +13,7 @@ pub(super) struct Place {
     pub found: Found,
     /// The region of a sea, a lake or an island; empty for other places.
     pub region: Region,
-    /// The number of more important places of its kind.
+    /// The number of more important places of its kind: the main land is island 0.
     pub rank: u32,
     /// Its real size, which decides between large and small forms of the name: the area of a sea, lake or island in square kilometres, the
     /// height of a range in metres, the size of any other place in kilometres.

@@ -50,24 +50,24 @@ impl Words {
         self.counted(Share::Place, number)
     }
 
-    /// Chooses the words of great rivers, given by their identities and thousandths of all water, the greatest first: words of one syllable
-    /// or two, the shorter the greater the river. A river whose word a greater one has takes its next.
+    /// Chooses the words of great rivers, given by their numbers and thousandths of all water, the greatest first: words of one syllable or
+    /// two, the shorter the greater the river. A river whose word a greater one has takes its next; one that finds none is left out.
     pub fn great(&self, rivers: Vec<(u32, u64)>) -> Vec<(u32, String)> {
         let mut used: Vec<String> = Vec::new();
-        let word = |(identity, thousandths)| {
-            let mut own = (0..TRIES).map(|attempt| self.short(identity, attempt, thousandths));
-            let free = own.find(|word| self.is_fit(word) && !used.contains(word));
-            used.extend(free.clone());
-            (identity, free.map_or_else(|| self.other(identity.into()), |word| capitalized(&word)))
+        let word = |(number, thousandths)| {
+            let mut own = (0..TRIES).map(|attempt| self.short(number, attempt, thousandths));
+            let free = own.find(|word| self.is_fit(word) && !used.contains(word))?;
+            used.push(free.clone());
+            Some((number, capitalized(&free)))
         };
-        rivers.into_iter().map(word).collect()
+        rivers.into_iter().filter_map(word).collect()
     }
 
     /// Returns one of the words for a great river.
-    fn short(&self, identity: u32, attempt: u32, thousandths: u64) -> String {
+    fn short(&self, number: u32, attempt: u32, thousandths: u64) -> String {
         /// The share of words of one syllable, in eighths, among rivers with at least so many thousandths of all water.
         const ONE: [(u64, u32); 3] = [(80, 5), (40, 3), (20, 1)];
-        let bits = |item| self.language.chance.bits([identity, attempt, GREAT + item]);
+        let bits = |item| self.language.chance.bits([number, attempt, GREAT + item]);
         let eighths = ONE.iter().find(|(least, _)| thousandths >= *least).map_or(0, |(_, eighths)| *eighths);
         let list = |list: &[String], item| list.get(bits(item) as usize % list.len().max(1)).cloned();
         if bits(0) % 8 < eighths {

@@ -98,8 +98,7 @@ impl Inspector {
 
     /// Returns the marks of the rivers that reach the sea.
     pub fn mouths(&self) -> Vec<u32> {
-        let network = self.rivers.network();
-        network.mouths().iter().map(|&river| network.rivers[river as usize].identity).collect()
+        self.rivers.network().mouths().iter().filter_map(|&river| self.mark_of(river)).collect()
     }
 
     /// Returns the river at a point, given in shares of the map's width and height, or the nearest within `reach`
@@ -113,16 +112,23 @@ impl Inspector {
     /// Returns the river with a mark, at its source; nothing if there is none.
     #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
     pub fn of(&mut self, mark: u32) -> Option<Object> {
-        let spot = self.rivers.source(mark)?;
+        let river = self.named.of.rivers.iter().position(|river| river.identity == mark)?;
+        let spot = self.rivers.source(river as u32)?;
         Some(self.facts(&spot))
     }
 
+    /// Returns the mark of a river by its number in the network.
+    fn mark_of(&self, river: u32) -> Option<u32> {
+        Some(self.named.of.rivers.get(river as usize)?.identity)
+    }
+
     fn facts(&mut self, spot: &Spot) -> Object {
-        let RiverFacts { identity, order, order_here, length, share, area, into } = self.rivers.facts(spot);
+        let RiverFacts { order, order_here, length, share, area, into } = self.rivers.facts(spot);
+        let into: Vec<u32> = into.into_iter().filter_map(|river| self.mark_of(river)).collect();
         let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
         let Vec2 { x, y } = spot.place.at / self.size;
         object(&[
-            ("mark", identity.into()),
+            ("mark", self.mark_of(spot.river).into()),
             ("order", order.into()),
             ("orderHere", order_here.into()),
             ("length", self.scale.kilometres(length).into()),

@@ -9,7 +9,6 @@ use wasm_bindgen::prelude::*;
 use super::inspector::Inspector;
 use crate::make::river::River;
 use crate::objects::object;
-use riverseed::Map;
 use riverseed::annotate::names::{Names, PlaceName};
 use riverseed::annotate::place::{Kind, Label};
 use riverseed::land::{CELL_SIZE, Region};
@@ -84,18 +83,18 @@ impl River {
     pub fn labels(&self) -> Array {
         let Some((picture, map)) = self.picture.as_ref().zip(self.session.map()) else { return Array::new() };
         let shown = picture.labels().iter().filter(|label| names_something(label.kind));
-        shown.map(|label| label_facts(label, &map)).collect()
+        let marks = Names::identities(&map);
+        shown.map(|label| label_facts(label, &marks, map.domain().size)).collect()
     }
 }
 
-fn label_facts(label: &Label, map: &Map) -> Object {
-    let identity = label.river.and_then(|river| Some(map.network().rivers.get(river as usize)?.identity));
+fn label_facts(label: &Label, identities: &[u32], size: Vec2) -> Object {
+    let identity = label.river.and_then(|river| identities.get(river as usize).copied());
     let mark = match (label.kind, identity) {
         (Kind::Title, _) => Some(Mark::Title),
         (Kind::Reach, identity) => identity.map(Mark::Reach),
         (_, identity) => identity.map(Mark::River),
     };
-    let size = map.domain().size;
     let middles = label.letters.iter().map(|letter| letter.around(label.em).middle);
     object(&[
         ("mark", mark.map_or_else(String::new, |mark| mark.to_string()).into()),
