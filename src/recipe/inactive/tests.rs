@@ -54,6 +54,11 @@ const NOT_DRAINING: (&str, &str) = (
     "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
     "only drainage uses it",
 );
+/// The same where a lake or a gulf has its place.
+const WITH_A_PLACE: (&str, &str) = (
+    "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike fall channel-area head-variation",
+    "only drainage uses it",
+);
 const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");
 const NO_CENTER: (&str, &str) = ("center-x center-y", "this pattern has no centre");
 const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
@@ -106,11 +111,19 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         "land=archipelago",
         &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
     ),
+    (
+        "land=twins",
+        &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+    ),
     ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
     ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
     (
         "land=basin",
-        &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, WITH_A_PLACE, IN_CELLS],
+    ),
+    (
+        "land=gulf",
+        &[("sides", "rivers flow to the gulf in the middle"), NOT_DRAWN, NO_SENSITIVITY, WITH_A_PLACE, IN_CELLS],
     ),
     ("land=continent&growth=brownian", &[NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
     ("growth=brownian", &[NO_COAST, NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
