@@ -17,6 +17,13 @@ pub fn parcel_spacing(recipe: &Recipe) -> f32 {
     (land * AREA / recipe.integer(IntegerKey::Attractors) as f32).sqrt()
 }
 
+/// Returns the place of a lake, of a dome or of a hollow that a recipe gives, as shares of the domain's width and height;
+/// 0 where it gives none.
+pub(crate) fn given_center(recipe: &Recipe) -> Vec2 {
+    let share = |key| recipe.integer(key) as f32 / 100.0;
+    Vec2::new(share(IntegerKey::CenterX), share(IntegerKey::CenterY))
+}
+
 /// The rectangle from the origin, its north-western corner, to `size`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {

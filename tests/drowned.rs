@@ -10,7 +10,8 @@ use riverseed::network::NONE;
 use riverseed::recipe::link;
 use riverseed::{Map, Phase, Session};
 
-const LANDS: [&str; 5] = ["island", "archipelago", "continent", "valley", "basin"];
+const LANDS: [&str; 10] =
+    ["island", "archipelago", "continent", "valley", "basin", "crescent", "twins", "long", "arms", "gulf"];
 const SEEDS: [&str; 6] = ["kauri", "skye", "galicia", "orinoco", "mara", "elbe"];
 
 fn map(link: &str) -> Map {
@@ -169,7 +170,7 @@ fn rivers_that_are_left_keep_identity_and_discharge() {
 }
 
 fn coasts_are_as_winding_as_natural_ones() {
-    for land in one_in(3, LANDS) {
+    for land in one_in(4, LANDS) {
         let dimension = |seed: usize| {
             Cells::of(&self::land(&format!("country=usual&seed=s{seed}&land={land}&attractors=20000")))
                 .coast_dimension()

@@ -1,6 +1,7 @@
 //! The shapes of land against those of nature.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use riverseed::glam::Vec2;
 use riverseed::recipe::link;
 use riverseed::{Land, Session};
 
@@ -75,7 +76,7 @@ const BESIDE: f32 = 25.0;
 const MOST: f32 = 0.1;
 
 fn no_side_of_a_map_is_hugged() {
-    for (land, seed) in one_in(3, pairs(["island", "archipelago"], 0..24)) {
+    for (land, seed) in one_in(3, pairs(["island", "archipelago"].into_iter().chain(FIGURES), 0..24)) {
         let raster = raster(&format!("land={land}&country=usual&seed=shape{seed}"));
         let (columns, rows) = (raster.columns, raster.rows);
         let beside = (BESIDE / raster.side) as usize;
@@ -93,9 +94,13 @@ fn no_side_of_a_map_is_hugged() {
     }
 }
 
+/// All lands whose share of sea is a parameter.
+const LANDS: [&str; 10] =
+    ["island", "archipelago", "crescent", "twins", "long", "arms", "continent", "valley", "basin", "gulf"];
+
 /// A notch of `sea` or of `roughness` moves the coast a little. Drafts are chosen by neither.
 fn small_changes_move_a_coast_a_little() {
-    for (land, seed) in one_in(4, pairs(["island", "archipelago", "continent", "valley", "basin"], 0..8)) {
+    for (land, seed) in one_in(4, pairs(LANDS, 0..8)) {
         for [before, after] in [["sea=0.6", "sea=0.61"], ["sea=0.3", "sea=0.31"], ["roughness=0.6", "roughness=0.62"]] {
             let [one, other] =
                 [before, after].map(|change| raster(&format!("land={land}&country=usual&seed=shape{seed}&{change}")));
@@ -107,11 +112,129 @@ fn small_changes_move_a_coast_a_little() {
     }
 }
 
+/// The lands of a figure that the sea surrounds.
+const FIGURES: [&str; 4] = ["crescent", "twins", "long", "arms"];
+
+/// The proportions of sheets, from a banner that hangs to one that lies.
+const ASPECTS: [f32; 6] = [0.25, 0.6, 1.0, 1.6, 2.5, 4.0];
+
+/// The land of a link on so few squares that only its figure counts.
+fn coarse(land: &Land) -> Raster {
+    Raster::of(land, (land.size().x / 3.0) as usize)
+}
+
+/// The islands of a raster, as shares of all land, the largest first.
+fn shares(raster: &Raster) -> Vec<f32> {
+    let islands = raster.islands();
+    let all: usize = islands.iter().map(Vec::len).sum();
+    islands.iter().map(|island| island.len() as f32 / all as f32).collect()
+}
+
+/// The squares along the border of a raster, clockwise.
+fn rim(raster: &Raster) -> Vec<bool> {
+    let (columns, rows) = (raster.columns, raster.rows);
+    let north = (0..columns).map(|column| (column, 0));
+    let east = (0..rows).map(|row| (columns - 1, row));
+    let south = (0..columns).rev().map(|column| (column, rows - 1));
+    let west = (0..rows).rev().map(|row| (0, row));
+    north.chain(east).chain(south).chain(west).map(|(column, row)| raster.is_land[row * columns + column]).collect()
+}
+
+/// Tells what a land lacks of the figure that its word promises; nothing if it has it.
+fn lacks(land: &str, raster: &Raster) -> Option<String> {
+    let rim = rim(raster);
+    if land == "gulf" {
+        // One strait: the border turns from land to water once, and back; twice if an islet lies in its mouth.
+        let turns = rim.iter().zip(rim.iter().cycle().skip(1)).filter(|(here, next)| here != next).count();
+        let wet = rim.iter().filter(|is_land| !**is_land).count() as f32 / rim.len() as f32;
+        let sea = Raster { is_land: raster.is_land.iter().map(|land| !land).collect(), ..*raster };
+        let whole = shares(&sea)[0];
+        return (!(2..=4).contains(&turns) || wet > WIDEST_STRAIT || whole < WHOLE)
+            .then(|| format!("{turns} turns, {wet}, {whole}"));
+    }
+    let shares = shares(raster);
+    let main = raster.main_island();
+    let (full, long) = (main.fullness(), main.elongation());
+    let is_right = match (land, &shares[..]) {
+        ("twins", [first, second, ..]) => first + second > WHOLE && *second > LEAST_TWIN,
+        ("crescent", [first, ..]) => *first > MAIN && full < FULLEST_CRESCENT,
+        ("long", [first, ..]) => *first > MAIN && long > SHORTEST,
+        ("arms", [first, ..]) => *first > MAIN && full < FULLEST_ARMS,
+        _ => false,
+    };
+    let is_free = !rim.contains(&true);
+    (!is_right || !is_free).then(|| format!("islands {shares:.2?}, full {full:.2}, long {long:.2}, free {is_free}"))
+}
+
+/// The least share of the land that its one or two islands have, and of the water that a gulf has with its strait.
+const MAIN: f32 = 0.75;
+const WHOLE: f32 = 0.85;
+/// The least share of the land that the lesser twin has.
+const LEAST_TWIN: f32 = 0.15;
+/// The greatest share of the border that a strait opens.
+const WIDEST_STRAIT: f32 = 0.2;
+/// The greatest shares of their convex hulls that a crescent and an island with arms fill: bays lie in the rest.
+const FULLEST_CRESCENT: f32 = 0.8;
+const FULLEST_ARMS: f32 = 0.9;
+/// The least length of a long island over its breadth.
+const SHORTEST: f32 = 1.4;
+
+fn every_land_has_its_figure() {
+    let cases = pairs(pairs(FIGURES.into_iter().chain(["gulf"]), ASPECTS), 0..36);
+    for ((land, aspect), seed) in one_in(12, cases) {
+        let link = format!("land={land}&aspect={aspect}&seed=figure{seed}");
+        let lacking = lacks(land, &coarse(&Land::of(&link::read(&link).unwrap()).unwrap()));
+        assert!(lacking.is_none(), "{link}: {lacking:?}");
+    }
+}
+
+/// The rivers of a low stand cut the land, but a sea that has risen leaves each of its pieces and bays.
+fn a_risen_sea_leaves_the_figure() {
+    let cases = pairs(pairs(FIGURES.into_iter().chain(["gulf"]), ["0.24", "0.6", "1"]), 0..12);
+    for ((land, drowning), seed) in one_in(12, cases) {
+        let link = format!("land={land}&drowning={drowning}&attractors=6000&seed=figure{seed}");
+        let mut session = Session::new(link::read(&link).unwrap()).unwrap();
+        session.finish().unwrap();
+        let risen = coarse(session.land().unwrap());
+        let lacking = lacks(land, &risen);
+        assert!(lacking.is_none(), "{link}: {lacking:?}");
+        let sea = 1.0 - risen.is_land.iter().filter(|&&land| land).count() as f32 / risen.is_land.len() as f32;
+        let asked = link::read(&link).unwrap().sea();
+        assert!((sea - asked).abs() < 0.01, "{link}: {sea} is not {asked}");
+    }
+}
+
+/// The middle of all water, as shares of the map.
+fn middle_of_water(link: &str) -> Vec2 {
+    let raster = coarse(&Land::of(&link::read(link).unwrap()).unwrap());
+    let water = (0..raster.is_land.len()).filter(|&i| !raster.is_land[i]);
+    let at: Vec<Vec2> = water.map(|i| Vec2::new((i % raster.columns) as f32, (i / raster.columns) as f32)).collect();
+    at.iter().sum::<Vec2>() / at.len() as f32 / Vec2::new(raster.columns as f32, raster.rows as f32)
+}
+
+fn a_lake_or_a_gulf_lies_where_it_is_asked_to() {
+    for (land, seed) in one_in(4, pairs(["basin", "gulf"], 0..16)) {
+        let middle = |more: &str| middle_of_water(&format!("land={land}&sea=0.14&seed=figure{seed}{more}"));
+        let usual = middle("");
+        let (near, far) = (middle("&center-x=30&center-y=32"), middle("&center-x=70&center-y=68"));
+        assert!((far - near).cmpgt(Vec2::splat(0.18)).all(), "{land}, seed figure{seed}: from {near} to {far}");
+        // Where nothing is asked, the seed decides; noise of the new place moves the middle a little.
+        let east = middle("&center-x=75");
+        assert!(
+            east.x > usual.x.min(0.6) && (east.y - usual.y).abs() < 0.12,
+            "{land}, seed figure{seed}: {usual}, {east}"
+        );
+    }
+}
+
 tiers!(
     islands_are_shaped_like_those_of_nature,
     sizes_of_islands_in_an_archipelago_follow_a_power_law,
     no_side_of_a_map_is_hugged,
     small_changes_move_a_coast_a_little,
+    every_land_has_its_figure,
+    a_risen_sea_leaves_the_figure,
+    a_lake_or_a_gulf_lies_where_it_is_asked_to,
 );
 
 /// The measures of shapes that are known.

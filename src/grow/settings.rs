@@ -65,7 +65,7 @@ pub struct GrowthSettings {
 /// no land has a coast. Therefore the memory of growth depends only on the requested number.
 const LEAST_AREA: f32 = AREA / 20.0;
 
-/// The number of mouths of a lake for each requested one. Rivers reach a lake from all sides; with as few mouths as an
+/// The number of mouths of a lake or a gulf for each requested one. Rivers reach it from all sides; with as few mouths as an
 /// island has, they would run along its shore.
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
@@ -82,7 +82,7 @@ impl GrowthSettings {
         let starts = starts(recipe, &domain, land.as_deref());
         let is_drawn = !starts.is_empty();
         let mouths = if is_drawn { starts.len() as u32 } else { mouths_of(recipe) };
-        let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
+        let is_lake = recipe.get::<LandKind>().holds_water();
         let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
         let basins = match &land {
             Some(land) if is_drawn => starts_in(land, &starts),

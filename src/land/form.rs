@@ -6,11 +6,14 @@ use super::archipelago::archipelago;
 use super::coast_distance::CoastDistance;
 use super::drafts::{self, Wanted};
 use super::draws::Draws;
+use super::figures::{arms, crescent, long, twins};
+use super::gulf::outlet;
 use super::island::{island, lake};
 use super::kinds::Shape;
 use super::rock::{Amplitudes, Relief, Rock};
+use super::room::centred;
 use super::sides::Coasts;
-use super::spine::Spines;
+use super::spine::{Spine, Spines};
 use crate::recipe::LandKind;
 
 impl Shape {
@@ -25,6 +28,8 @@ impl Shape {
 pub(super) struct Form<'a> {
     shape: &'a Shape,
     spines: Spines,
+    /// The strait between twin islands, or from a gulf to the ocean.
+    strait: Option<Spine>,
     coasts: Option<Coasts>,
     rock: Rock,
     amplitudes: Amplitudes,
@@ -32,13 +37,13 @@ pub(super) struct Form<'a> {
 
 impl<'a> Form<'a> {
     /// Makes the form of a shape; `None` for the plain rectangle and for a drawn land. Where layouts are drafted,
-    /// neither the share of the sea nor roughness decides which draft is taken: they change a coast a little, but do
-    /// not replace it.
+    /// neither the share of the sea nor roughness nor a given place decides which draft is taken: they change a coast a
+    /// little, or move it, but do not replace it.
     pub fn of(shape: &'a Shape) -> Option<Self> {
         if matches!(shape.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
-        let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, ..shape.clone() };
+        let usual = Shape { sea: shape.kind.usual_sea(), roughness: 1.0, center: Vec2::ZERO, ..shape.clone() };
         let draft = wanted(shape.kind).map_or(0, |wanted| Form::with_draft(&usual, 0).best_draft(&wanted));
         Some(Self::with_draft(shape, draft))
     }
@@ -51,41 +56,50 @@ impl<'a> Form<'a> {
     fn with_draft(shape: &'a Shape, draft: u32) -> Self {
         let coasts = matches!(shape.kind, LandKind::Continent | LandKind::Valley).then(|| Coasts::new(shape));
         let (rock, amplitudes) = (Rock::new(shape), amplitudes(shape.kind));
-        Self { shape, spines: spines(shape, draft), coasts, rock, amplitudes }
+        let (spines, strait) = layout(shape, draft);
+        Self { shape, spines, strait, coasts, rock, amplitudes }
     }
 
     fn best_draft(&self, wanted: &Wanted) -> u32 {
         let Shape { domain, sea, kind, .. } = self.shape;
-        let (sign, sea) = if *kind == LandKind::Basin { (-1.0, 1.0 - sea) } else { (1.0, *sea) };
+        let (sign, sea) = if kind.holds_water() { (-1.0, 1.0 - sea) } else { (1.0, *sea) };
         let points = drafts::points(domain);
         // All drafts lie on the same rock, and points are too far apart for its detail.
         let broad = Amplitudes { fine: 0.0, ..self.amplitudes };
         let reliefs: Vec<Relief> = points.iter().map(|&at| self.rock.at(at, &broad)).collect();
         drafts::best(domain, sea, wanted, |draft| {
-            let spines = spines(self.shape, draft);
+            let (spines, _) = layout(self.shape, draft);
             points.iter().zip(&reliefs).map(|(&at, relief)| sign * self.with(&spines, at, relief)).collect()
         })
     }
 
     /// Returns the height of a point, in units.
     pub fn height(&self, point: Vec2) -> f32 {
-        self.with(&self.spines, point, &self.rock.at(point, &self.amplitudes))
+        /// The steepness of a strait's banks: so much that a change of the sea's level hardly narrows it.
+        const STEEP: f32 = 6.0;
+        /// The share of noise that moves its banks: not so much that they meet.
+        const SWAY: f32 = 0.3;
+        let relief = self.rock.at(point, &self.amplitudes);
+        let height = self.with(&self.spines, point, &relief);
+        let bed = |strait: &Spine| SWAY * relief.rise - STEEP * strait.height(relief.at);
+        self.strait.as_ref().map_or(height, |strait| height.min(bed(strait)))
     }
 
     /// Returns the height of a point, in units, by some spines and the relief at the point.
     fn with(&self, spines: &Spines, point: Vec2, relief: &Relief) -> f32 {
-        /// The steepness of the sea bed of an archipelago over that of its land. With less, noise would join islands.
+        /// The steepness of the sea bed of an archipelago, or of a figure, over that of its land. With less, noise would
+        /// join islands and fill bays.
         const STEEP: f32 = 2.5;
         let moat = || self.moat(point, relief.rise / self.shape.span(), relief.stray);
         let spines = || spines.height(relief.at);
         match self.shape.kind {
             LandKind::Rectangle | LandKind::Drawn => self.shape.span(),
             LandKind::Island => spines() + relief.rise - moat(),
-            LandKind::Archipelago => {
+            LandKind::Archipelago | LandKind::Crescent | LandKind::Twins | LandKind::Long | LandKind::Arms => {
                 let height = spines();
                 height.max(0.0) + STEEP * height.min(0.0) + relief.rise - moat()
             }
-            LandKind::Basin => moat() - spines() - relief.rise,
+            LandKind::Basin | LandKind::Gulf => moat() - spines() - relief.rise,
             LandKind::Continent | LandKind::Valley => {
                 self.coasts.as_ref().map_or(0.0, |coasts| coasts.height(relief.at)) + relief.rise
             }
@@ -97,7 +111,7 @@ impl<'a> Form<'a> {
     /// that it straightens no coast, and ends in a wall. The more land there is, the nearer both lie to the border.
     fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
         let Shape { kind, domain, sea, .. } = self.shape;
-        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.4);
+        let within = if kind.holds_water() { *sea } else { 1.0 - sea }.max(0.4);
         let room = 0.5 * (1.0 - within.sqrt());
         // Land that fills the map keeps its coast from the frame by a moat that is wide in places.
         let full = ((within - 0.4) / 0.4).clamp(0.0, 1.0);
@@ -110,20 +124,35 @@ impl<'a> Form<'a> {
     }
 }
 
-/// Lays out the spines of a draft.
-fn spines(shape: &Shape, draft: u32) -> Spines {
-    let mut draws = Draws::new(shape, draft);
+/// Lays out the spines of a draft, and the strait of twin islands or of a gulf.
+fn layout(shape: &Shape, draft: u32) -> (Spines, Option<Spine>) {
+    let draws = &mut Draws::new(shape, draft);
     let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
-    let area = |share: f32| share * size.x * size.y;
+    let area = size.x * size.y * if shape.kind.holds_water() { usual } else { 1.0 - usual };
+    let mut strait = None;
     let spines = match shape.kind {
-        LandKind::Island => island(&mut draws, size, area(1.0 - usual)),
-        LandKind::Basin => lake(&mut draws, size, area(usual)),
-        LandKind::Archipelago => archipelago(&mut draws, size, area(1.0 - usual)),
-        _ => Vec::new(),
+        LandKind::Island => island(draws, size, area),
+        LandKind::Archipelago => archipelago(draws, size, area),
+        LandKind::Crescent => crescent(draws, size, area),
+        LandKind::Twins => {
+            let (islands, between) = twins(draws, size, area);
+            strait = Some(between);
+            islands
+        }
+        LandKind::Long => long(draws, size, area),
+        LandKind::Arms => arms(draws, size, area),
+        LandKind::Basin => centred(lake(draws, size, area), size, shape.center),
+        LandKind::Gulf => {
+            // Its outlet has a share of the water, too.
+            let sea = centred(lake(draws, size, 0.9 * area), size, shape.center);
+            strait = Some(outlet(draws, size, &sea));
+            sea
+        }
+        LandKind::Continent | LandKind::Valley | LandKind::Rectangle | LandKind::Drawn => Vec::new(),
     };
     // Straits between the islands of an archipelago are narrow.
     let round = if shape.kind == LandKind::Archipelago { 0.012 } else { 0.05 };
-    Spines::new(&spines, size, round * shape.span())
+    (Spines::new(&spines, size, round * shape.span()), strait)
 }
 
 /// Returns the ranges of measures of a kind of land, those of real islands, from Madagascar to Skye; `None` if it is not drafted.
@@ -137,6 +166,14 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
             counted: 2,
             straight: 0.33,
         }),
+        LandKind::Twins => Some(Wanted {
+            boxed: [0.3, 0.75],
+            coast: [1.3, 2.6],
+            share: [0.48, 0.7],
+            count: [2, 12],
+            counted: 2,
+            straight: 0.5,
+        }),
         LandKind::Archipelago => Some(Wanted {
             boxed: [0.2, 0.75],
             coast: [1.0, 3.6],
@@ -145,7 +182,7 @@ fn wanted(kind: LandKind) -> Option<Wanted> {
             counted: 2,
             straight: 0.9,
         }),
-        LandKind::Basin => Some(Wanted {
+        LandKind::Basin | LandKind::Gulf => Some(Wanted {
             boxed: [0.25, 0.62],
             coast: [1.6, 3.2],
             share: [0.8, 1.0],
@@ -163,7 +200,8 @@ fn amplitudes(kind: LandKind) -> Amplitudes {
         LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },
         LandKind::Continent => Amplitudes { warp: 130.0, broad: 200.0, spurs: 70.0, fine: 30.0 },
         LandKind::Valley => Amplitudes { warp: 100.0, broad: 110.0, spurs: 50.0, fine: 30.0 },
-        LandKind::Basin => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
+        kind if kind.is_figure() => Amplitudes { warp: 90.0, broad: 45.0, spurs: 45.0, fine: 28.0 },
+        LandKind::Basin | LandKind::Gulf => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
         _ => Amplitudes { warp: 120.0, broad: 125.0, spurs: 70.0, fine: 30.0 },
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn lake(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
 }
 
 /// Lays out the spines of the main island, with their curves.
-fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) {
+pub(super) fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) {
     let way = roomier(draws, size);
     let room = room(size, way);
     let long = room * draws.between(0.5, 1.0);
@@ -54,12 +54,7 @@ fn masses(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Vec<Curve>) 
     if draws.is(0.45) {
         spines.push(beside(draws, curve, long));
     }
-    let widened = widened(&spines, area * draws.between(0.86, 0.95));
-    for spine in &mut spines {
-        for (_, width) in spine.points_mut() {
-            *width *= widened;
-        }
-    }
+    widen(&mut spines, area * draws.between(0.86, 0.95));
     (spines, curves)
 }
 
@@ -122,11 +117,16 @@ fn islets(draws: &mut Draws, curve: &Curve, widest: f32, spines: &mut Vec<Spine>
     }
 }
 
-/// Returns the factor by which half widths must grow so that spines cover an area.
-fn widened(spines: &[Spine], area: f32) -> f32 {
+/// Widens spines so that they cover an area, in square units.
+pub(super) fn widen(spines: &mut [Spine], area: f32) {
     /// The share of the area of spines that lies on no other.
     const APART: f32 = 0.82;
     let piece = |pair: &[(Vec2, f32)]| distance(pair[0].0, pair[1].0) * (pair[0].1 + pair[1].1);
     let covered: f32 = spines.iter().map(|spine| spine.points().windows(2).map(piece).sum::<f32>()).sum();
-    area / (APART * covered).max(1.0)
+    let widened = area / (APART * covered).max(1.0);
+    for spine in spines {
+        for (_, width) in spine.points_mut() {
+            *width *= widened;
+        }
+    }
 }

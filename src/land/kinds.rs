@@ -4,7 +4,7 @@ use fastnoise_lite::FastNoiseLite;
 use glam::{Vec2, Vec2Swizzles};
 
 use crate::base::random::{Purpose, Seed};
-use crate::domain::Domain;
+use crate::domain::{Domain, given_center};
 use crate::recipe::{LandKind, NumberKey, Recipe, Sides};
 
 /// The description of a shape.
@@ -18,6 +18,8 @@ pub(super) struct Shape {
     pub sea: f32,
     /// 0 for smooth coasts, 1 for wild ones.
     pub roughness: f32,
+    /// The place of water that land surrounds, as shares of the domain's width and height; 0 where the seed decides.
+    pub center: Vec2,
 }
 
 impl Shape {
@@ -30,6 +32,7 @@ impl Shape {
             seed: Seed::from_text(recipe.seed()),
             sea: recipe.sea(),
             roughness: recipe.number(NumberKey::Roughness),
+            center: given_center(recipe),
         }
     }
 

@@ -32,6 +32,8 @@ const RISE: f32 = 0.27;
 const LEAST_SEA: f32 = 0.1;
 const LEAST_SEA_AROUND_AN_ISLAND: f32 = 0.3;
 const LEAST_SHARE: f32 = 0.6;
+/// The most land of a figure at the lowest stand, as a multiple of today's: with more of it, its bays would be filled.
+const MOST_LAND_OF_A_FIGURE: f32 = 1.7;
 
 impl LowStand {
     /// Makes the low stand of a recipe, on a lattice with a spacing; `None` if the recipe drowns nothing.
@@ -86,7 +88,8 @@ fn has_coasts(land: &Land) -> bool {
 /// Returns the share of sea at the low stand, which falls evenly with drowning to that of the lowest stand.
 fn low_sea(shape: &Shape, drowning: f32) -> f32 {
     let least = if shape.kind == LandKind::Island { LEAST_SEA_AROUND_AN_ISLAND } else { LEAST_SEA };
-    let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea));
+    let largest = if shape.kind.is_figure() { MOST_LAND_OF_A_FIGURE * (1.0 - shape.sea) } else { 1.0 };
+    let lowest = (shape.sea - LEAST_RISE - RISE).max(least.min(LEAST_SHARE * shape.sea)).max(1.0 - largest);
     let highest = (shape.sea - LEAST_RISE).max(lowest);
     highest + (lowest - highest) * drowning
 }

@@ -322,7 +322,15 @@ mod tests {
         for (seed, aspect) in ["kauri", "rimu", "kea", "totara"].into_iter().zip([0.25, 1.0, 1.5, 4.0]) {
             let domain = Domain::with_aspect(aspect);
             let seed = Seed::from_text(seed);
-            let shape = Shape { kind: LandKind::Drawn, domain, sides: Sides::SOUTH, seed, sea: 0.5, roughness: 1.0 };
+            let shape = Shape {
+                kind: LandKind::Drawn,
+                domain,
+                sides: Sides::SOUTH,
+                seed,
+                sea: 0.5,
+                roughness: 1.0,
+                center: Vec2::ZERO,
+            };
             let bend = bend(&shape);
             for i in 0..40_000 {
                 let at = domain.size * Vec2::new((i % 200) as f32, (i / 200) as f32) / 200.0;

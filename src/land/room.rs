@@ -43,3 +43,33 @@ pub(super) fn placed(draws: &mut Draws, mut spines: Vec<Spine>, size: Vec2) -> V
     }
     spines
 }
+
+/// Moves spines so that the middle of what they cover lies at a place, given as shares of the rectangle, or as near as
+/// leaves most of them within; not at all in a direction in which the share is 0.
+pub(super) fn centred(spines: Vec<Spine>, size: Vec2, place: Vec2) -> Vec<Spine> {
+    const NEAREST: f32 = 0.18;
+    let points = spines.iter().flat_map(Spine::points);
+    let (sum, weight) = points.fold((Vec2::ZERO, 0.0), |(sum, weight), &(at, width)| {
+        let area = width * width;
+        (sum + at * area, weight + area)
+    });
+    let target = place.clamp(Vec2::splat(NEAREST), Vec2::splat(1.0 - NEAREST)) * size;
+    let by = Vec2::select(place.cmpgt(Vec2::ZERO), target - sum / weight.max(1.0), Vec2::ZERO);
+    spines.into_iter().map(|spine| spine.moved(by)).collect()
+}
+
+/// Stretches a figure of spines of any size to the inner part of a rectangle, a little less than it along its longer side.
+pub(super) fn stretched(spines: &mut [Spine], size: Vec2) {
+    let inner = size - 0.4 * size.min_element();
+    let short = inner.min_element();
+    let slender = inner.max_element() / short;
+    let inner = inner.min(Vec2::splat(short * (slender * slender.sqrt()).sqrt()));
+    let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    for (at, _) in spines.iter().flat_map(Spine::points) {
+        (low, high) = (low.min(*at), high.max(*at));
+    }
+    let scale = inner / (high - low).max(Vec2::splat(1e-3));
+    for (at, _) in spines.iter_mut().flat_map(Spine::points_mut) {
+        *at = (*at - low) * scale;
+    }
+}

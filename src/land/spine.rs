@@ -31,6 +31,18 @@ impl Spine {
         &mut self.0
     }
 
+    /// Returns the spine moved by a vector.
+    pub fn moved(mut self, by: Vec2) -> Self {
+        self.0.iter_mut().for_each(|(at, _)| *at += by);
+        self
+    }
+
+    /// Returns the spine with another point before its first, with its half width there.
+    pub fn from(mut self, at: Vec2, width: f32) -> Self {
+        self.0.insert(0, (at, width));
+        self
+    }
+
     /// Returns the height of the spine at a point, in units: the half width at the nearest place less the distance from
     /// it, positive within the spine.
     pub fn height(&self, at: Vec2) -> f32 {

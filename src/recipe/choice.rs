@@ -73,10 +73,20 @@ choices! {
         Continent = "continent", "a coast";
         /// Many islands.
         Archipelago = "archipelago", "an archipelago";
+        /// An island that bends around a bay.
+        Crescent = "crescent", "a crescent";
+        /// Two islands on either side of a strait.
+        Twins = "twins", "twin islands";
+        /// One island, long and narrow.
+        Long = "long", "a long island";
+        /// An island whose three or four arms reach out from its middle.
+        Arms = "arms", "an island with arms";
         /// A coast along the chosen sides, and two ridges that run inland from it.
         Valley = "valley", "a valley between ridges";
         /// A lake in the middle: rivers run inward.
         Basin = "basin", "around a lake";
+        /// Land all around an inland sea, which a strait joins to the ocean beyond the map.
+        Gulf = "gulf", "around a gulf";
         /// The whole domain, with the sea beyond its sides.
         Rectangle = "rectangle", "the whole rectangle";
         /// A hand-drawn land: the recipe's outline.
@@ -177,15 +187,29 @@ choices! {
 }
 
 impl LandKind {
+    /// Returns `true` if the sea lies all around land of a figure that it always has.
+    pub(crate) fn is_figure(self) -> bool {
+        matches!(self, Self::Crescent | Self::Twins | Self::Long | Self::Arms)
+    }
+
+    /// Returns `true` if land lies all around the water in the middle of the map.
+    pub(crate) fn holds_water(self) -> bool {
+        matches!(self, Self::Basin | Self::Gulf)
+    }
+
     /// Returns the share of the map that is water unless a recipe asks for another; 0 where the sea is drawn or there
     /// is none. Much water lets an island have lively coasts and lie free of the frame.
     pub fn usual_sea(self) -> f32 {
         match self {
             Self::Island => 0.72,
             Self::Archipelago => 0.78,
+            Self::Crescent | Self::Arms => 0.76,
+            Self::Twins => 0.7,
+            Self::Long => 0.8,
             Self::Continent => 0.35,
             Self::Valley => 0.15,
             Self::Basin => 0.18,
+            Self::Gulf => 0.24,
             Self::Rectangle | Self::Drawn => 0.0,
         }
     }

@@ -54,7 +54,7 @@ impl Given<'_> {
             Key::Bending | Key::ChannelArea | Key::HeadVariation => self.not_draining(),
             Key::Pattern | Key::Fall => self.not_draining(),
             Key::Strike => self.not_draining().or_else(|| self.no_strike()),
-            Key::CenterX | Key::CenterY => self.not_draining().or_else(|| self.no_center()),
+            Key::CenterX | Key::CenterY => self.no_center(),
             Key::BendingVariation => self.not_draining().or_else(|| self.no_bending()),
             Key::ValleySpacing => self.brownian().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
@@ -103,8 +103,12 @@ impl Given<'_> {
 
     fn sides_are_given(&self) -> Reason {
         match self.land {
-            LandKind::Island | LandKind::Archipelago => Some("this land has the sea all around it"),
             LandKind::Basin => Some("rivers flow to the lake in the middle"),
+            LandKind::Gulf => Some("rivers flow to the gulf in the middle"),
+            LandKind::Island | LandKind::Archipelago => Some("this land has the sea all around it"),
+            LandKind::Crescent | LandKind::Twins | LandKind::Long | LandKind::Arms => {
+                Some("this land has the sea all around it")
+            }
             LandKind::Continent | LandKind::Valley | LandKind::Rectangle | LandKind::Drawn => None,
         }
     }
@@ -159,8 +163,11 @@ impl Given<'_> {
     }
 
     fn no_center(&self) -> Reason {
+        if self.land.holds_water() {
+            return None;
+        }
         let has_center = matches!(self.pattern(), Pattern::Radial | Pattern::Annular | Pattern::Centripetal);
-        (!has_center).then_some("this pattern has no centre")
+        self.not_draining().or_else(|| (!has_center).then_some("this pattern has no centre"))
     }
 
     /// Explains why valleys have no effect: parallel drainage has none, and deranged drainage the deepest.

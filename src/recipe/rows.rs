@@ -40,8 +40,8 @@ macro_rules! rows {
                 Drowning = "drowning", "Drowning": Land, Number(0.0 to 1.0 by 0.02, default 0.24);
                 /// Irregularity of coasts and ridges: 0 for smooth lines, 1 for wild ones.
                 Roughness = "roughness", "Roughness": Land, Number(0.0 to 1.0 by 0.01, default 1.0);
-                /// Number of rivers that reach the sea. A lake has three times as many, and every larger island has at least
-                /// one. 0: automatic (8; with drainage, every outlet).
+                /// Number of rivers that reach the sea. A lake or a gulf has three times as many, and every larger island has
+                /// at least one. 0: automatic (8; with drainage, every outlet).
                 Mouths = "mouths", "River mouths": Grow, Integer(0 to 64, default 0, logarithmic);
                 /// Minimum distance between river mouths along a coast. A large distance means fewer mouths.
                 MouthSpacing = "mouth-spacing", "Distance between mouths": Grow, Number(0.0 to 400.0 by 5.0, default 0.0),
@@ -106,12 +106,12 @@ macro_rules! rows {
                 /// Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: automatic
                 /// (from the seed).
                 Strike = "strike", "Strike": Grow, Integer(0 to 180, default 0), in "degrees";
-                /// Place of the high or low ground that rivers run from, around or to, as a share of the map's width. 0:
-                /// automatic (from the seed).
-                CenterX = "center-x", "Centre, from the west": Grow, Integer(0 to 100, default 0), in "%";
-                /// Place of the high or low ground that rivers run from, around or to, as a share of the map's height. 0:
-                /// automatic (from the seed).
-                CenterY = "center-y", "Centre, from the north": Grow, Integer(0 to 100, default 0), in "%";
+                /// Place of the high or low ground that rivers run from, around or to, and of a lake or a gulf, as a share of
+                /// the map's width. 0: automatic (from the seed).
+                CenterX = "center-x", "Centre, from the west": Land, Integer(0 to 100, default 0), in "%";
+                /// Place of the high or low ground that rivers run from, around or to, and of a lake or a gulf, as a share of
+                /// the map's height. 0: automatic (from the seed).
+                CenterY = "center-y", "Centre, from the north": Land, Integer(0 to 100, default 0), in "%";
                 /// Pull of the land's general slope, most of it toward the sea. High values draw rivers side by side and narrow
                 /// the angles at which they join.
                 Fall = "fall", "Fall": Grow, Number(0.0 to 2.0 by 0.05, default 0.35);

@@ -80,6 +80,41 @@ impl Raster {
         sea
     }
 
+    /// The area of the only island of a raster as a share of that of its convex hull.
+    pub fn fullness(&self) -> f32 {
+        let mut corners = self.outline();
+        corners.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        // The lower and the upper chain (Andrew 1979).
+        let chain = |corners: &mut dyn Iterator<Item = Vec2>| {
+            let mut chain: Vec<Vec2> = Vec::new();
+            for at in corners {
+                while let [.., before, last] = chain[..]
+                    && (last - before).perp_dot(at - last) <= 0.0
+                {
+                    chain.pop();
+                }
+                chain.push(at);
+            }
+            chain
+        };
+        let hull = [chain(&mut corners.iter().copied()), chain(&mut corners.iter().rev().copied())].concat();
+        let twice: f32 = hull.iter().zip(hull.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum();
+        self.is_land.iter().filter(|&&land| land).count() as f32 / (twice.abs() / 2.0)
+    }
+
+    /// The length of the only island of a raster over its breadth: of a rectangle, the ratio of its sides.
+    pub fn elongation(&self) -> f32 {
+        let squares = (0..self.is_land.len()).filter(|&i| self.is_land[i]);
+        let at: Vec<Vec2> = squares.map(|i| Vec2::new((i % self.columns) as f32, (i / self.columns) as f32)).collect();
+        let middle = at.iter().sum::<Vec2>() / at.len() as f32;
+        let off = at.iter().map(|at| *at - middle);
+        let [xx, xy, yy] =
+            off.fold([0.0, 0.0, 0.0], |[xx, xy, yy], off| [xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y]);
+        // The greater and the lesser of the moments about the axes of the island.
+        let (mean, apart) = ((xx + yy) / 2.0, (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt());
+        ((mean + apart) / (mean - apart)).sqrt()
+    }
+
     /// The measures of the only island of a raster.
     pub fn measures(&self) -> Measures {
         let squares = self.is_land.iter().filter(|&&land| land).count() as f32;

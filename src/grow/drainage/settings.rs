@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use crate::base::random::{Purpose, Seed};
 use crate::base::trigonometry::sine_and_cosine;
-use crate::domain::parcel_spacing;
+use crate::domain::{given_center, parcel_spacing};
 use crate::recipe::{GrowthMethod, IntegerKey, NumberKey, Pattern, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.
@@ -47,7 +47,6 @@ impl DrainageSettings {
     /// Resolves a recipe.
     pub fn new(recipe: &Recipe) -> Self {
         let spacing = parcel_spacing(recipe);
-        let percent = |key| recipe.integer(key) as f32 / 100.0;
         let spacings = |key| recipe.number(key) * spacing;
         let is_drainage = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
         let seed = Seed::from_text(recipe.seed());
@@ -67,7 +66,7 @@ impl DrainageSettings {
             fall: recipe.number(NumberKey::Fall),
             pattern,
             strike: strike(seed, recipe.integer(IntegerKey::Strike)),
-            center: Vec2::new(percent(IntegerKey::CenterX), percent(IntegerKey::CenterY)),
+            center: given_center(recipe),
         };
         plain.with_pattern()
     }

@@ -5,7 +5,7 @@ use super::Country;
 use crate::recipe::Style;
 
 /// The number of rows.
-pub(in crate::recipe) const COUNT: usize = 29;
+pub(in crate::recipe) const COUNT: usize = 34;
 
 /// Draws of every country, unless its row says otherwise. No river is drawn to the sea less than `fall` 0.2 asks: less
 /// makes neighbours run side by side.
@@ -80,6 +80,46 @@ pub static COUNTRIES: [Country; COUNT] = [
         climates: "volcanic",
         draws: "span=35~0.4 land=island sea=0.64..0.76 pattern=radial drowning=0.03 roughness=0.35..0.7 bending=1 channel-area=8 \
            trim=30 width=22 meander-rounds=10 mountains=3..4 plains=20..90 rills=0.9",
+        style: None,
+    },
+    Country {
+        name: "crescent",
+        label: "Crescent",
+        help: "An island bent round a bay.",
+        weight: 3,
+        climates: "volcanic temperate dry",
+        draws: "span=30~0.4 land=crescent sea=0.7..0.8 drowning=0.1..0.7 hardness=0.8 bending=1.2 channel-area=6 trim=22 width=22 \
+           meander-rounds=30 mountains=2.6~0.25 plains=60",
+        style: None,
+    },
+    Country {
+        name: "twin-islands",
+        label: "Twin islands",
+        help: "Two islands face to face.",
+        weight: 3,
+        climates: "temperate temperate wet dry",
+        draws: "span=75~0.35 land=twins sea=0.64..0.74 drowning=0.2..0.8 hardness=0.9 bending=1.2 channel-area=6 trim=24 width=24 meander-rounds=50 \
+           flat-share=0.4 mountains=2~0.35",
+        style: None,
+    },
+    Country {
+        name: "long-island",
+        label: "Long island",
+        help: "One long, narrow island with short rivers.",
+        weight: 3,
+        climates: "temperate temperate wet cold",
+        draws: "span=120~0.35 land=long sea=0.76..0.8 drowning=0.3..0.85 hardness=0.9 bending=1.2 channel-area=6 trim=22 width=24 meander-rounds=40 \
+           flat-share=0.4 mountains=1.8~0.35",
+        style: None,
+    },
+    Country {
+        name: "arms",
+        label: "Island with arms",
+        help: "Long peninsulas that reach out from one middle.",
+        weight: 2,
+        climates: "wet wet temperate dry",
+        draws: "span=180~0.35 land=arms sea=0.7..0.78 drowning=0.2..0.8 hardness=0.8 bending=1.2 channel-area=6 trim=22 width=24 meander-rounds=40 \
+           flat-share=0.4 mountains=1.8~0.35",
         style: None,
     },
     Country {
@@ -241,6 +281,16 @@ pub static COUNTRIES: [Country; COUNT] = [
         climates: "temperate dry wet",
         draws: "span=380~0.35 land=basin sea=0.24..0.38 drowning=0.75..1 roughness=1 hardness=1 bending=1.6 channel-area=6 trim=24 \
            width=26 meander-rounds=40 flat-share=0.4 mountains=1.5~0.4 plains=120",
+        style: None,
+    },
+    Country {
+        name: "gulf",
+        label: "Gulf",
+        help: "Land around a sea that one strait joins to the ocean.",
+        weight: 2,
+        climates: "dry temperate temperate",
+        draws: "span=320~0.35 land=gulf sea=0.2..0.3 drowning=0.6..1 hardness=1 bending=1.6 channel-area=6 trim=24 width=26 meander-rounds=40 \
+           flat-share=0.4 mountains=1.5~0.35",
         style: None,
     },
     Country {

@@ -59,6 +59,11 @@ const NOT_DRAINING: (&str, &str) = (
     "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike center-x center-y fall channel-area head-variation",
     "only drainage uses it",
 );
+/// The same where a lake or a gulf has its place.
+const WITH_A_PLACE: (&str, &str) = (
+    "drowning concavity captures hardness hardness-scale bending bending-variation pattern strike fall channel-area head-variation",
+    "only drainage uses it",
+);
 const NO_STRIKE: (&str, &str) = ("strike", "this pattern has no strike");
 const NO_CENTER: (&str, &str) = ("center-x center-y", "this pattern has no centre");
 const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
@@ -145,6 +150,17 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             NO_CLIMATE,
         ],
     ),
+    (
+        "land=twins",
+        &[
+            ("sides", "this land has the sea all around it"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
+    ),
     ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE]),
     ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_CLIMATE]),
     (
@@ -153,7 +169,18 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             ("sides", "rivers flow to the lake in the middle"),
             NOT_DRAWN,
             NO_SENSITIVITY,
-            NOT_DRAINING,
+            WITH_A_PLACE,
+            IN_CELLS,
+            NO_CLIMATE,
+        ],
+    ),
+    (
+        "land=gulf",
+        &[
+            ("sides", "rivers flow to the gulf in the middle"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            WITH_A_PLACE,
             IN_CELLS,
             NO_CLIMATE,
         ],
