@@ -15,6 +15,7 @@ import type { ShowMode } from "../../player/river-player.ts";
 import { numbersOf } from "../../player/summary-text.ts";
 import type { PageRenderHost } from "./backend.ts";
 import { CountryName } from "./country-name.ts";
+import { Motto } from "./day/motto.ts";
 import { elements } from "./elements.ts";
 import { fail, warn } from "./failure.ts";
 import { CharacterSwitch } from "./help/character-switch.ts";
@@ -34,7 +35,7 @@ import { MapNames } from "./panel/map-names.ts";
 import { MeasuresView } from "./panel/measures.ts";
 import { Panel } from "./panel/panel.ts";
 import { PresetNote } from "./panel/preset-note.ts";
-import { prefersDark } from "./preferences.ts";
+import { firstLink, prefersDark } from "./preferences.ts";
 import { Reset } from "./reset.ts";
 import { SixWays } from "./six/six-ways.ts";
 import { Transport } from "./timeline/transport.ts";
@@ -65,6 +66,7 @@ export class Page {
   readonly #six: SixWays;
   readonly #presetNote: PresetNote;
   readonly #welcome: Welcome;
+  readonly #motto: Motto;
 
   /** Makes the parts in an order in which each finds there what it is made of. What they call later may be any other. */
   constructor(
@@ -73,8 +75,11 @@ export class Page {
     recipe: Recipe,
     viewport: RiverViewport,
     renderHost: PageRenderHost,
+    /** The word of the day, if the visitor has come for its country. */
+    day: string | undefined,
   ) {
     this.#recipe = recipe;
+    this.#motto = new Motto(elements.motto, day);
     this.#isAddress = (word) => engine.isAddress(word);
     this.#viewport = viewport;
     this.#country = new CountryName(recipe);
@@ -176,7 +181,7 @@ export class Page {
 
   #makeSix(renderHost: PageRenderHost): SixWays {
     return new SixWays(renderHost, this.table.presets, {
-      shared: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
+      shared: () => ({ link: this.#recipe.shown, values: this.#recipe.values, kept: this.#choices.kept }),
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),
@@ -186,7 +191,10 @@ export class Page {
 
   #makeVariations(): void {
     new Variations(elements.variations, this.table.parameters, {
-      map: () => ({ values: this.#recipe.values, idle: this.#recipe.idle, kept: this.#choices.kept }),
+      map: () => {
+        const { shown: link, values, idle } = this.#recipe;
+        return { link, values, idle, kept: this.#choices.kept };
+      },
       picture: (link, size) => this.#viewport.ask.picture(link, size),
       take: (values) => this.#set(values, "still"),
     });
@@ -247,7 +255,7 @@ export class Page {
     this.#attempt(() => {
       const changes = [...values];
       this.#presetNote.forget();
-      this.#recipe.set(withoutForeignNames(changes, this.#recipe.values));
+      this.#recipe.set(withoutForeignNames([...this.#choices.pins(this.#recipe), ...changes], this.#recipe));
       if (changes.some(([key]) => key === "seed")) this.#welcome.leave();
       this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
@@ -296,7 +304,7 @@ export class Page {
     this.#undo.arrived();
     this.#address.drop();
     if (!areAskedFor) this.#six.close();
-    if (link !== this.#recipe.link) this.#open(asQuery(link), false);
+    if (link !== this.#recipe.link) this.#open(asQuery(link) || firstLink(), false);
     if (areAskedFor) this.#six.open();
     this.#address.show(this.#recipe.link);
   }
@@ -321,6 +329,7 @@ export class Page {
     this.#choices.show(this.#recipe);
     this.#reset.offer();
     this.#ownLand.show(values);
+    this.#motto.show(this.#recipe.seed);
     this.#showName();
     this.#notices.show();
   }
