@@ -4,6 +4,7 @@ import { AddressBar, addressOf, asQuery, linkOf } from "../../browser/address.ts
 import { copy } from "../../browser/clipboard.ts";
 import { el } from "../../browser/dom.ts";
 import { answerEscape } from "../../browser/keys.ts";
+import { COUNTRY } from "../../controls/countries.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named } from "../../engine/errors.ts";
 import type { Recipe } from "../../engine/recipe.ts";
@@ -363,7 +364,8 @@ export class Page {
     const names = await this.#names.refresh();
     if (this.#country.learn(names)) this.#showName();
     this.#welcome.meet(this.#recipe.values.get("land"));
-    this.#words.tell(names, seed, phase, summary);
+    const kind = this.table.countries.find(({ name }) => name === this.#recipe.values.get(COUNTRY))?.label ?? "";
+    this.#words.tell(kind, names, seed, phase, summary);
   }
 
   #refreshThumbnails(): Promise<void> {
