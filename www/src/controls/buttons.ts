@@ -48,11 +48,16 @@ export class Buttons<Item extends Named> {
 
   /** Presses the button of one thing, or none. `marked` is another that is marked as what the pressed one has come to. */
   press(pressed: Item | undefined, marked?: Item): void {
-    for (const [rank, { item, button }] of this.#made.entries()) {
+    const isFar = ({ item }: { item: Item }, rank: number): boolean =>
+      rank >= this.first && (item === pressed || item === marked);
+    // What is pressed or marked takes the place of the last in sight.
+    let left = this.#areAllInSight ? this.#made.length : this.first - this.#made.filter(isFar).length;
+    for (const [rank, one] of this.#made.entries()) {
+      const { item, button } = one;
       button.setAttribute("aria-pressed", String(item === pressed));
       if (item === marked) button.setAttribute("aria-current", "true");
       else button.removeAttribute("aria-current");
-      button.hidden = !this.#areAllInSight && rank >= this.first && item !== pressed && item !== marked;
+      button.hidden = !isFar(one, rank) && left-- <= 0;
     }
   }
 
