@@ -16,11 +16,11 @@ test("the bare address shows the word of the day, which typing replaces, and say
   await finished(page);
   const seed = page.getByRole("textbox", { name: "Seed" });
   await expect(seed).toHaveValue(WORD);
-  await expect(page.locator(".masthead")).toContainText("Country of the day");
+  await expect(page.locator("#caption")).toContainText("Country of the day");
   await expect.poll(() => address(page).toString()).toBe(new URLSearchParams({ seed: WORD, edition: "1" }).toString());
   await page.keyboard.type("Thornwick");
   await expect.poll(() => address(page).toString()).toBe("seed=Thornwick&edition=1");
-  await expect(page.locator(".masthead")).not.toContainText("Country of the day");
+  await expect(page.locator("#caption")).not.toContainText("Country of the day");
 });
 
 test("a link shows its own country on any day", async ({ page }) => {
@@ -29,7 +29,7 @@ test("a link shows its own country on any day", async ({ page }) => {
   await page.goto("./?seed=rimu&attractors=300&labels=none");
   await finished(page);
   await expectAddress(page, "seed", "rimu");
-  await expect(page.locator(".masthead")).not.toContainText("Country of the day");
+  await expect(page.locator("#caption")).not.toContainText("Country of the day");
 });
 
 test("on a phone it is said, too, and in sight", async ({ page }) => {
@@ -38,5 +38,6 @@ test("on a phone it is said, too, and in sight", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto("./");
   await finished(page);
-  await expect(page.getByText("Country of the day")).toBeInViewport({ ratio: 1 });
+  await expect(page.locator("#of-the-day")).toHaveText("Country of the day");
+  await expect(page.locator("#of-the-day")).toBeInViewport({ ratio: 1 });
 });

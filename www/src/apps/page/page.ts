@@ -16,7 +16,7 @@ import type { ShowMode } from "../../player/river-player.ts";
 import { numbersOf } from "../../player/summary-text.ts";
 import type { PageRenderHost } from "./backend.ts";
 import { CountryName } from "./country-name.ts";
-import { Motto } from "./day/motto.ts";
+import { OfTheDay } from "./day/of-the-day.ts";
 import { elements } from "./elements.ts";
 import { fail, warn } from "./failure.ts";
 import { CharacterSwitch } from "./help/character-switch.ts";
@@ -67,7 +67,7 @@ export class Page {
   readonly #six: SixWays;
   readonly #presetNote: PresetNote;
   readonly #welcome: Welcome;
-  readonly #motto: Motto;
+  readonly #day: OfTheDay;
 
   /** Makes the parts in an order in which each finds there what it is made of. What they call later may be any other. */
   constructor(
@@ -80,7 +80,7 @@ export class Page {
     day: string | undefined,
   ) {
     this.#recipe = recipe;
-    this.#motto = new Motto(elements.motto, day);
+    this.#day = new OfTheDay(elements.ofTheDay, day);
     this.#isAddress = (word) => engine.isAddress(word);
     this.#viewport = viewport;
     this.#country = new CountryName(recipe);
@@ -330,7 +330,7 @@ export class Page {
     this.#choices.show(this.#recipe);
     this.#reset.offer();
     this.#ownLand.show(values);
-    this.#motto.show(this.#recipe.seed);
+    this.#day.show(this.#recipe.seed);
     this.#showName();
     this.#notices.show();
   }
@@ -365,7 +365,7 @@ export class Page {
     if (this.#country.learn(names)) this.#showName();
     this.#welcome.meet(this.#recipe.values.get("land"));
     const kind = this.table.countries.find(({ name }) => name === this.#recipe.values.get(COUNTRY))?.label ?? "";
-    this.#words.tell(kind, names, seed, phase, summary);
+    this.#words.tell([this.#day.words(seed), kind], names, seed, phase, summary);
   }
 
   #refreshThumbnails(): Promise<void> {

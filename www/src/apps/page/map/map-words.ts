@@ -41,13 +41,13 @@ export class MapWords {
   }
 
   /**
-   * Adds the kind of country, if it has a name, and the greatest rivers to the caption and the text alternative, once the
+   * Adds what there is to say of the country, and the greatest rivers, to the caption and the text alternative, once the
    * names on the finished map are known.
    */
-  tell(kind: string, names: readonly NameFacts[], seed: string, phase: Phase, summary: Summary): void {
+  tell(country: readonly string[], names: readonly NameFacts[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;
-    const sort = kind === "" ? "" : `${kind}. `;
+    const sort = country.map((words) => words && `${words}. `).join("");
     this.#greatest = `${sort}Greatest river: ${rivers[0]?.name}`;
     if (!summary.stopped) setText(this.elements.caption, this.#greatest);
     const greatest = rivers.map(({ name }) => name).join(", ");
