@@ -6,10 +6,12 @@
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 import { initSync, readLink } from "../pkg-engine/riverseed_engine.js";
+import { wordOf } from "../src/apps/page/day/day.ts";
 import { Camera } from "../src/apps/page/map/camera.ts";
-import type { Preset } from "../src/engine/table.ts";
+import type { Country } from "../src/engine/table.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
+import { POSTER_DAY } from "./poster.ts";
 import { table } from "./table.ts";
 
 /** The size, twice as large as shown, for dense screens. `.preset img` in src/style/panel.css has the same shape. */
@@ -51,8 +53,11 @@ function pictures(): Picture[] {
   return [...table.countries.map(ofCountry), ...styles().map(ofStyle)];
 }
 
-function ofCountry({ name, values }: Preset): Picture {
-  const { link } = readLink(`${new URLSearchParams(values.map(([key, value]) => [key, value]))}&style=atlas`);
+/** The word whose countries the pictures of their kinds show. */
+const WORD = "kauri";
+
+function ofCountry({ name }: Country): Picture {
+  const { link, values } = readLink(`seed=${WORD}&country=${name}&style=atlas`);
   return { file: `countries/${name}.webp`, link, shots: [wholeMap(Number(new Map(values).get("aspect")))] };
 }
 
@@ -70,5 +75,9 @@ function styles(): readonly string[] {
 /** A style's picture is like the thumbnail that replaces it: without letters and scenery. */
 function ofStyle(style: string): Picture {
   const shot: Shot = { ...STYLE_SIZE, format: "webp", quality: 60 };
-  return { file: `styles/${style}.webp`, link: readLink(`style=${style}&labels=none`).link, shots: [shot] };
+  return {
+    file: `styles/${style}.webp`,
+    link: readLink(`seed=${wordOf(new Date(2024, ...POSTER_DAY))}&style=${style}&labels=none`).link,
+    shots: [shot],
+  };
 }

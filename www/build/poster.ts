@@ -1,10 +1,11 @@
 /**
- * The poster: a picture of the map of a visit without a link, in the map's place until that is painted, and for
- * visitors without scripts. There are posters for light and dark pages and for both shapes of window, as in `firstLink`
- * of src/apps/page/preferences.ts.
+ * The poster: a picture of the country of the day, in the map's place until that is painted. It is built for one day of the
+ * year, and on all others there is none: no country is shown for another. Visitors without scripts see it every day. There are
+ * posters for light and dark pages and for both shapes of window, as in `firstLink` of src/apps/page/preferences.ts.
  */
 
 import type { Plugin } from "vite";
+import { wordOf } from "../src/apps/page/day/day.ts";
 import { withEarlyScript } from "./early.ts";
 import { drawAll } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
@@ -29,6 +30,11 @@ interface Poster {
   readonly shown: number;
 }
 
+/** The day with a poster, as a script of a page calls its month and its day. */
+export const POSTER_DAY = [0, 1] as const;
+
+const COUNTRY = `seed=${encodeURIComponent(wordOf(new Date(2024, ...POSTER_DAY)))}`;
+
 const UPRIGHT = { aspect: 0.75, across: 520, shown: 347 };
 const WIDE = { aspect: 1.6, across: 900, shown: 1200 };
 const DARK = "(prefers-color-scheme: dark)";
@@ -38,12 +44,12 @@ export const POSTERS: readonly Poster[] = [
   {
     file: "night-upright.webp",
     media: `${DARK} and ${PORTRAIT}`,
-    link: "style=night&aspect=0.75",
+    link: `${COUNTRY}&style=night&aspect=0.75`,
     ...UPRIGHT,
   },
-  { file: "upright.webp", media: PORTRAIT, link: "aspect=0.75", ...UPRIGHT },
-  { file: "night.webp", media: DARK, link: "style=night", ...WIDE },
-  { file: "day.webp", media: "all", link: "", ...WIDE },
+  { file: "upright.webp", media: PORTRAIT, link: `${COUNTRY}&aspect=0.75`, ...UPRIGHT },
+  { file: "night.webp", media: DARK, link: `${COUNTRY}&style=night`, ...WIDE },
+  { file: "day.webp", media: "all", link: COUNTRY, ...WIDE },
 ];
 
 const FOLDER = "poster";
@@ -70,16 +76,21 @@ export function poster(page: string): Plugin {
 }
 
 /**
- * Writes the script that requests the poster early, on a page without a link. A page with a link shows no poster, and
- * does not fetch it, since its loading is lazy.
+ * Writes the script that requests the poster early, on a page without a link, on its day. A page without a poster does not
+ * fetch it, since its loading is lazy.
  */
 function asksEarly(): string {
   const posters = POSTERS.map(({ file, media }) => [`./${FOLDER}/${file}`, media]);
-  return `if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";
-else {
-  const [href] = ${JSON.stringify(posters)}.find(([, media]) => matchMedia(media).matches);
-  const link = Object.assign(document.createElement("link"), { rel: "preload", as: "image", fetchPriority: "high", href });
-  document.head.append(link);
+  const [month, day] = POSTER_DAY;
+  return `{
+  const now = new Date();
+  const isLinked = location.search.length > 1 || location.hash.includes("=");
+  if (isLinked || now.getMonth() !== ${month} || now.getDate() !== ${day}) document.documentElement.dataset.withoutPoster = "";
+  else {
+    const [href] = ${JSON.stringify(posters)}.find(([, media]) => matchMedia(media).matches);
+    const link = Object.assign(document.createElement("link"), { rel: "preload", as: "image", fetchPriority: "high", href });
+    document.head.append(link);
+  }
 }`;
 }
 

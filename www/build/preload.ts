@@ -24,7 +24,8 @@ export function preloadEngine(...pages: readonly string[]): Plugin {
       order: "post",
       handler(html, { bundle = {}, path }) {
         if (!pages.includes(path.slice(1))) return html;
-        if (!html.includes("dataset.linked")) throw new Error(`${path}: no script has said whether there is a poster`);
+        if (!html.includes("dataset.withoutPoster"))
+          throw new Error(`${path}: no script has said whether there is a poster`);
         const files = Object.values(bundle);
         const engine = files.find((file) => file.type === "asset" && file.names.includes(ENGINE));
         const worker = files.find(({ fileName }) => WORKER.test(fileName));
@@ -51,7 +52,7 @@ function asksFor(fileName: string): string {
   const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
   return `{
   const ask = (fetchPriority) => document.head.append(Object.assign(document.createElement("link"), { fetchPriority }, ${link}));
-  if ("linked" in document.documentElement.dataset) ask("auto");
+  if ("withoutPoster" in document.documentElement.dataset) ask("auto");
   else globalThis.engineTimer = setTimeout(ask, ${SLOW_MS}, "low");
 }`;
 }

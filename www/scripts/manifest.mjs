@@ -6,6 +6,9 @@ import { readFileSync } from "node:fs";
 /** Parameters whose names mean something else on every HTML element. As attributes they have a prefix. */
 const PREFIXED = JSON.parse(readFileSync(new URL("../src/engine/prefixed.json", import.meta.url), "utf8"));
 
+/** What stands for a value that the word decides. */
+const AUTO = JSON.stringify("auto");
+
 const attributeOf = (key) => (PREFIXED.includes(key) ? `river-${key}` : key);
 const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
@@ -13,8 +16,8 @@ const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => lett
 export function attributes(own, table) {
   const ofTable = table.map((row) => ({
     name: attributeOf(row.key),
-    type: { text: typeOf(row) },
-    default: JSON.stringify(isNumber(row) ? Number(row.default) : row.default),
+    type: { text: row.decided ? `${typeOf(row)} | ${AUTO}` : typeOf(row) },
+    default: row.decided ? AUTO : JSON.stringify(isNumber(row) ? Number(row.default) : row.default),
     description: isNumber(row) ? `${row.help} ${row.min} to ${row.max}${row.unit ? ` ${row.unit}` : ""}.` : row.help,
   }));
   return [...ofTable, ...own.attributes].map((one) => ({ ...one, fieldName: propertyOf(one.name) }));
@@ -75,7 +78,7 @@ export function markupTypes(own, table) {
   const lines = attributes(own, table).flatMap((one) => [
     comment(one),
     // In markup a number may also be written as text.
-    `  ${JSON.stringify(one.name)}?: ${one.type.text}${one.type.text === "number" ? " | string" : ""} | undefined;`,
+    `  ${JSON.stringify(one.name)}?: ${one.type.text}${/^number/.test(one.type.text) ? " | string" : ""} | undefined;`,
   ]);
   return `export interface RiverSeedMarkup {\n${lines.join("\n")}\n}\n`;
 }

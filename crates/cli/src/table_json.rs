@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use riverseed::recipe::country::{COUNTRIES, Country};
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Choice, Decimal, Key, Kind, LONGEST_OUTLINE, LandKind, Parameter, is_decided};
+use riverseed::recipe::{Decimal, Kind, LONGEST_OUTLINE, Parameter, is_decided};
 use serde_json::{Map, Value, json};
 
 /// Writes the data.
@@ -34,18 +34,7 @@ fn row(parameter: &Parameter) -> Value {
         set("decided", true.into());
     }
     row.extend(range(parameter.kind));
-    if parameter.key == Key::Sea {
-        row.insert("automatic".into(), usual_seas());
-    }
     row.into()
-}
-
-/// Lists the shares of water that 0 stands for, by the kind of land, as link text.
-fn usual_seas() -> Value {
-    let with_sea = LandKind::ALL.iter().filter(|kind| kind.usual_sea() > 0.0);
-    let values: Map<String, Value> =
-        with_sea.map(|kind| (kind.word().name.into(), kind.usual_sea().to_string().into())).collect();
-    json!({ "by": Key::Land.parameter().name, "values": values })
 }
 
 fn kind_name(kind: Kind) -> &'static str {

@@ -1,7 +1,9 @@
 /** A control for one row of the parameter table: its label, the value, the help text and a reset button. */
 
 import { el, setText, setValue } from "../browser/dom.ts";
+import { AUTO } from "../engine/link-text.ts";
 import type { Parameter } from "../engine/table.ts";
+import { Choice } from "./choice.ts";
 import { type Change, type Field, fieldId, helpId, type Shown } from "./field.ts";
 import { numberControl } from "./number.ts";
 import { rangeOf, sidesOf, sidesText } from "./values.ts";
@@ -9,8 +11,8 @@ import { rangeOf, sidesOf, sidesText } from "./values.ts";
 export interface Control {
   readonly element: HTMLElement;
   /**
-   * Shows a value and its default, both as link text. With `idle`, the reason why it has no effect, the control is
-   * disabled. `automatic` is the value that the text stands for, if it is chosen automatically.
+   * Shows what a link says and what it says by default. With `idle`, the reason why it has no effect, the control is
+   * disabled. `automatic` is the value that the text stands for, if it is decided elsewhere.
    */
   show(text: string, fallback: string, idle: string | undefined, automatic?: string): void;
 }
@@ -83,14 +85,12 @@ class ResetButton {
 }
 
 function choiceControl(parameter: Parameter, change: Change): Field {
-  const attributes = { id: fieldId(parameter), "aria-describedby": helpId(parameter) };
-  const options = (parameter.choices ?? []).map(({ value, label }) => el("option", { value }, label));
-  const element = el("select", attributes, ...options);
-  element.addEventListener("change", () => change(parameter.key, element.value));
+  const element = el("select", { id: fieldId(parameter), "aria-describedby": helpId(parameter) });
+  const choice = new Choice(element, parameter, (value) => change(parameter.key, value));
   return {
     element,
     label: el("label", { for: fieldId(parameter) }, parameter.label),
-    show: (text) => setValue(element, text),
+    show: (text, automatic) => choice.show(text, automatic),
     focus: () => element.focus(),
   };
 }
@@ -109,10 +109,8 @@ function textControl(parameter: Parameter, change: Change): Field {
 }
 
 function sidesControl(parameter: Parameter, change: Change): Field {
-  const boxes = (parameter.choices ?? []).map(({ value, label }) => {
-    const box = el("input", { type: "checkbox", value });
-    return { box, element: el("label", { class: "side" }, box, label) };
-  });
+  const boxes = (parameter.choices ?? []).map(({ value, label }) => side(value, label));
+  const auto = side(AUTO, AUTO);
   const label = el("span", { id: fieldId(parameter) }, parameter.label);
   const attributes = {
     class: "sides",
@@ -120,21 +118,28 @@ function sidesControl(parameter: Parameter, change: Change): Field {
     "aria-labelledby": label.id,
     "aria-describedby": helpId(parameter),
   };
-  const element = el("div", attributes, ...boxes.map((side) => side.element));
-  element.addEventListener("change", (event) => {
+  const all = [...boxes, ...(parameter.decided ? [auto] : [])];
+  const element = el("div", attributes, ...all.map((one) => one.element));
+  element.addEventListener("change", ({ target }) => {
     const chosen = new Set(boxes.filter(({ box }) => box.checked).map(({ box }) => box.value));
-    const last = event.target;
+    if (target === auto.box && auto.box.checked) change(parameter.key, AUTO);
     // The rivers must end somewhere, so the last side cannot be unchecked.
-    if (chosen.size === 0 && last instanceof HTMLInputElement) last.checked = true;
+    else if (chosen.size === 0 && target instanceof HTMLInputElement) target.checked = true;
     else change(parameter.key, sidesText(chosen, parameter));
   });
   return {
     element,
     label,
-    show(text) {
-      const sides = sidesOf(text);
+    show(text, automatic) {
+      const sides = sidesOf(automatic ?? text);
       for (const { box } of boxes) box.checked = sides.includes(box.value);
+      auto.box.checked = automatic !== undefined;
     },
     focus: () => boxes[0]?.box.focus(),
   };
+}
+
+function side(value: string, label: string): { box: HTMLInputElement; element: HTMLElement } {
+  const box = el("input", { type: "checkbox", value });
+  return { box, element: el("label", { class: "side" }, box, label) };
 }

@@ -21,9 +21,13 @@ export interface Controls {
   show(values: Values): void;
 }
 
-/** Values by key: those on show, the defaults of the page, and the reasons why some have no effect. */
+/**
+ * Values by key: those on show, what the link says of them and what it says by default, and the reasons why some have no
+ * effect.
+ */
 export interface Values {
   values: ReadonlyMap<string, string>;
+  asked: ReadonlyMap<string, string>;
   defaults: ReadonlyMap<string, string>;
   idle: ReadonlyMap<string, string>;
 }
@@ -37,11 +41,10 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
-/** Returns the value that a parameter's 0 stands for on the map that is shown. */
-function automaticValue(parameter: Parameter | undefined, values: Values["values"]): string | undefined {
-  const { key = "", automatic } = parameter ?? {};
-  if (!automatic || values.get(key) !== "0") return undefined;
-  return automatic.values[values.get(automatic.by) ?? ""];
+/** Returns the value that is decided elsewhere than in the link, if it is. */
+export function automaticValue(key: string, { values, asked }: Pick<Values, "values" | "asked">): string | undefined {
+  const value = values.get(key);
+  return value === asked.get(key) ? undefined : value;
 }
 
 /** Takes one change of several keys, with their new values as link text. */
@@ -94,15 +97,16 @@ export function controls(
   return {
     front: front.element,
     settings: settings.element,
-    show({ values, defaults, idle }) {
+    show(map) {
+      const { asked, defaults, idle } = map;
       for (const [key, one] of all) {
-        const text = values.get(key);
+        const text = asked.get(key);
         if (text === undefined) continue;
-        one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(byKey.get(key), values));
+        one.show(text, defaults.get(key) ?? "", idle.get(key), automaticValue(key, map));
       }
       for (const [key, one] of front.single) one.element.hidden = idle.has(key);
-      for (const one of front.macros) one.show(values, defaults);
-      for (const one of groups) one.show(values, defaults);
+      for (const one of front.macros) one.show(map);
+      for (const one of groups) one.show(asked, defaults);
       settings.show(new Set([...idle.keys()].filter((key) => single.has(key))));
     },
   };

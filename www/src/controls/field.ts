@@ -18,7 +18,7 @@ export interface Field {
   readonly aside?: HTMLElement;
   /** A remark to read before the field is changed. */
   readonly remark?: string;
-  /** Shows a value, given as link text. `automatic` is the value that it stands for, if it is chosen automatically. */
+  /** Shows what a link says. `automatic` is the value that the text stands for, if it is decided elsewhere. */
   show(text: string, automatic?: string): void;
   focus(): void;
 }

@@ -10,8 +10,8 @@ const RARE = new Set(["flat-share", "neck", "oxbows", "clearance", "taper"]);
 
 export interface Group {
   readonly element: HTMLElement;
-  /** Takes the values, before `hide` is called. */
-  show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
+  /** Takes what the link says of all values, before `hide` is called. */
+  show(asked: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
   /** Hides the controls of some parameters, and headings with nothing under them. The rest is counted. */
   hide(hidden: ReadonlySet<string>): void;
 }
@@ -34,8 +34,8 @@ export function group(
   let differing: readonly string[] = [];
   return {
     element,
-    show(values, defaults) {
-      differing = parameters.map(({ key }) => key).filter((key) => values.get(key) !== defaults.get(key));
+    show(asked, defaults) {
+      differing = parameters.map(({ key }) => key).filter((key) => asked.get(key) !== defaults.get(key));
     },
     hide(hidden) {
       const count = differing.filter((key) => !hidden.has(key)).length;

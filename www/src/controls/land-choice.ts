@@ -2,30 +2,22 @@
  * The choice of land that is always in reach. “Drawn” appears only for a drawn land, since drawing has its own button.
  */
 
-import { el, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/table.ts";
+import { Choice } from "./choice.ts";
 
 const DRAWN = "drawn";
 
 export class LandChoice {
-  readonly #drawn = el("option", { value: DRAWN, hidden: true });
+  readonly #choice: Choice;
 
-  constructor(
-    private readonly select: HTMLSelectElement,
-    land: Parameter | undefined,
-    choose: (land: string) => void,
-  ) {
-    const options = (land?.choices ?? []).map(({ value, label }) => {
-      if (value !== DRAWN) return el("option", { value }, label);
-      this.#drawn.textContent = label;
-      return this.#drawn;
-    });
-    select.replaceChildren(...options);
-    select.addEventListener("change", () => choose(select.value));
+  constructor(select: HTMLSelectElement, land: Parameter | undefined, choose: (land: string) => void) {
+    this.#choice = new Choice(select, land, choose);
   }
 
-  show(land: string): void {
-    this.#drawn.hidden = land !== DRAWN;
-    setValue(this.select, land);
+  /** Shows a land. `automatic` is the one that the word has decided, if it is left to that. */
+  show(land: string, automatic: string | undefined): void {
+    const drawn = this.#choice.option(DRAWN);
+    if (drawn) drawn.hidden = land !== DRAWN;
+    this.#choice.show(land, automatic);
   }
 }

@@ -4,6 +4,7 @@
  */
 
 import { el, setText, setValue } from "../browser/dom.ts";
+import { AUTO } from "../engine/link-text.ts";
 import type { Parameter } from "../engine/table.ts";
 import { nearestText, rangeOf } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";
@@ -117,7 +118,14 @@ function placeAmong(stops: readonly number[], value: number): number {
 
 export interface MacroControl {
   readonly element: HTMLElement;
-  show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
+  show(map: Shown): void;
+}
+
+/** The values on show, what the link says of them, and what it says by default. */
+interface Shown {
+  values: ReadonlyMap<string, string>;
+  asked: ReadonlyMap<string, string>;
+  defaults: ReadonlyMap<string, string>;
 }
 
 /** Makes the slider of a macro, which shows its value as a word. */
@@ -155,9 +163,9 @@ export function macroControl(
   slider.classList.add("field");
   return {
     element,
-    show(shown, defaults) {
+    show({ values: shown, asked, defaults }) {
       values = shown;
-      fallback = keysOf(macro).flatMap((key) => changed(key, shown, defaults));
+      fallback = keysOf(macro).flatMap((key) => changed(key, asked, defaults));
       reset.hidden = fallback.length === 0;
       const place = placeOf(macro, shown);
       // A slider that already stands for these values stays under the finger.
@@ -167,17 +175,18 @@ export function macroControl(
       if (!isThere) setValue(slider, String(Math.round(place * PLACES)));
       slider.style.setProperty("--share", String(slider.valueAsNumber / PLACES));
       const told = words[Math.round(place * (words.length - 1))] ?? "";
-      setText(word, told);
-      slider.setAttribute("aria-valuetext", told);
+      const isAuto = partsOf(macro, shown).every(({ key }) => asked.get(key) === AUTO);
+      setText(word, isAuto ? AUTO : told);
+      slider.setAttribute("aria-valuetext", isAuto ? `automatic: ${told}` : told);
     },
   };
 }
 
 function changed(
   key: string,
-  shown: ReadonlyMap<string, string>,
+  asked: ReadonlyMap<string, string>,
   defaults: ReadonlyMap<string, string>,
 ): [key: string, text: string][] {
-  const [text, usual] = [shown.get(key), defaults.get(key)];
+  const [text, usual] = [asked.get(key), defaults.get(key)];
   return usual === undefined || text === usual ? [] : [[key, usual]];
 }

@@ -1,6 +1,7 @@
 /** The control of a number: a slider for trying values, and a field for an exact value or, in front, the value written. */
 
 import { el, setText, setValue } from "../browser/dom.ts";
+import { AUTO } from "../engine/link-text.ts";
 import { type Change, type Field, fieldId, helpId, type Shown } from "./field.ts";
 import { LOG_STEPS, logStep, nearestText, position, type Range, share, spoken, textAt } from "./values.ts";
 import { stepByWheel } from "./wheel.ts";
@@ -21,9 +22,6 @@ const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
  */
 const WHEEL_SHARE = 0.02;
 const WHEEL_NOTCHES = 100;
-
-/** The word in the field of a value that is chosen automatically. */
-const AUTOMATIC = "auto";
 
 /** Parameters of which the least change gives a different tree. Their sliders have only `DETENTS` steps. */
 const RESHAPING: ReadonlySet<string> = new Set(["reach", "kill", "step", "momentum", "curl", "stretch", "sensitivity"]);
@@ -52,7 +50,7 @@ export function numberControl(parameter: Shown, range: Range, change: Change): F
     ...(RESHAPING.has(parameter.key) ? { remark: "Each notch is another river." } : {}),
     show(text, automatic) {
       shown = automatic ?? text;
-      aside.show(automatic === undefined ? text : AUTOMATIC);
+      aside.show(automatic === undefined ? text : AUTO);
       showOnSlider(slider, shown, range, parameter.unit);
       if (automatic !== undefined)
         slider.setAttribute("aria-valuetext", `automatic: ${spoken(automatic, parameter.unit)}`);
@@ -83,7 +81,7 @@ function exactAside({ key, label, unit }: Shown, change: Change): Aside {
     autocomplete: "off",
     "aria-label": `${label}, exact value`,
   });
-  exact.addEventListener("change", () => change(key, exact.value.trim() === AUTOMATIC ? "0" : exact.value));
+  exact.addEventListener("change", () => change(key, exact.value));
   const units = unit ? [el("span", { class: "unit" }, unit)] : [];
   return { element: el("span", { class: "value" }, exact, ...units), show: (text) => setValue(exact, text) };
 }
@@ -91,7 +89,7 @@ function exactAside({ key, label, unit }: Shown, change: Change): Aside {
 /** Writes the value, hidden from screen readers, since the slider says it. */
 function writtenAside({ unit }: Shown): Aside {
   const element = el("span", { class: "value word", "aria-hidden": "true" });
-  return { element, show: (text) => setText(element, text === AUTOMATIC ? text : spoken(text, unit)) };
+  return { element, show: (text) => setText(element, text === AUTO ? text : spoken(text, unit)) };
 }
 
 function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit: string | undefined): void {

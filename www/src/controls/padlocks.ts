@@ -1,6 +1,6 @@
 /**
- * Padlocks: the values under a shut one are kept when a country, a pattern or a variation sets many at a time. Their state is
- * remembered if the browser allows storage.
+ * Padlocks: the values under a shut one are kept when a country, a pattern or a variation sets many at a time, or a word
+ * decides them. Their state is remembered if the browser allows storage.
  */
 
 import { el, icon } from "../browser/dom.ts";
@@ -16,7 +16,11 @@ export class Padlocks {
   /** The keys that were kept at the last visit. */
   readonly #remembered: ReadonlySet<unknown>;
 
-  constructor(private readonly keeper: () => Keeper) {
+  constructor(
+    private readonly keeper: () => Keeper,
+    /** Called when a padlock was shut. */
+    private readonly shut: () => void = () => {},
+  ) {
     this.#remembered = new Set(this.#read());
   }
 
@@ -30,7 +34,7 @@ export class Padlocks {
    * at the last visit are kept again.
    */
   padlock(label: string, keys: readonly string[]): HTMLElement {
-    const title = `Keep ${label} when a country, a pattern or a variation is chosen`;
+    const title = `Keep ${label} when a word, a country, a pattern or a variation is chosen`;
     const attributes = { type: "button", class: "keep", "aria-label": `Keep ${label}`, title };
     const button = el("button", attributes, icon(DRAWING));
     button.addEventListener("click", () => this.#turn(keys));
@@ -52,6 +56,7 @@ export class Padlocks {
     } catch {
       // The values are kept all the same, but the state is not remembered.
     }
+    if (!isShut) this.shut();
   }
 
   #show(): void {

@@ -15,6 +15,7 @@ export const NUMBERS = [
 ] as const;
 export const TEXTS = [
   "seed",
+  "country",
   "land",
   "outline",
   "sides",

@@ -6,3 +6,11 @@ export function linkText(values: Iterable<readonly [key: string, value: string]>
   for (const [key, value] of values) query.append(key, value);
   return query.toString().replaceAll("+", "%20");
 }
+
+/** What a link says of a key in place of a value, or by leaving it out, where the word is to decide. */
+export const AUTO = "auto";
+
+/** Returns a link with some values changed. */
+export function changed(link: string, changes: Iterable<readonly [key: string, value: string]>): string {
+  return linkText(new Map([...new URLSearchParams(link), ...changes]));
+}

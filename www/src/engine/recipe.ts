@@ -1,17 +1,16 @@
 /** The recipe on show, always in the core's spelling: the page changes values, and the core reads the new link once. */
 
-import { linkText } from "./link-text.ts";
+import { AUTO, changed, linkText } from "./link-text.ts";
 import type { Reading, ReadOptions } from "./types.ts";
 
 export class Recipe {
   #reading: Reading;
   #values: ReadonlyMap<string, string> = new Map();
+  #asked: ReadonlyMap<string, string> = new Map();
   #idle: ReadonlyMap<string, string> = new Map();
   readonly #notices = new Map<string, string>();
   /** Read on first use, so that the first picture need not wait for it. */
   #defaults: ReadonlyMap<string, string> | undefined;
-  /** True if the author of the link or a person at the controls chose a style. */
-  #isStyled: boolean;
 
   /** Takes the first link. On a dark page, a recipe without a chosen style is shown in the style for dark pages. */
   constructor(
@@ -20,7 +19,6 @@ export class Recipe {
     private readonly isOnDark: () => boolean = () => false,
   ) {
     this.#reading = this.#take(text);
-    this.#isStyled = this.#reading.namesStyle;
   }
 
   /** The canonical link to share. It contains the style if one was chosen, even the default one. */
@@ -38,14 +36,19 @@ export class Recipe {
     return Number(this.#values.get("aspect"));
   }
 
-  /** The values of what is shown. */
+  /** The values of what is shown, whoever decided them. */
   get values(): ReadonlyMap<string, string> {
     return this.#values;
   }
 
-  /** The default value of every key on this page. */
+  /** What the link says of every key: a value, or `auto` where the word decides. */
+  get asked(): ReadonlyMap<string, string> {
+    return this.#asked;
+  }
+
+  /** What is said of every key by a link that says nothing, on this page. */
   get defaults(): ReadonlyMap<string, string> {
-    this.#defaults ??= new Map(this.#readHere("").values);
+    this.#defaults ??= askedBy(this.#readHere(""));
     return this.#defaults;
   }
 
@@ -71,24 +74,26 @@ export class Recipe {
   /** Takes a whole link, from an address or a person. */
   open(text: string): void {
     this.#notices.clear();
-    this.#isStyled = this.#take(text).namesStyle;
+    this.#take(text);
   }
 
-  /** Goes back to what is shown. */
+  /** Goes back to what is shown. A style that nobody chose is left out: the core knows the default. */
   restore(shown: string): void {
     this.#notices.clear();
-    this.#takeValues(new Map(this.readLink(shown).values));
+    const { link, values } = this.readLink(shown);
+    const named = new Map(new URLSearchParams(link));
+    const style = values.find(([key]) => key === "style");
+    named.delete("style");
+    this.#take(linkText([...named, ...(style && this.#reading.namesStyle ? [style] : [])]));
   }
 
-  /** Changes some values and drops their notices. Notices about other values stay until they are dismissed. */
-  set(changes: Iterable<readonly [key: string, value: string]>): void {
-    const values = new Map(this.#values);
-    for (const [key, value] of changes) {
-      values.set(key, value);
-      this.#isStyled ||= key === "style";
-      this.#notices.delete(key);
-    }
-    this.#takeValues(values);
+  /**
+   * Changes some values and drops their notices; `auto` takes back a value that the word then decides. Notices about
+   * other values stay until they are dismissed.
+   */
+  set(changes: readonly (readonly [key: string, value: string])[]): void {
+    for (const [key] of changes) this.#notices.delete(key);
+    this.#take(changed(this.link, changes));
   }
 
   /** Reads the recipe again after the page has become dark or light. */
@@ -101,16 +106,11 @@ export class Recipe {
     this.#notices.clear();
   }
 
-  /** Reads a recipe from its values. A style that nobody chose is left out: the core knows the default. */
-  #takeValues(values: Map<string, string>): void {
-    if (!this.#isStyled) values.delete("style");
-    this.#take(linkText(values));
-  }
-
   #take(text: string): Reading {
     const reading = this.#readHere(text);
     this.#reading = reading;
     this.#values = new Map(reading.values);
+    this.#asked = askedBy(reading);
     this.#idle = new Map(reading.idle);
     for (const { key, message } of reading.notices) {
       const before = this.#notices.get(key);
@@ -123,4 +123,11 @@ export class Recipe {
   #readHere(text: string): Reading {
     return this.readLink(text, { dark: this.isOnDark() });
   }
+}
+
+/** Returns what a link says of every key. */
+function askedBy({ values, auto, link }: Reading): ReadonlyMap<string, string> {
+  const named = new URLSearchParams(link);
+  const decided = new Set(auto);
+  return new Map(values.map(([key, value]) => [key, decided.has(key) ? AUTO : (named.get(key) ?? value)]));
 }

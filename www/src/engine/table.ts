@@ -23,8 +23,8 @@ export interface Parameter {
   readonly choices?: readonly { readonly value: string; readonly label: string }[];
   /** As link text. */
   readonly default: string;
-  /** The values that 0 stands for, by the value of another parameter. */
-  readonly automatic?: { readonly by: string; readonly values: Readonly<Record<string, string>> };
+  /** True if the country decides the value that a link leaves out. */
+  readonly decided?: true;
 }
 
 /** A named set of values; what it leaves out keeps its default. */
@@ -33,6 +33,13 @@ export interface Preset {
   readonly label: string;
   readonly help: string;
   readonly values: readonly (readonly [key: string, value: string])[];
+}
+
+/** A kind of country, of the values that the key `country` may have. */
+export interface Country {
+  readonly name: string;
+  readonly label: string;
+  readonly help: string;
   /** The style that is best on such a map, if it needs one. */
   readonly style?: string;
 }
@@ -41,8 +48,8 @@ export interface Table {
   readonly parameters: readonly Parameter[];
   /** The presets of links. */
   readonly presets: readonly Preset[];
-  /** Countries to start with. Links cannot name them. */
-  readonly countries: readonly Preset[];
+  /** The kinds of country that words draw. */
+  readonly countries: readonly Country[];
 }
 
 /** Fetches the table. */

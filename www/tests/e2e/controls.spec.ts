@@ -22,10 +22,10 @@ import {
 import { core } from "./tiers.ts";
 
 /** Few attractors: these tests are about controls. */
-const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1&style=ink&labels=none";
+const SMALL = "seed=kauri&country=usual&growth=colonize&attractors=300&edition=1&style=ink&labels=none";
 
 /** As rivers grow unless a link says otherwise; with fewer parcels they hardly capture one another. */
-const DRAINED = "seed=kauri&attractors=3000&edition=1&style=ink&labels=none";
+const DRAINED = "seed=kauri&country=usual&attractors=3000&edition=1&style=ink&labels=none";
 
 const adjustable = table.parameters.filter(isAdjustable);
 
@@ -55,7 +55,7 @@ const CONTEXTS = [
   DRAINED,
   `${DRAINED}&pattern=trellis`,
   `${DRAINED}&pattern=radial`,
-  "seed=kauri&growth=brownian&edition=1",
+  "seed=kauri&country=usual&growth=brownian&edition=1",
   `${SMALL}&meander=none`,
   `${SMALL}&valleys=0&style=atlas`,
 ];
@@ -204,7 +204,7 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
 function byContext(parameters: typeof drawn): [link: string, few: typeof drawn][] {
   const groups = new Map<string, typeof drawn>();
   for (const parameter of parameters) {
-    const link = parameter.key === "attractors" ? "" : contextOf(parameter.key);
+    const link = parameter.key === "attractors" ? "seed=kauri&country=usual" : contextOf(parameter.key);
     groups.set(link, [...(groups.get(link) ?? []), parameter]);
   }
   return [...groups].flatMap(([link, all]) => inFews(all).map((few): [string, typeof drawn] => [link, few]));
@@ -228,7 +228,7 @@ for (const [link, few] of byContext(drawn.filter(({ min }) => min !== undefined)
     // With the names, which come last.
     await expectPictureOfAddress(page);
     const before = await shown(page);
-    for (const { key, label, stage, max, default: value } of few)
+    for (const { key, label, stage, max, decided, default: value } of few)
       await test.step(key, async () => {
         const began = [(await states()).length, (await phases()).length] as const;
         const slider = row(page, key).getByRole("slider");
@@ -241,7 +241,7 @@ for (const [link, few] of byContext(drawn.filter(({ min }) => min !== undefined)
         const exact = row(page, key).locator(".exact");
         await expect.poll(async () => (await exact.inputValue()) === address(page).get(key)).toBe(true);
         await row(page, key)
-          .getByRole("button", { name: `Reset ${label} to ${value}` })
+          .getByRole("button", { name: `Reset ${label} to ${decided ? "auto" : value}` })
           .click();
         await expectAddress(page, key, null);
         await expect(slider).toBeFocused();
@@ -302,8 +302,11 @@ for (const [link, few] of byContext(drawn.filter(({ key, kind }) => kind === "ch
       await test.step(key, async () => {
         const choice = row(page, key).getByRole("combobox");
         const first = await choice.inputValue();
-        await choice.selectOption({ index: 1 });
-        await expectAddress(page, key, choices?.[1]?.value ?? "");
+        const drawn = new Map(engine.readLink(link).values).get(key);
+        const other = choices?.find(({ value }) => value !== drawn)?.value ?? "";
+        const chosen = key === "country" ? "archipelago" : other;
+        await choice.selectOption(chosen);
+        await expectAddress(page, key, chosen);
         await expectPictureOfAddress(page);
         expect((await shown(page)).sha256).not.toBe(before.sha256);
         await choice.selectOption(first);
@@ -474,4 +477,39 @@ test("how much sea suits the land is shown where the slider stands, and can be h
   await exact.press("Enter");
   await expectAddress(page, "sea", null);
   await expect(exact).toHaveValue("auto");
+});
+
+test("what the word decides says auto and stands where it was decided; moved it is named, and can be given back @core", async ({
+  page,
+}) => {
+  await openUnfolded(page, "seed=Kestrel&attractors=300&labels=none");
+  const width = new Map(engine.readLink("seed=Kestrel&attractors=300").values).get("width") ?? "";
+  const [slider, exact] = [row(page, "width").getByRole("slider"), page.locator("#exact-width")];
+  await expect(exact).toHaveValue("auto");
+  await expect(slider).toHaveAttribute("aria-valuetext", new RegExp(`^automatic: ${width}`));
+  await exact.fill("9.5");
+  await exact.press("Enter");
+  await expectAddress(page, "width", "9.5");
+  await page.getByLabel("Seed", { exact: true }).fill("moa");
+  await expectAddress(page, "seed", "moa");
+  await expectAddress(page, "width", "9.5");
+  await row(page, "width").getByRole("button", { name: "Reset Width to auto" }).click();
+  await expectAddress(page, "width", null);
+  await expect(exact).toHaveValue("auto");
+});
+
+test("choices and sides that the word decides have an entry that says what is drawn @core", async ({ page }) => {
+  await openUnfolded(page, "seed=rimu&country=coast&attractors=300&labels=none");
+  const sides = new Map(engine.readLink("seed=rimu&country=coast&attractors=300").values).get("sides") ?? "";
+  const land = page.getByRole("combobox", { name: "Land", exact: true });
+  await expect(land).toHaveValue("auto");
+  await expect(land.locator("option:checked")).toHaveText(/^auto: ./);
+  const row = page.locator("[data-key=sides]");
+  const auto = row.getByLabel("auto", { exact: true });
+  await expect(auto).toBeChecked();
+  for (const side of sides) await expect(row.locator(`[value=${side}]`)).toBeChecked();
+  await auto.uncheck();
+  await expectAddress(page, "sides", sides);
+  await auto.check();
+  await expectAddress(page, "sides", null);
 });

@@ -17,13 +17,14 @@ test("every kind of country has a picture on its button, which is not fetched be
     const [, name] = /\/countries\/(.*)\.webp$/.exec(request.url()) ?? [];
     if (name !== undefined) fetched.push(name);
   });
-  await openFinished(page, "attractors=300");
+  await openFinished(page, "country=usual&attractors=300");
   expect(fetched).toEqual([]);
   await openPanel(page);
   const all = table.countries;
+  // With those that stand first, the one that leaves it to the word, and the one for more.
   await expect(page.locator("#countries .preset:visible")).toHaveCount(6);
   await page.getByRole("button", { name: "More countries" }).click();
-  await expect(page.getByRole("button", { name: all[5]?.label ?? "", exact: true })).toBeFocused();
+  await expect(page.getByRole("button", { name: all[4]?.label ?? "", exact: true })).toBeFocused();
   const pictures = page.locator("#countries img");
   await expect(pictures).toHaveCount(all.length);
   for (const [i, { label }] of all.entries()) {
@@ -62,7 +63,6 @@ function expectLink(page: Page, link: string): Promise<void> {
 test("a style leaves the map as it is, and offers the country it is best on: one step, which can be undone @core", async ({
   page,
 }) => {
-  const country = table.countries.find(({ name }) => name === "old-river");
   await openFinished(page, MADE);
   await page.getByRole("button", { name: "More styles" }).click();
   const [style, best] = [onStrip(page, "Past courses"), onStrip(page, "Best on: Old river")];
@@ -73,8 +73,7 @@ test("a style leaves the map as it is, and offers the country it is best on: one
   await finished(page);
   expect(await violations(page)).toEqual([]);
   await best.click();
-  const values = new URLSearchParams(country?.values.map(([key, value]) => [key, value]));
-  await expectLink(page, `seed=rimu&style=past-courses&labels=none&${values}`);
+  await expectLink(page, "seed=rimu&country=old-river&style=past-courses&labels=none");
   await expect(best).toBeHidden();
   await expect(style).toBeFocused();
   await finished(page);
@@ -90,9 +89,9 @@ test("the country that a style offers leaves alone what is kept, and is not offe
   await page.getByRole("button", { name: "Keep Land", exact: true }).click();
   const best = onStrip(page, "Best on: Old river");
   await best.click();
-  await expectAddress(page, "attractors", "5000");
+  await expectAddress(page, "country", "old-river");
   // The island that it was.
-  await expectAddress(page, "land", null);
+  await expectAddress(page, "land", "island");
   await expect(best).toBeHidden();
 });
 
@@ -106,4 +105,66 @@ test("on a phone the country that a style offers comes into sight beside it", as
   await style.click();
   await expect(best).toBeInViewport({ ratio: 1 });
   await expect(style).toBeInViewport({ ratio: 1 });
+});
+
+const countries = (page: Page): Locator => page.getByRole("group", { name: "Countries" });
+
+/** The button of a kind of country. */
+const country = (page: Page, name: string): Locator => countries(page).getByRole("button", { name, exact: true });
+
+test("a country that is pressed is named, and takes back what it decides; undone, all is as it was @core", async ({
+  page,
+}) => {
+  await openWithPanel(page, "seed=rimu&attractors=300&width=9.5&labels=none");
+  await expect(country(page, "As the word decides")).toHaveAttribute("aria-pressed", "true");
+  await country(page, "Island").click();
+  await expectLink(page, "seed=rimu&country=island&labels=none");
+  await expect(country(page, "Island")).toHaveAttribute("aria-pressed", "true");
+  await expect(country(page, "As the word decides")).toHaveAttribute("aria-pressed", "false");
+  await country(page, "As the word decides").click();
+  await expectLink(page, "seed=rimu&labels=none");
+  for (const _ of [1, 2]) await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await expectLink(page, "seed=rimu&attractors=300&width=9.5&labels=none");
+});
+
+test("the country that a word has drawn is marked among the others, which nobody has pressed @core", async ({
+  page,
+}) => {
+  for (const word of ["Kestrel", "Thornwick"]) {
+    await openWithPanel(page, `seed=${word}&attractors=300&labels=none`);
+    const drawn = new Map(engine.readLink(`seed=${word}`).values).get("country");
+    const label = table.countries.find(({ name }) => name === drawn)?.label ?? "";
+    await expect(countries(page).locator("[aria-current]")).toHaveText(label);
+    await expect(country(page, label)).toHaveAttribute("aria-pressed", "false");
+    await expect(country(page, label)).toBeVisible();
+  }
+});
+
+test("dice throw another country, unless it is kept: then the one on show is named @core", async ({ page }) => {
+  await openWithPanel(page, "seed=Kestrel&country=usual&attractors=300&labels=none");
+  const dice = page.getByRole("button", { name: "A new seed by chance" });
+  await dice.click();
+  await expectAddress(page, "country", null);
+  await expectAddress(page, "attractors", "300");
+  await page.goto("./?seed=Kestrel&attractors=300&labels=none");
+  await finished(page);
+  await page.getByRole("button", { name: "Keep Country" }).click();
+  const drawn = new Map(engine.readLink("seed=Kestrel").values).get("country") ?? "";
+  await expectAddress(page, "country", drawn);
+  await dice.click();
+  await expect.poll(() => address(page).get("seed")).not.toBe("Kestrel");
+  await expectAddress(page, "country", drawn);
+});
+
+test("what was kept at another visit changes no link, and says what it keeps when the word changes @core", async ({
+  page,
+}) => {
+  await page.addInitScript(() => localStorage.setItem("riverseed-kept", '["country","width"]'));
+  await openFinished(page, "seed=Kestrel&labels=none&attractors=300");
+  await expectLink(page, "seed=Kestrel&labels=none&attractors=300");
+  const values = new Map(engine.readLink("seed=Kestrel&attractors=300").values);
+  await page.getByRole("textbox", { name: "Seed" }).fill("moa");
+  await expectAddress(page, "seed", "moa");
+  await expectAddress(page, "country", values.get("country") ?? "");
+  await expectAddress(page, "width", values.get("width") ?? "");
 });

@@ -4,7 +4,8 @@ import { expect, type Page, test } from "@playwright/test";
 import { openFinished, openWithPanel } from "./riverpage.ts";
 
 const MOST_AT_REST = 20;
-const MOST_WITH_PANEL = 45;
+/** With the padlock of the country. */
+const MOST_WITH_PANEL = 46;
 
 /** Everything on the page that can have the focus and is seen, whether it can be used or not; but for the map itself. */
 function controlsIn(page: Page): Promise<string[]> {

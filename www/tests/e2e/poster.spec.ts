@@ -6,7 +6,7 @@ import { expect, type Page, test } from "@playwright/test";
 import sharp from "sharp";
 import { POSTERS } from "../../build/poster.ts";
 import { engine } from "../core.ts";
-import { address, complaints, openFinished, shown } from "./riverpage.ts";
+import { address, complaints, finished, onDay, openFinished, shown } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
 const WINDOWS = [
@@ -104,8 +104,19 @@ test("a visit with a link neither shows nor fetches it @core", async ({ page }) 
   expect(asked).toEqual([]);
 });
 
+test("on a day without a poster none is shown or fetched: no country stands for another @core", async ({ page }) => {
+  const asked = posters(page);
+  await onDay(page, "2026-07-14T12:00");
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("./");
+  await expect(page.locator(".poster")).toBeHidden();
+  await finished(page);
+  expect(asked).toEqual([]);
+});
+
 test("it is seen until the map comes, and a canvas without a picture hides none of it", async ({ page }) => {
   await page.route("**/*.wasm", () => {});
+  await onDay(page);
   await page.goto("./");
   const poster = page.locator(".poster img");
   await expect.poll(() => poster.evaluate((img: HTMLImageElement) => img.naturalWidth)).toBeGreaterThan(0);

@@ -50,6 +50,21 @@ export async function stopClock(page: Page): Promise<void> {
 /** Later than any page is open while its clock runs. */
 export const STOPPED_AT_MS = 3_600_000;
 
+/** The day on which tests visit the page, unless they say another: the one that has a poster. */
+const USUAL_DAY = "2026-01-01T12:00";
+
+/** Makes it a day, at any time of which a date is asked for. Call before `goto`. */
+export async function onDay(page: Page, day = USUAL_DAY): Promise<void> {
+  await page.addInitScript((now) => {
+    const Real = Date;
+    globalThis.Date = class extends Real {
+      constructor(...given: [] | [number]) {
+        super(...(given.length === 0 ? ([now] as unknown as [number]) : given));
+      }
+    } as DateConstructor;
+  }, day);
+}
+
 /** Opens a link whose first map is not there yet: the page's clock is stopped. */
 export async function openBegun(page: Page, link = ""): Promise<void> {
   await ownClock(page);
@@ -92,6 +107,7 @@ export async function fixChance(page: Page): Promise<void> {
 /** Opens a link and waits for its finished river, without animation. */
 export async function openFinished(page: Page, link = ""): Promise<void> {
   await page.emulateMedia({ reducedMotion: "reduce" });
+  if (link === "") await onDay(page);
   await page.goto(link === "" ? "./" : `./?${link}`);
   await finished(page);
 }

@@ -25,8 +25,8 @@ for (const macro of MACROS)
       }
     });
 
-    test(`${macro.name}: the middle is the default: ${growth}`, () => {
-      const values = valuesOf(`growth=${growth}`);
+    test(`${macro.name}: the middle is the usual: ${growth}`, () => {
+      const values = valuesOf(`country=usual&growth=${growth}`);
       for (const [key, text] of valuesAt(macro, 0.5, rows, values)) expect([key, text]).toEqual([key, values.get(key)]);
       expect(placeOf(macro, values)).toBeCloseTo(0.5);
     });

@@ -1,5 +1,6 @@
 import { expect, test, vi } from "vitest";
 import { isAdjustable } from "../../src/controls/controls.ts";
+import { goingTo } from "../../src/controls/countries.ts";
 import { isShown, unaskedChanges } from "../../src/controls/presets.ts";
 import { Recipe } from "../../src/engine/recipe.ts";
 import { engine } from "../core.ts";
@@ -8,11 +9,75 @@ import { table } from "../table.ts";
 const { parameters, presets } = table;
 const fresh = () => new Recipe(engine.readLink);
 
-test("an empty link is the defaults, without a note", () => {
+test("an empty link is the defaults and what its word decides, without a note", () => {
   const recipe = fresh();
   recipe.open("");
   expect(recipe.notices.size).toBe(0);
-  for (const { key, default: value } of parameters) expect(recipe.values.get(key)).toBe(value);
+  for (const { key, decided, default: value } of parameters)
+    expect(recipe.asked.get(key), key).toBe(decided ? "auto" : value);
+  expect(recipe.asked).toEqual(recipe.defaults);
+  recipe.open("country=usual");
+  for (const { key, default: value } of parameters)
+    if (key !== "country" && key !== "sea") expect(recipe.values.get(key), key).toBe(value);
+  expect(recipe.values.get("sea")).toBe("0.72");
+});
+
+test("a word decides a country and its values, which the link does not name", () => {
+  const recipe = fresh();
+  const countries = new Set(
+    ["Thornwick", "Kestrel", "Ithaca", "Kauri"].map((word) => {
+      recipe.set([["seed", word]]);
+      expect(recipe.link).toBe(`seed=${word}&edition=1`);
+      expect(recipe.asked.get("country")).toBe("auto");
+      return recipe.values.get("country");
+    }),
+  );
+  expect(countries.size).toBeGreaterThan(2);
+  expect(countries).not.toContain("auto");
+});
+
+test("what is named stays when the word changes, and what is taken back follows it again", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu");
+  const usual = recipe.values.get("width");
+  recipe.set([["width", "9.5"]]);
+  recipe.set([["seed", "moa"]]);
+  expect([recipe.link, recipe.values.get("width"), recipe.asked.get("width")]).toEqual([
+    "seed=moa&edition=1&width=9.5",
+    "9.5",
+    "9.5",
+  ]);
+  recipe.set([
+    ["seed", "rimu"],
+    ["width", "auto"],
+  ]);
+  expect([recipe.link, recipe.values.get("width"), recipe.asked.get("width")]).toEqual([
+    "seed=rimu&edition=1",
+    usual,
+    "auto",
+  ]);
+});
+
+test("going back to what is shown names nothing else", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu&width=9.5");
+  recipe.restore(recipe.shown);
+  expect(recipe.link).toBe("seed=rimu&edition=1&width=9.5");
+});
+
+test("a value that stands for the usual one is named, and its value is what is drawn", () => {
+  const recipe = fresh();
+  recipe.open("land=island&sea=0");
+  expect([recipe.asked.get("sea"), recipe.values.get("sea")]).toEqual(["0", "0.72"]);
+});
+
+test("going to a country names it, and takes back all that it decides but for what is kept", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu&edition=1&aspect=2&width=9.5&trim=40&land=island&labels=none");
+  const [alps] = table.countries.filter(({ name }) => name === "alps");
+  if (!alps) throw new Error("there are no alps");
+  recipe.set(goingTo(alps, parameters, new Set(["width"])));
+  expect(recipe.link).toBe("seed=rimu&edition=1&country=alps&aspect=2&width=9.5&labels=none");
 });
 
 test("a damaged link is opened mended, with a note that stays until it is dismissed", () => {
@@ -185,10 +250,12 @@ test("when pages become dark, a style that was chosen stays, and where none was 
 
 test("what a widget does not grow is told, of a recipe that is shown whole", () => {
   const recipe = fresh();
-  recipe.open("attractors=20001");
-  expect(recipe.values.get("attractors")).toBe("20001");
+  recipe.open("country=usual&attractors=90000");
+  expect(recipe.values.get("attractors")).toBe("90000");
   expect(recipe.notices.size).toBe(0);
-  expect(recipe.widgetNotices).toEqual(["attractors: 20001 exceeds the widget's limit: 20000 is used"]);
+  expect(recipe.widgetNotices).toEqual([
+    expect.stringMatching(/^attractors: 90000 exceeds the widget's limit: \d+ is used$/),
+  ]);
   recipe.open("");
   expect(recipe.widgetNotices).toEqual([]);
 });

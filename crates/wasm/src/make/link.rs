@@ -5,10 +5,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::objects::object;
 use riverseed::land::Land;
-use riverseed::recipe::Parameter;
+use riverseed::recipe::is_decided;
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, ReadOptions, Reading};
 use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Decimal, Key, Parameter, Recipe};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -31,14 +32,16 @@ export interface ReadOptions {
 }
 /** A link as it was understood. */
 export interface Reading {
-  /** The canonical link of what is drawn: defaults left out. */
+  /** The canonical link of what is drawn: defaults, and what the country decides, left out. */
   readonly link: string;
   /** The canonical link to share: it names a style only where the text that was read did. */
   readonly sharedLink: string;
   /** Whether the text names a style. */
   readonly namesStyle: boolean;
-  /** Every parameter's value as link text. */
+  /** Every parameter's value that is drawn, as link text. The `country` is `own` for land that is in no country. */
   readonly values: readonly (readonly [key: string, value: string])[];
+  /** The keys whose values the text leaves to the word: `country`, and what that decides. */
+  readonly auto: readonly string[];
   /** The keys that do nothing in this recipe, and why. */
   readonly idle: readonly (readonly [key: string, reason: string])[];
   readonly notices: readonly Notice[];
@@ -55,7 +58,8 @@ pub fn read_link(
 ) -> Object {
     let reading = read(text, options);
     let Reading { recipe, .. } = &reading;
-    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let value = |parameter: &Parameter| pair(parameter.name, &drawn(recipe, parameter));
+    let is_auto = |row: &&Parameter| (is_decided(row.key) || row.key == Key::Country) && !recipe.is_named(row.key);
     let land = Land::kind_of(recipe);
     let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
     object(&[
@@ -63,6 +67,7 @@ pub fn read_link(
         ("sharedLink", reading.shared_link().into()),
         ("namesStyle", reading.names_style.into()),
         ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("auto", TABLE.iter().filter(is_auto).map(|row| JsValue::from_str(row.name)).collect::<Array>().into()),
         ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
         ("notices", list(&reading.notices).into()),
         #[cfg(feature = "engine")]
@@ -88,6 +93,16 @@ pub(crate) fn list(notices: &[Notice]) -> Array {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };
     notices.iter().map(notice).collect()
+}
+
+/// Writes the value of a parameter that is drawn, also where the recipe has one that stands for another.
+fn drawn(recipe: &Recipe, parameter: &Parameter) -> String {
+    let text = parameter.text_of(recipe.value(parameter.key));
+    match parameter.key {
+        Key::Country => recipe.country().into(),
+        Key::Sea if text == "0" => Decimal::new(recipe.sea().into()).to_string(),
+        _ => text,
+    }
 }
 
 fn pair(name: &str, text: &str) -> Array {

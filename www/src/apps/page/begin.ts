@@ -19,8 +19,8 @@ import { typeAtOnce } from "./type-at-once.ts";
  * the poster sooner.
  */
 async function posterIsSeen(): Promise<void> {
-  const isLinked = "linked" in document.documentElement.dataset;
-  if (isLinked || document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return;
+  const isWithout = "withoutPoster" in document.documentElement.dataset;
+  if (isWithout || document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return;
   await new Promise<void>((done) => {
     new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
   });
@@ -45,7 +45,8 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
     throw error;
   };
   await turn();
-  const page = new Page(own, await table.catch(shut), recipe, viewport, renderHost);
+  const day = linked === "" ? recipe.seed : undefined;
+  const page = new Page(own, await table.catch(shut), recipe, viewport, renderHost, day);
   await turn();
   page.start();
   if (linked === "") typeAtOnce(elements.seed);

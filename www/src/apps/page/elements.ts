@@ -5,6 +5,7 @@ import { find } from "../../browser/dom.ts";
 export const elements = {
   mapPlace: find("#map-place", HTMLElement),
   masthead: find(".masthead", HTMLElement),
+  ofTheDay: find("#of-the-day", HTMLElement),
   bar: find(".bar", HTMLElement),
   styles: find("#styles", HTMLElement),
   frame: find("#frame", HTMLElement),

@@ -4,6 +4,7 @@ import { AddressBar, addressOf, asQuery, linkOf } from "../../browser/address.ts
 import { copy } from "../../browser/clipboard.ts";
 import { el } from "../../browser/dom.ts";
 import { answerEscape } from "../../browser/keys.ts";
+import { COUNTRY } from "../../controls/countries.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named } from "../../engine/errors.ts";
 import type { Recipe } from "../../engine/recipe.ts";
@@ -15,6 +16,7 @@ import type { ShowMode } from "../../player/river-player.ts";
 import { numbersOf } from "../../player/summary-text.ts";
 import type { PageRenderHost } from "./backend.ts";
 import { CountryName } from "./country-name.ts";
+import { OfTheDay } from "./day/of-the-day.ts";
 import { elements } from "./elements.ts";
 import { fail, warn } from "./failure.ts";
 import { CharacterSwitch } from "./help/character-switch.ts";
@@ -34,7 +36,7 @@ import { MapNames } from "./panel/map-names.ts";
 import { MeasuresView } from "./panel/measures.ts";
 import { Panel } from "./panel/panel.ts";
 import { PresetNote } from "./panel/preset-note.ts";
-import { prefersDark } from "./preferences.ts";
+import { firstLink, prefersDark } from "./preferences.ts";
 import { Reset } from "./reset.ts";
 import { SixWays } from "./six/six-ways.ts";
 import { Transport } from "./timeline/transport.ts";
@@ -65,6 +67,7 @@ export class Page {
   readonly #six: SixWays;
   readonly #presetNote: PresetNote;
   readonly #welcome: Welcome;
+  readonly #day: OfTheDay;
 
   /** Makes the parts in an order in which each finds there what it is made of. What they call later may be any other. */
   constructor(
@@ -73,8 +76,11 @@ export class Page {
     recipe: Recipe,
     viewport: RiverViewport,
     renderHost: PageRenderHost,
+    /** The word of the day, if the visitor has come for its country. */
+    day: string | undefined,
   ) {
     this.#recipe = recipe;
+    this.#day = new OfTheDay(elements.ofTheDay, day);
     this.#isAddress = (word) => engine.isAddress(word);
     this.#viewport = viewport;
     this.#country = new CountryName(recipe);
@@ -176,7 +182,7 @@ export class Page {
 
   #makeSix(renderHost: PageRenderHost): SixWays {
     return new SixWays(renderHost, this.table.presets, {
-      shared: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
+      shared: () => ({ link: this.#recipe.shown, values: this.#recipe.values, kept: this.#choices.kept }),
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),
@@ -186,7 +192,10 @@ export class Page {
 
   #makeVariations(): void {
     new Variations(elements.variations, this.table.parameters, {
-      map: () => ({ values: this.#recipe.values, idle: this.#recipe.idle, kept: this.#choices.kept }),
+      map: () => {
+        const { shown: link, values, idle } = this.#recipe;
+        return { link, values, idle, kept: this.#choices.kept };
+      },
       picture: (link, size) => this.#viewport.ask.picture(link, size),
       take: (values) => this.#set(values, "still"),
     });
@@ -247,7 +256,7 @@ export class Page {
     this.#attempt(() => {
       const changes = [...values];
       this.#presetNote.forget();
-      this.#recipe.set(withoutForeignNames(changes, this.#recipe.values));
+      this.#recipe.set(withoutForeignNames([...this.#choices.pins(this.#recipe), ...changes], this.#recipe));
       if (changes.some(([key]) => key === "seed")) this.#welcome.leave();
       this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
@@ -296,7 +305,7 @@ export class Page {
     this.#undo.arrived();
     this.#address.drop();
     if (!areAskedFor) this.#six.close();
-    if (link !== this.#recipe.link) this.#open(asQuery(link), false);
+    if (link !== this.#recipe.link) this.#open(asQuery(link) || firstLink(), false);
     if (areAskedFor) this.#six.open();
     this.#address.show(this.#recipe.link);
   }
@@ -321,6 +330,7 @@ export class Page {
     this.#choices.show(this.#recipe);
     this.#reset.offer();
     this.#ownLand.show(values);
+    this.#day.show(this.#recipe.seed);
     this.#showName();
     this.#notices.show();
   }
@@ -354,7 +364,8 @@ export class Page {
     const names = await this.#names.refresh();
     if (this.#country.learn(names)) this.#showName();
     this.#welcome.meet(this.#recipe.values.get("land"));
-    this.#words.tell(names, seed, phase, summary);
+    const kind = this.table.countries.find(({ name }) => name === this.#recipe.values.get(COUNTRY))?.label ?? "";
+    this.#words.tell([this.#day.words(seed), kind], names, seed, phase, summary);
   }
 
   #refreshThumbnails(): Promise<void> {

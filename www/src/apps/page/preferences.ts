@@ -1,7 +1,9 @@
 /** The preferences of the visitor's system, dark pages and reduced motion, and the link of a first visit. */
 
 import { DARK_PAGES } from "../../browser/dark-pages.ts";
+import { linkText } from "../../engine/link-text.ts";
 import type { ShowMode } from "../../player/river-player.ts";
+import { wordOf } from "./day/day.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 export const prefersDark = window.matchMedia(DARK_PAGES);
@@ -14,9 +16,9 @@ export function howToGrow(): ShowMode {
 /** The width over the height of a first map in a window that is higher than wide. In others it is the default. */
 const UPRIGHT = "0.75";
 
-/** Returns the link of a visit without one: the map of all defaults, in the window's shape. */
+/** Returns the link of a visit without one: the country of the day, in the window's shape. */
 export function firstLink(): string {
-  return isUpright() ? `aspect=${UPRIGHT}` : "";
+  return linkText([["seed", wordOf(new Date())], ...(isUpright() ? ([["aspect", UPRIGHT]] as const) : [])]);
 }
 
 /** Returns the shape of a fresh map in this window: the shape that the map has, if somebody chose that. */

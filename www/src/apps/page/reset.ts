@@ -1,4 +1,4 @@
-/** The button that opens the map of all defaults for a word, in the window's shape. It is there while there is something to reset. */
+/** The button that opens a word's own country, in the window's shape. It is there while there is something to reset. */
 
 import { linkText } from "../../engine/link-text.ts";
 import type { Recipe } from "../../engine/recipe.ts";
@@ -22,9 +22,9 @@ export class Reset {
 
   /** Follows a change of the recipe. */
   offer(): void {
-    const { values, defaults, seed } = this.recipe;
+    const { asked, defaults, seed } = this.recipe;
     const usual = new Map([...defaults, ["aspect", this.#usualAspect], ["seed", seed]]);
-    const isUsual = [...usual].every(([key, text]) => values.get(key) === text);
+    const isUsual = [...usual].every(([key, text]) => asked.get(key) === text);
     const { reset, panel } = elements;
     if (isUsual && document.activeElement === reset) panel.close.focus();
     reset.hidden = isUsual;

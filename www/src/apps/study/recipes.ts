@@ -62,7 +62,7 @@ export type RecipeName = keyof typeof RECIPES;
 export const RECIPE_NAMES = Object.keys(RECIPES) as [RecipeName, ...RecipeName[]];
 
 /** All land, so that no coast gives a map away, with mouths on all sides. */
-const GROUND = "land=rectangle&aspect=1&sides=nesw&edition=1";
+const GROUND = "country=usual&land=rectangle&aspect=1&sides=nesw&edition=1";
 
 /** Returns a link by a recipe, with values by chance. */
 export function linkBy(name: RecipeName, seed: string, chance: Chance): string {

@@ -68,7 +68,7 @@ test("whoever asks of the map before gets no answer, and that map's inspector is
 });
 
 test("the basin of a river is drawn, but for a brook's, of which one would see the cells", async () => {
-  const river = new engine.River("seed=kauri&land=island&attractors=3000");
+  const river = new engine.River("seed=kauri&country=usual&land=island&attractors=6000");
   while (river.advance(1000));
   const inspections = new Inspections();
   const shown = { river, link: river.link, state: "finished" } as RiverPlayer<engine.River> & { river: engine.River };

@@ -2,14 +2,16 @@ import { expect, test } from "vitest";
 import type { Varied } from "../../../src/apps/page/variations/dials.ts";
 import { AROUND, neighboursOf } from "../../../src/apps/page/variations/neighbours.ts";
 import { MACROS } from "../../../src/controls/macros.ts";
+import { linkText } from "../../../src/engine/link-text.ts";
+import { engine } from "../../core.ts";
 import { table } from "../../table.ts";
 
 const rows = new Map(table.parameters.map((parameter) => [parameter.key, parameter]));
 const NONE: ReadonlyMap<string, string> = new Map();
 
 function map(values: Record<string, string> = {}, others: Partial<Varied> = {}): Varied {
-  const usual = table.parameters.map((parameter) => [parameter.key, parameter.default] as const);
-  return { values: new Map([...usual, ...Object.entries(values)]), idle: NONE, kept: new Set(), ...others };
+  const { link, values: drawn } = engine.readLink(linkText([["country", "usual"], ...Object.entries(values)]));
+  return { link, values: new Map(drawn), idle: NONE, kept: new Set(), ...others };
 }
 
 const IN_FRONT = [

@@ -3,9 +3,12 @@ import { isOwnName, withoutForeignNames } from "../../../src/apps/page/naming/ow
 
 const VALUES = new Map([
   ["seed", "kauri"],
+  ["country", "coast"],
   ["land", "island"],
   ["names", "12.Silverrun_t.Home"],
 ]);
+/** What the link says: the word has drawn country and land. */
+const ASKED = new Map([...VALUES, ["country", "auto"], ["land", "auto"]]);
 
 test.each([
   ["another seed", [["seed", "rimu"]], true],
@@ -27,6 +30,16 @@ test.each([
     false,
   ],
   ["the seed with a capital, in which case does not count", [["seed", "Kauri"]], false],
+  ["another country", [["country", "alps"]], true],
+  ["the country that is drawn, named", [["country", "coast"]], false],
+  [
+    "what the word decides, left to it again",
+    [
+      ["country", "auto"],
+      ["land", "auto"],
+    ],
+    false,
+  ],
   ["a slider", [["attractors", "900"]], false],
   ["a style", [["style", "night"]], false],
   [
@@ -38,12 +51,13 @@ test.each([
     false,
   ],
 ] as const)("%s: does it let own names go?", (_, changes, letsGo) => {
-  const all = withoutForeignNames([...changes], VALUES);
+  const all = withoutForeignNames([...changes], { asked: ASKED, values: VALUES });
   expect(all).toEqual(letsGo ? [...changes, ["names", ""]] : changes);
 });
 
 test("where there are no own names there is nothing to let go", () => {
-  expect(withoutForeignNames([["seed", "rimu"]], new Map([["seed", "kauri"]]))).toEqual([["seed", "rimu"]]);
+  const values = new Map([["seed", "kauri"]]);
+  expect(withoutForeignNames([["seed", "rimu"]], { asked: values, values })).toEqual([["seed", "rimu"]]);
 });
 
 test("a name is one's own by its whole mark", () => {

@@ -22,7 +22,7 @@ const TOLD_RIVERS = 3;
 
 export class MapWords {
   readonly #announcer: Announcer;
-  /** The caption's words about the greatest river, once its name is known. */
+  /** The caption's words about the country and its greatest river, once their names are known. */
   #greatest = "";
 
   /** Takes the elements; `elements.canvas` may be replaced later. */
@@ -40,14 +40,18 @@ export class MapWords {
     else this.#announcer.hush();
   }
 
-  /** Adds the greatest rivers to the caption and the text alternative, once the names on the finished map are known. */
-  tell(names: readonly NameFacts[], seed: string, phase: Phase, summary: Summary): void {
+  /**
+   * Adds what there is to say of the country, and the greatest rivers, to the caption and the text alternative, once the
+   * names on the finished map are known.
+   */
+  tell(country: readonly string[], names: readonly NameFacts[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;
-    this.#greatest = `Greatest river: ${rivers[0]?.name}`;
+    const sort = country.map((words) => words && `${words}. `).join("");
+    this.#greatest = `${sort}Greatest river: ${rivers[0]?.name}`;
     if (!summary.stopped) setText(this.elements.caption, this.#greatest);
     const greatest = rivers.map(({ name }) => name).join(", ");
-    const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
+    const told = `${alternative(seed, phase, summary, count)} ${sort}Its greatest rivers: ${greatest}.`;
     this.elements.canvas.setAttribute("aria-label", told);
   }
 }

@@ -4,14 +4,17 @@ type Values = ReadonlyMap<string, string>;
 type Changes = readonly (readonly [key: string, value: string])[];
 
 /** The keys that decide where rivers, coasts and islands are at all. Others move them at most. */
-const COUNTRY: readonly string[] = ["seed", "land"];
+const COUNTRY: readonly string[] = ["seed", "country", "land"];
 
 /**
  * Returns the changes of a recipe, and with them that of its own names: they belong to seed and land, and would name
- * nothing of another country. Changes that bring names keep those.
+ * nothing of another country. Changes that bring names keep those. `asked` is what the link says, and `values` what is
+ * drawn.
  */
-export function withoutForeignNames(changes: Changes, values: Values): Changes {
-  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && small(values.get(key)) !== small(value));
+export function withoutForeignNames(changes: Changes, { asked, values }: { asked: Values; values: Values }): Changes {
+  const is = (all: Values, key: string, value: string): boolean => small(all.get(key)) === small(value);
+  const isNew = (key: string, value: string): boolean => !is(asked, key, value) && !is(values, key, value);
+  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && isNew(key, value));
   const bringsNames = changes.some(([key]) => key === "names");
   return isOther && !bringsNames && values.get("names") ? [...changes, ["names", ""]] : changes;
 }

@@ -1,14 +1,16 @@
 /** The controls by which a visitor chooses a map: seed, country, land, style, presets, and the panel's controls. */
 
 import { el } from "../../../browser/dom.ts";
-import { type Controls, controls } from "../../../controls/controls.ts";
+import { automaticValue, type Controls, controls } from "../../../controls/controls.ts";
+import { COUNTRY, Countries, goingTo } from "../../../controls/countries.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
 import { LandChoice } from "../../../controls/land-choice.ts";
 import { Padlocks } from "../../../controls/padlocks.ts";
-import { isShown, PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
+import { type Presets, presets } from "../../../controls/presets.ts";
 import { SeedBox } from "../../../controls/seed.ts";
+import { AUTO } from "../../../engine/link-text.ts";
 import type { Recipe } from "../../../engine/recipe.ts";
-import type { Parameter, Preset, Table } from "../../../engine/table.ts";
+import type { Country, Parameter, Preset, Table } from "../../../engine/table.ts";
 import type { WholeCore } from "../../../engine/whole.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import { elements } from "../elements.ts";
@@ -32,18 +34,16 @@ export interface ChoicesEvents {
   failed(error: unknown): void;
 }
 
-/** The number of kinds of country, in the table's order, that are in sight from the beginning. */
-const FIRST_COUNTRIES = 5;
-
-/** The folder of the pictures that build/button-pictures.ts draws, beside the page. */
-const COUNTRY_PICTURES = "./countries";
-
 export class Choices {
   readonly strip: StyleStrip;
-  readonly #padlocks = new Padlocks(() => localStorage);
+  // What is kept is said by any change.
+  readonly #padlocks = new Padlocks(
+    () => localStorage,
+    () => this.events.set([], "settle"),
+  );
   readonly #controls: Controls;
   readonly #presets: Presets;
-  readonly #countries: PresetButtons;
+  readonly #countries: Countries;
   readonly #seedBox: SeedBox;
   readonly #land: LandChoice;
   /** The shape of the map on show, and the default. */
@@ -51,7 +51,7 @@ export class Choices {
 
   constructor(
     private readonly engine: WholeCore["engine"],
-    table: Table,
+    private readonly table: Table,
     disclosures: Disclosures,
     /** The list of names. */
     names: HTMLElement,
@@ -62,13 +62,8 @@ export class Choices {
     const choose = (values: Values): void => this.#choose(values);
     this.#controls = controls(parameters, choose, disclosures, this.#padlocks, elements.speedSetting);
     this.#presets = presets(table.presets, (preset) => events.press(preset));
-    this.#countries = new PresetButtons(
-      "Countries",
-      table.countries,
-      (country) => this.#goToCountry(country),
-      ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
-      FIRST_COUNTRIES,
-    );
+    const padlock = this.#padlocks.padlock("Country", [COUNTRY]);
+    this.#countries = new Countries(table.countries, padlock, (country) => this.#goToCountry(country));
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (word) => events.type(word));
     describeSeed(parameter("seed"));
     this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
@@ -98,13 +93,23 @@ export class Choices {
     return values.filter(([key]) => !this.kept.has(key));
   }
 
-  show({ values, idle, defaults, seed }: Recipe): void {
-    this.strip.show(values.get("style") ?? "", (country) => this.#changesNothing(country, values));
-    this.#controls.show({ values, idle, defaults });
+  /**
+   * Returns what a change has to say besides, so that what is kept stays as it is: nothing of what somebody has said
+   * already.
+   */
+  pins({ values, asked, idle }: Recipe): Values {
+    const isLeft = (key: string): boolean => asked.get(key) === AUTO && !idle.has(key);
+    return [...this.kept].filter(isLeft).map((key) => [key, values.get(key) ?? AUTO]);
+  }
+
+  show(recipe: Recipe): void {
+    const { values, asked, defaults, seed } = recipe;
+    this.strip.show(values.get("style") ?? "", (country) => this.#changesNothing(country, recipe));
+    this.#controls.show(recipe);
     this.#presets.show(values);
-    this.#countries.show(values);
+    this.#countries.show(values, asked);
     this.#seedBox.show(seed);
-    this.#land.show(values.get("land") ?? "");
+    this.#land.show(asked.get("land") ?? "", automaticValue("land", recipe));
     this.#aspects = { now: values.get("aspect") ?? "", usual: defaults.get("aspect") ?? "" };
   }
 
@@ -124,14 +129,15 @@ export class Choices {
     if (values.some(([key, text]) => key === "land" && text === "drawn")) this.events.draw();
   }
 
-  /** Takes the map of a country, all but its seed, its style and what is kept. */
-  #goToCountry(country: Preset): void {
-    this.events.set(this.unkept(country), "still");
+  /** Goes to a country, but for what is kept. */
+  #goToCountry(country: Country): void {
+    this.events.set(goingTo(country, this.table.parameters, this.kept), "still");
   }
 
-  /** Returns whether a country is on show already, as far as its values are not kept. */
-  #changesNothing(country: Preset, shown: ReadonlyMap<string, string>): boolean {
-    return isShown({ ...country, values: this.unkept(country) }, shown);
+  /** Returns whether a country is on show already, as far as nothing is kept. */
+  #changesNothing(country: Country, { values, asked }: Recipe): boolean {
+    const [, ...left] = goingTo(country, this.table.parameters, this.kept);
+    return values.get(COUNTRY) === country.name && left.every(([key, text]) => asked.get(key) === text);
   }
 
   #throwDice(): void {
@@ -141,10 +147,7 @@ export class Choices {
       const seed = this.engine.freshSeed();
       this.replaceSeed(seed);
       this.events.set(
-        [
-          ["seed", seed],
-          ["aspect", aspect],
-        ],
+        [["seed", seed], ["aspect", aspect], ...(this.kept.has(COUNTRY) ? [] : [[COUNTRY, AUTO] as const])],
         "still",
       );
     } catch (error) {

@@ -5,7 +5,7 @@
  */
 
 import { el } from "../../../browser/dom.ts";
-import type { Parameter, Preset } from "../../../engine/table.ts";
+import type { Country, Parameter } from "../../../engine/table.ts";
 import type { Thumbnail } from "../../../player/thumbnails.ts";
 
 /** The size of a thumbnail in CSS pixels. */
@@ -25,13 +25,13 @@ export type MakeThumbnails = (
 
 interface Choose {
   style(style: string): void;
-  country(country: Preset): void;
+  country(country: Country): void;
 }
 
 export class StyleStrip {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; canvas: HTMLCanvasElement }>();
   /** The buttons of countries, each after the button of the style that is best there. */
-  readonly #best: { country: Preset; button: HTMLButtonElement }[];
+  readonly #best: { country: Country; button: HTMLButtonElement }[];
   readonly #more = el(
     "button",
     { type: "button", class: "quiet more-styles", "aria-expanded": "false" },
@@ -47,7 +47,7 @@ export class StyleStrip {
   constructor(
     private readonly place: HTMLElement,
     style: Parameter | undefined,
-    countries: readonly Preset[],
+    countries: readonly Country[],
     private readonly choose: Choose,
   ) {
     for (const [rank, { value }] of (style?.choices ?? []).entries()) {
@@ -99,7 +99,7 @@ export class StyleStrip {
   }
 
   /** Shows which style is chosen, and offers the country that it is best on unless that would change nothing. */
-  show(style: string, changesNothing: (country: Preset) => boolean): void {
+  show(style: string, changesNothing: (country: Country) => boolean): void {
     for (const [value, { button }] of this.#buttons) {
       button.setAttribute("aria-pressed", String(value === style));
       if (value === style) button.hidden = false;
@@ -122,7 +122,7 @@ export class StyleStrip {
     for (const { button } of this.#best) button.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
-  #makeBest(country: Preset): { country: Preset; button: HTMLButtonElement } {
+  #makeBest(country: Country): { country: Country; button: HTMLButtonElement } {
     const attributes = { type: "button", class: "quiet", title: country.help, hidden: true };
     const button = el("button", attributes, `Best on: ${country.label}`);
     const style = this.#buttons.get(country.style ?? "")?.button;

@@ -6,7 +6,7 @@
 import { count } from "../../../browser/count.ts";
 import { el, setText } from "../../../browser/dom.ts";
 import { isShown } from "../../../controls/presets.ts";
-import { linkText } from "../../../engine/link-text.ts";
+import { changed } from "../../../engine/link-text.ts";
 import type { Preset } from "../../../engine/table.ts";
 import type { ShowMode } from "../../../player/river-player.ts";
 import type { PageRenderHost } from "../backend.ts";
@@ -34,8 +34,9 @@ export interface SideBySideEvents {
   how(): ShowMode;
 }
 
-/** The values from which all six are made. */
+/** The map from which all six are made. */
 export interface SharedValues {
+  link: string;
   values: ReadonlyMap<string, string>;
   /** The keys that presets may not change. */
   kept: ReadonlySet<string>;
@@ -178,8 +179,8 @@ function withSameValues(presets: readonly Preset[], { values, kept }: SharedValu
   }));
 }
 
-function linkWith({ values }: SharedValues, preset: Preset): string {
-  return linkText(new Map([...values, ...preset.values, ...PLAIN, ["style", prefersDark.matches ? "dark" : "ink"]]));
+function linkWith({ link }: SharedValues, preset: Preset): string {
+  return changed(link, [...preset.values, ...PLAIN, ["style", prefersDark.matches ? "dark" : "ink"]]);
 }
 
 function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): (Node | string)[] {

@@ -33,6 +33,8 @@ const MOVES: Readonly<Record<string, Omit<Dial, "place" | "at">>> = {
 
 /** The map that is varied. */
 export interface Varied {
+  /** Its link, with the style that is shown. */
+  link: string;
   values: ReadonlyMap<string, string>;
   /** The reasons why values have no effect on it, by key. */
   idle: ReadonlyMap<string, string>;
@@ -63,12 +65,9 @@ function turnedMacro(name: string, { values }: Varied, table: ReadonlyMap<string
 function turnedParameter(parameter: Parameter | undefined, { values }: Varied): Turned | undefined {
   const range = parameter && rangeOf(parameter);
   if (!range) return undefined;
-  const { key, automatic } = parameter;
-  const text = values.get(key) ?? "";
-  // Automatic values are moved from what they stand for.
-  const now = (text === "0" && automatic?.values[values.get(automatic.by) ?? ""]) || text;
+  const { key } = parameter;
   return {
-    place: share(Number(nearestText(Number(now), range)), range),
+    place: share(Number(nearestText(Number(values.get(key)), range)), range),
     at: (place) => [[key, placeText(place, range)]],
   };
 }

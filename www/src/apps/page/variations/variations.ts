@@ -5,7 +5,7 @@
 
 import { backingSize, type Size } from "../../../browser/canvas.ts";
 import { el, setText } from "../../../browser/dom.ts";
-import { linkText } from "../../../engine/link-text.ts";
+import { changed } from "../../../engine/link-text.ts";
 import type { Parameter } from "../../../engine/table.ts";
 import type { Picture } from "../../../player/thumbnails.ts";
 import type { Values, Varied } from "./dials.ts";
@@ -66,7 +66,7 @@ export class Variations {
   #open(): void {
     const map = this.events.map();
     this.#map = map;
-    this.#middle = placeOf("This map", linkOf(map, []), () => this.elements.dialog.close());
+    this.#middle = placeOf("This map", map.link, () => this.elements.dialog.close());
     this.#middle.button.setAttribute("aria-current", "true");
     this.elements.dialog.style.setProperty("--aspect", map.values.get("aspect") ?? "1");
     this.elements.dialog.showModal();
@@ -79,7 +79,7 @@ export class Variations {
     if (!map || !middle) return;
     this.#round = round;
     const neighbours = neighboursOf(map, this.#table, round);
-    const places = neighbours.map((one) => placeOf(one.words, linkOf(map, one.values), () => this.#take(one)));
+    const places = neighbours.map((one) => placeOf(one.words, changed(map.link, one.values), () => this.#take(one)));
     const [before, after] = [places.slice(0, AROUND / 2), places.slice(AROUND / 2)];
     const { pictures, status, others } = this.elements;
     pictures.replaceChildren(...[...before, middle, ...after].map(({ button }) => button));
@@ -123,10 +123,6 @@ function placeOf(words: string, link: string, press: () => void): Place {
   const button = el("button", { type: "button", class: "neighbour" }, canvas, el("span", {}, words));
   button.addEventListener("click", press);
   return { button, canvas, link };
-}
-
-function linkOf({ values }: Varied, changes: Values): string {
-  return linkText(new Map([...values, ...changes]));
 }
 
 function put({ width, height, pixels }: Picture, canvas: HTMLCanvasElement): void {
