@@ -4,7 +4,7 @@ use super::Recipe;
 use super::choice::LandKind;
 
 /// The greatest number of attractors, or of parcels on land, that a country or a widget has.
-const MOST_PARCELS: f32 = 26_000.0;
+const MOST_PARCELS: f32 = 24_000.0;
 
 /// Returns the greatest number of attractors that a country or a widget has. With less sea than suits the land there are more
 /// parcels on land than the recipe says.

@@ -143,8 +143,8 @@ mod tests {
     fn with_little_sea_the_limit_is_lower_and_with_much_as_usual() {
         let limit = |over: &str| bound(widget_limit(&link::read(&format!("country=usual&{over}")).unwrap())).1;
         let all = ["land=island", "land=island&sea=0.8", "land=rectangle&sea=0.1", "land=basin&sea=0.3"].map(limit);
-        assert_eq!(all, [26_000; 4]);
-        assert_eq!([limit("land=island&sea=0.3"), limit("land=island&sea=0.01")], [10_400, 7_354]);
+        assert_eq!(all, [24_000; 4]);
+        assert_eq!([limit("land=island&sea=0.3"), limit("land=island&sea=0.01")], [9_600, 6_788]);
     }
 
     #[test]

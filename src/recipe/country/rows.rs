@@ -9,7 +9,7 @@ pub(in crate::recipe) const COUNT: usize = 34;
 
 /// Draws of every country, unless its row says otherwise. No river is drawn to the sea less than `fall` 0.2 asks: less
 /// makes neighbours run side by side.
-pub(in crate::recipe) const COMMON: &str = "attractors=16000~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
+pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35 \
     width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
 
@@ -19,10 +19,10 @@ pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-var
 
 /// The draws of each climate.
 pub(in crate::recipe) static CLIMATES: &[(&str, &str)] = &[
-    ("temperate", "warmth=0.45..0.65 rain=0.4..0.62 rain-shadow=0.3..0.8"),
-    ("wet", "warmth=0.5..0.7 rain=0.75..1 rain-shadow=0.3..0.8 woods=0|0|0.1..0.3"),
-    ("dry", "warmth=0.6..0.9 rain=0..0.2 rain-shadow=0.2..0.7"),
-    ("cold", "warmth=0..0.2 rain=0.35..0.6 rain-shadow=0.2..0.6"),
+    ("temperate", "warmth=0.35..0.7 rain=0.3..0.7 rain-shadow=0.3..0.7"),
+    ("wet", "warmth=0.55..0.9 rain=0.8..1 rain-shadow=0.3..0.7 woods=0|0|0.15..0.35"),
+    ("dry", "warmth=0.6..0.9 rain=0..0.15 rain-shadow=0.2..0.7"),
+    ("cold", "warmth=0..0.16 rain=0.4..0.7 rain-shadow=0.2..0.6"),
     ("volcanic", "ground=lava warmth=0.45..0.65 rain=0.35..0.75 rain-shadow=0.3..0.8"),
 ];
 
@@ -35,7 +35,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 8,
         climates: "temperate temperate temperate wet cold dry",
         draws: "span=95~0.35 land=island sea=0.63..0.75 drowning=0.1..0.5 roughness=0.8..1 bending=1.2 hardness=1 hardness-scale=46 \
-           fall=0.2 valleys=0.35 channel-area=6 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 \
+           fall=0.2 valleys=0.35 channel-area=6 trim=24 width=24 meander-rounds=40 flat-share=0.4 great-rivers=5 \
            mountains=2~0.25 plains=60..200",
         style: None,
     },
@@ -46,7 +46,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 4,
         climates: "temperate wet wet cold cold",
         draws: "span=70~0.35 land=island sea=0.6..0.72 drowning=0.15..0.6 roughness=0.9 bending=1.3 hardness=0.8 fall=0.2 \
-           channel-area=6 trim=24 width=26 meander-rounds=80 flat-share=0.6 great-rivers=6 mountains=0.3..0.8 \
+           channel-area=6 trim=24 width=26 meander-rounds=64 flat-share=0.6 great-rivers=6 mountains=0.3..0.8 \
            plains=250 rills=0.4",
         style: None,
     },
@@ -57,7 +57,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 4,
         climates: "temperate temperate dry wet",
         draws: "span=110~0.35 land=island sea=0.6..0.7 pattern=parallel drowning=0.1..0.4 roughness=1 bending=2 fall=0.2 hardness=0.8 \
-           channel-area=6 trim=26 width=26 meander-rounds=60 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
+           channel-area=6 trim=26 width=26 meander-rounds=48 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
            plains=120",
         style: None,
     },
@@ -98,7 +98,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Two islands face to face.",
         weight: 3,
         climates: "temperate temperate wet dry",
-        draws: "span=75~0.35 land=twins sea=0.64..0.74 drowning=0.2..0.8 hardness=0.9 bending=1.2 channel-area=6 trim=24 width=24 meander-rounds=50 \
+        draws: "span=75~0.35 land=twins sea=0.64..0.74 drowning=0.2..0.8 hardness=0.9 bending=1.2 channel-area=6 trim=24 width=24 meander-rounds=40 \
            flat-share=0.4 mountains=2~0.35",
         style: None,
     },
@@ -161,7 +161,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 7,
         climates: "temperate temperate temperate wet dry cold",
         draws: "span=190~0.35 land=continent sides=n|e|s|w|ne|se|sw|nw sea=0.28..0.48 drowning=0.1..0.45 roughness=0.95 bending=1.8 \
-           channel-area=5 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
+           channel-area=5 trim=24 width=24 meander-rounds=40 flat-share=0.4 great-rivers=5 mountains=1.6~0.3 \
            plains=60..250",
         style: None,
     },
@@ -193,7 +193,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 6,
         climates: "temperate temperate wet dry cold",
         draws: "span=140~0.35 land=continent sides=esw|nes|nws|new sea=0.45..0.6 drowning=0.15..0.5 roughness=1 bending=1.6 \
-           channel-area=5 trim=24 width=24 meander-rounds=50 flat-share=0.4 great-rivers=5 mountains=1.6~0.4 \
+           channel-area=5 trim=24 width=24 meander-rounds=40 flat-share=0.4 great-rivers=5 mountains=1.6~0.4 \
            plains=120",
         style: None,
     },
@@ -214,7 +214,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 7,
         climates: "wet wet temperate temperate dry",
         draws: "span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12..0.24 drowning=0.12 roughness=0.9 bending=2 \
-           concavity=0.6 channel-area=7 trim=28 width=26 meander-rounds=70 flat-share=0.5 great-rivers=6 \
+           concavity=0.6 channel-area=7 trim=28 width=26 meander-rounds=56 flat-share=0.5 great-rivers=6 \
            mountains=1.6~0.35 plains=120..350 \
            pattern,captures,valleys,fall=dendritic,20,0.4,0.25|dendritic,20,0.5,0.2|centripetal,6,0.2,0.3",
         style: None,
@@ -310,7 +310,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Long rivers between ridges, with short ones down their flanks.",
         weight: 4,
         climates: "temperate temperate wet",
-        draws: "span=160~0.35 land=continent sea=0.12..0.3 drowning=0.24 roughness=0.9 pattern=trellis attractors=12000 bending=1.4 \
+        draws: "span=160~0.35 land=continent sea=0.12..0.3 drowning=0.24 roughness=0.9 pattern=trellis attractors=10000 bending=1.4 \
            channel-area=6 trim=24 width=20 meander-rounds=16 mountains=1..2.4 plains=80 \
            sides,strike=e,16|e,170|w,10|w,165|s,80|s,100|n,75|n,105",
         style: None,
@@ -322,7 +322,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 2,
         climates: "dry cold temperate",
         draws: "span=90~0.35 land=continent sides=n|e|s|w sea=0.15..0.35 drowning=0.4 roughness=0.9 pattern=rectangular \
-           attractors=12000 bending=0.9 channel-area=7 trim=26 width=20 meander-rounds=8 mountains=1.5~0.4 plains=60",
+           attractors=10000 bending=0.9 channel-area=7 trim=26 width=20 meander-rounds=8 mountains=1.5~0.4 plains=60",
         style: None,
     },
     Country {
@@ -342,7 +342,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 3,
         climates: "dry temperate temperate",
         draws: "span=200~0.35 land=continent sides=n|e|s|w sea=0.15..0.3 drowning=0.2 roughness=0.8 pattern=parallel hardness=0.7 \
-           attractors=12000 bending=1.8 channel-area=7 trim=28 width=18 meander-rounds=20 mountains=0.4..1.1 \
+           attractors=10000 bending=1.8 channel-area=7 trim=28 width=18 meander-rounds=20 mountains=0.4..1.1 \
            plains=300 rills=0.35",
         style: None,
     },
@@ -352,7 +352,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers without order, as ice leaves them.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "span=130~0.35 land=continent sides=n|e|s|w|se sea=0.25..0.42 drowning=0.6 roughness=1 pattern=deranged attractors=12000 \
+        draws: "span=130~0.35 land=continent sides=n|e|s|w|se sea=0.25..0.42 drowning=0.6 roughness=1 pattern=deranged attractors=10000 \
            bending=1.8 channel-area=6 trim=24 width=20 meander-rounds=20 mountains=0.4..1.1 plains=150",
         style: None,
     },
@@ -373,8 +373,8 @@ pub static COUNTRIES: [Country; COUNT] = [
         weight: 4,
         climates: "wet",
         draws: "span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12..0.25 \
-           drowning=0.2 roughness=0.9 attractors=18000..24000 bending=2 channel-area=5 trim=22 width=28 \
-           meander-rounds=60 flat-share=0.6 great-rivers=6 mountains=0.5..1.2 plains=350 fall=0.2",
+           drowning=0.2 roughness=0.9 attractors=14000..19000 bending=2 channel-area=5 trim=22 width=28 \
+           meander-rounds=48 flat-share=0.6 great-rivers=6 mountains=0.5..1.2 plains=350 fall=0.2",
         style: None,
     },
     Country {
