@@ -1,7 +1,6 @@
 //! The shapes of land against those of nature.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use riverseed::glam::Vec2;
 use riverseed::recipe::link;
 use riverseed::{Land, Session};
 
@@ -204,29 +203,6 @@ fn a_risen_sea_leaves_the_figure() {
     }
 }
 
-/// The middle of all water, as shares of the map.
-fn middle_of_water(link: &str) -> Vec2 {
-    let raster = coarse(&Land::of(&link::read(link).unwrap()).unwrap());
-    let water = (0..raster.is_land.len()).filter(|&i| !raster.is_land[i]);
-    let at: Vec<Vec2> = water.map(|i| Vec2::new((i % raster.columns) as f32, (i / raster.columns) as f32)).collect();
-    at.iter().sum::<Vec2>() / at.len() as f32 / Vec2::new(raster.columns as f32, raster.rows as f32)
-}
-
-fn a_lake_or_a_gulf_lies_where_it_is_asked_to() {
-    for (land, seed) in one_in(4, pairs(["basin", "gulf"], 0..16)) {
-        let middle = |more: &str| middle_of_water(&format!("land={land}&sea=0.14&seed=figure{seed}{more}"));
-        let usual = middle("");
-        let (near, far) = (middle("&center-x=30&center-y=32"), middle("&center-x=70&center-y=68"));
-        assert!((far - near).cmpgt(Vec2::splat(0.18)).all(), "{land}, seed figure{seed}: from {near} to {far}");
-        // Where nothing is asked, the seed decides; noise of the new place moves the middle a little.
-        let east = middle("&center-x=75");
-        assert!(
-            east.x > usual.x.min(0.6) && (east.y - usual.y).abs() < 0.12,
-            "{land}, seed figure{seed}: {usual}, {east}"
-        );
-    }
-}
-
 tiers!(
     islands_are_shaped_like_those_of_nature,
     sizes_of_islands_in_an_archipelago_follow_a_power_law,
@@ -234,7 +210,6 @@ tiers!(
     small_changes_move_a_coast_a_little,
     every_land_has_its_figure,
     a_risen_sea_leaves_the_figure,
-    a_lake_or_a_gulf_lies_where_it_is_asked_to,
 );
 
 /// The measures of shapes that are known.
