@@ -52,7 +52,7 @@ test("a slider that is dragged makes one entry of the history, and writes at a b
     }
   });
   await ownClock(page);
-  await openUnfolded(page, "seed=kauri&growth=colonize&attractors=200&style=ink&labels=none");
+  await openUnfolded(page, "seed=kauri&country=usual&growth=colonize&attractors=200&style=ink&labels=none");
   await stopClock(page);
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "How much sea" }).focus();
