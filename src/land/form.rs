@@ -128,7 +128,8 @@ impl<'a> Form<'a> {
 fn layout(shape: &Shape, draft: u32) -> (Spines, Option<Spine>) {
     let draws = &mut Draws::new(shape, draft);
     let (size, usual) = (shape.domain.size, shape.kind.usual_sea());
-    let area = size.x * size.y * if shape.kind.holds_water() { usual } else { 1.0 - usual };
+    let share = if shape.kind.holds_water() { usual } else { 1.0 - usual };
+    let area = share * size.x * size.y;
     let mut strait = None;
     let spines = match shape.kind {
         LandKind::Island => island(draws, size, area),
