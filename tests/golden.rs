@@ -125,17 +125,42 @@ fn a_card_is_its_golden_one() {
     assert!(rgb(picture.pixmap()) == read(&path).0, "the card has changed");
 }
 
+/// Returns the links and the pictures of a table's columns: the first row and the third.
+fn columns(table: &str) -> Vec<(String, String)> {
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.trim_matches('|').split('|').collect()).collect();
+    let link = |cell: &str| cell.trim().trim_matches('`').to_owned();
+    let picture = |cell: &str| cell.split_once("](").unwrap().1.trim().trim_end_matches(')').to_owned();
+    rows[0].iter().zip(&rows[2]).map(|(head, cell)| (link(head), picture(cell))).collect()
+}
+
 #[test]
-fn readme_s_picture_is_what_its_link_draws() {
+fn readme_s_pictures_are_what_their_links_draw() {
+    const WIDTH: u32 = 400;
+    let readme = include_str!("../README.md");
+    let table: Vec<&str> = readme.lines().skip_while(|line| !line.starts_with('|')).take(3).collect();
+    let columns = columns(&table.join("\n"));
+    assert_eq!(columns.len(), 4);
+    let refresh = std::env::var_os("RIVERSEED_REFRESH").is_some();
+    for (text, path) in columns {
+        let (recipe, path) = (link::read(&text).unwrap(), root().join(path));
+        let picture = picture(recipe.clone(), WIDTH);
+        if refresh {
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            write(File::create(&path).unwrap(), &picture, &recipe.to_string()).unwrap();
+        }
+        assert!(rgb(&picture) == read(&path).0, "README names the link above its picture: {text}");
+    }
+    assert!(!refresh, "README's pictures are drawn again: look at them, then run without RIVERSEED_REFRESH");
+}
+
+#[test]
+fn the_page_s_picture_for_posts_is_what_its_link_draws() {
     let path = root().join("www/public/river.png");
     let (expected, carried) = read(&path);
+    let picture = picture(link::read(&carried).unwrap(), 1000);
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
-        let picture = picture(link::read(&carried).unwrap(), 1000);
         write(File::create(&path).unwrap(), &picture, &carried).unwrap();
-        panic!("the README's picture is drawn again: look at it, then run without RIVERSEED_REFRESH");
+        panic!("the picture is drawn again: look at it, then run without RIVERSEED_REFRESH");
     }
-    let (_, named) = include_str!("../README.md").split_once("This one is `").unwrap();
-    let recipe = link::read(named.split_once('`').unwrap().0).unwrap();
-    assert_eq!(link::read(&carried).unwrap(), recipe, "the README's picture carries another link");
-    assert!(rgb(&picture(recipe, 1000)) == expected, "the README names the link below its picture");
+    assert!(rgb(&picture) == expected, "the picture carries another link");
 }

@@ -167,7 +167,7 @@ fn renamed(session: &mut Session, own: &str) -> Vec<Thing> {
 fn kept(notch: &str) -> [Kept; 3] {
     let mut kept = [Kept::default(); 3];
     for seed in seeds() {
-        let link = format!("seed={seed}");
+        let link = format!("country=usual&seed={seed}");
         let (mut one, mut other) = (finished(&link, ""), finished(&link, notch));
         let (before, after) = (things(&one.map().unwrap()), things(&other.map().unwrap()));
         let (rivers, places): (Vec<_>, Vec<_>) =
@@ -208,7 +208,7 @@ fn names_stay_with_their_things_at_a_notch() {
 /// What is drawn later than the tree grows renames no river, nor a place that stays.
 fn later_sliders_rename_nothing() {
     for seed in &seeds()[..2] {
-        let link = format!("seed={seed}");
+        let link = format!("country=usual&seed={seed}");
         let before = things(&finished(&link, "").map().unwrap());
         for over in LATER {
             let after = things(&finished(&link, over).map().unwrap());

@@ -20,7 +20,7 @@ fn of_square_unit(map: &Map, span: f64) -> f64 {
 
 /// Names islands by their real size, and counts those that are called stones and the like.
 fn check_islands(word: &str, land: &str, span: f64) -> usize {
-    let map = finished(&format!("seed={word}&land={land}&span={span}&attractors=1500&drowning=0.6"));
+    let map = finished(&format!("country=usual&seed={word}&land={land}&span={span}&attractors=1500&drowning=0.6"));
     let mut small = 0;
     for place in Names::of(&map).places.iter().filter(|place| place.kind == PlaceKind::Island && place.number != 0) {
         let area = f64::from(place.size * place.size) * of_square_unit(&map, span);
@@ -66,7 +66,7 @@ fn rivers_are_named_by_their_length() {
     const ROUND: f64 = 1.4;
     let (mut counts, mut wrong) = ([0; 2], Vec::new());
     for span in [15.0, 60.0, 200.0, 500.0, 5000.0] {
-        let map = finished(&format!("seed=tay&attractors=3000&meander=none&span={span}"));
+        let map = finished(&format!("country=usual&seed=tay&attractors=3000&meander=none&span={span}"));
         let kilometres = span / f64::from(map.domain().size.x);
         let network = map.network();
         for (river, name) in network.rivers.iter().zip(&Names::of(&map).rivers) {
@@ -88,7 +88,7 @@ fn rivers_are_named_by_their_length() {
 #[test]
 fn contours_lie_a_round_number_of_told_metres_apart() {
     for span in ["10", "200", "5000"] {
-        let map = finished(&format!("seed=kauri&attractors=2000&style=survey&span={span}"));
+        let map = finished(&format!("country=usual&seed=kauri&attractors=2000&style=survey&span={span}"));
         let (relief, metres_up) = (map.make_relief().unwrap(), map.scale().metres_up);
         let told: Vec<f32> = contours(&relief, metres_up).iter().map(|line| line.height * metres_up).collect();
         let round = [5.0f32, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
@@ -101,7 +101,7 @@ fn contours_lie_a_round_number_of_told_metres_apart() {
 #[test]
 fn nothing_drawn_depends_on_the_span_but_what_tells_a_size() {
     let of = |span: &str| {
-        let link = format!("seed=kauri&attractors=900&labels=none&cartouche=none&span={span}");
+        let link = format!("country=usual&seed=kauri&attractors=900&labels=none&cartouche=none&span={span}");
         let mut session = Session::new(link::read(&link).unwrap()).unwrap();
         session.finish().unwrap();
         let mut picture = riverseed::Picture::new(240, 150).unwrap();
