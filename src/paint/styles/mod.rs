@@ -53,16 +53,19 @@ fn look_of(scheme: Scheme) -> Look {
 }
 
 /// Returns the colours and forms of a scheme.
+#[inline(never)] // each copy weighs a thousand bytes
 pub(crate) fn palette(scheme: Scheme) -> Palette {
     look_of(scheme).palette
 }
 
 /// Returns the look of a scheme's letters.
+#[inline(never)] // each copy weighs a thousand bytes
 pub(crate) fn label_look(scheme: Scheme) -> LabelLook {
     look_of(scheme).labels
 }
 
 /// Returns the look of a scheme's trees and hills; `None` if its style has none.
+#[inline(never)] // each copy weighs a thousand bytes
 pub(crate) fn scenery_look(scheme: Scheme) -> Option<SceneryLook> {
     look_of(scheme).scenery
 }

@@ -4,12 +4,14 @@
 //! seed ─► country (a row of the table) ─► this word's values ─► what the link says, which always wins
 //! ```
 
+mod parts;
 mod rows;
 
 use super::choice::Word;
 use super::style::Style;
 use super::texts::explained;
 use crate::base::random::ItemHash;
+pub(super) use parts::Parts;
 pub use rows::COUNTRIES;
 pub(super) use rows::{CLIMATES, COMMON, OWN as OWN_DRAWS};
 
@@ -81,7 +83,7 @@ impl Country {
 
     /// Draws one of its climates.
     pub(super) fn climate(&self, chance: ItemHash) -> &'static str {
-        let climates: Vec<_> = self.climates.split(' ').collect();
+        let climates: Vec<_> = Parts::of(self.climates, b' ').collect();
         let drawn = climates[(chance.of("climate").unit([0; 3]) * climates.len() as f32) as usize];
         CLIMATES.iter().find(|(name, _)| *name == drawn).map_or("", |(_, draws)| draws)
     }

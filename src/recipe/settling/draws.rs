@@ -1,7 +1,7 @@
 //! The language in which rows say what a word may draw: items with blanks between them, each of a key or several.
 //!
 //! ```text
-//! sea=0.6..0.7             any number from 0.6 to 0.7
+//! sea=0.6:0.7              any number from 0.6 to 0.7
 //! mountains=2~0.3          about 2: 2·e^(0.3·g), where g is a normal deviate, at most 2 either way
 //! bending~0.3              about the value that another item gives, or else the usual one
 //! sides=n|e|sw             one of these
@@ -12,6 +12,7 @@
 //! Of several items with one key the last counts; each key has a stream of its own, so that a new key shifts no other's draw.
 
 use crate::base::random::ItemHash;
+use crate::recipe::country::Parts;
 use crate::recipe::key::Key;
 use crate::recipe::parameter::Kind;
 use crate::recipe::table::TABLE;
@@ -46,39 +47,38 @@ impl Draws {
 
     /// Adds the items of a text.
     pub fn add(&mut self, items: &'static str) {
-        for item in items.split_ascii_whitespace() {
-            match item.split_once('=') {
-                Some((keys, from)) => self.add_values(keys, from),
-                None => self.add_spread(item),
+        for item in Parts::of(items, b' ') {
+            match Parts::cut(item, b'=') {
+                (keys, Some(from)) => self.add_values(keys, from),
+                _ => self.add_spread(item),
             }
         }
     }
 
     /// Adds what stands for one key or several: one of some alternatives.
     fn add_values(&mut self, keys: &'static str, from: &'static str) {
-        let alternatives = from.split('|').count();
-        let chosen = (self.chance.of(keys).unit([0; 3]) * alternatives as f32) as usize;
-        let from = from.split('|').nth(chosen).unwrap_or_default();
-        let is_one_of_some = alternatives > 1;
-        if !keys.contains(',') {
-            return self.add_value(keys, from, is_one_of_some);
-        }
-        for (key, from) in keys.split(',').zip(from.split(',')) {
-            self.add_value(key, from, true);
+        let alternatives: Vec<_> = Parts::of(from, b'|').collect();
+        let chosen = (self.chance.of(keys).unit([0; 3]) * alternatives.len() as f32) as usize;
+        let is_one_of_some = alternatives.len() > 1;
+        for (key, from) in Parts::of(keys, b',').zip(Parts::of(alternatives[chosen], b',')) {
+            self.add_value(key, from, is_one_of_some);
         }
     }
 
     fn add_value(&mut self, key: &str, from: &'static str, is_exact: bool) {
         let Some(draw) = self.draw_of(key) else { return };
-        match from.split_once('~') {
-            Some((middle, spread)) => *draw = Draw { from: middle, spread: number(spread) },
-            None => *draw = Draw { from, spread: if is_exact { 0.0 } else { draw.spread } },
-        }
+        *draw = match Parts::cut(from, b'~') {
+            (middle, Some(spread)) => Draw { from: middle, spread: number(spread) },
+            _ => Draw { from, spread: if is_exact { 0.0 } else { draw.spread } },
+        };
     }
 
     fn add_spread(&mut self, item: &'static str) {
-        let Some((key, spread)) = item.split_once('~') else { return };
-        self.draw_of(key).into_iter().for_each(|draw| draw.spread = number(spread));
+        if let (key, Some(spread)) = Parts::cut(item, b'~')
+            && let Some(draw) = self.draw_of(key)
+        {
+            draw.spread = number(spread);
+        }
     }
 
     fn draw_of(&mut self, key: &str) -> Option<&mut Draw> {
@@ -98,9 +98,9 @@ impl Draws {
             Kind::Number { min, max, step, .. } => (min, max, step),
             _ => return row.parse(draw.from).ok(),
         };
-        let drawn = match draw.from.split_once("..") {
-            Some((least, most)) => number(least) + (number(most) - number(least)) * chance.unit([0; 3]),
-            None => {
+        let drawn = match Parts::cut(draw.from, b':') {
+            (least, Some(most)) => number(least) + (number(most) - number(least)) * chance.unit([0; 3]),
+            _ => {
                 let usual = || row.text_of(&row.default_value());
                 let middle = if draw.from.is_empty() { number(&usual()) } else { number(draw.from) };
                 let deviate = chance.normal([1, 0, 0]).clamp(-FARTHEST, FARTHEST);

@@ -6,7 +6,7 @@ mod tests;
 
 use super::Recipe;
 use super::choice::GrowthMethod;
-use super::country::{self, COUNTRIES, Country};
+use super::country::{self, COUNTRIES, Country, Parts};
 use super::key::{IntegerKey, Key};
 use super::parameter::Stage;
 use super::parcels::most_attractors;
@@ -127,7 +127,7 @@ impl Recipe {
                 self.values[key as usize] = value;
             }
         }
-        if is_free(self, Key::Attractors) {
+        if gives_rivers && is_free(self, Key::Attractors) {
             let most = most_attractors(self);
             let drawn = self.integer(IntegerKey::Attractors);
             self.values[Key::Attractors as usize] = Value::Integer(drawn.min(most));
@@ -166,17 +166,18 @@ impl Recipe {
 }
 
 /// Returns `true` if some words of a country have this value of a key.
+#[inline(never)] // one copy
 fn may_have(country: &Country, key: Key, value: &Value) -> bool {
     let row = key.parameter();
-    let is_key = |keys: &str| keys.split(',').position(|name| name == row.name);
-    let item = country.draws.split_ascii_whitespace().find_map(|item| {
-        let (keys, from) = item.split_once('=')?;
-        Some((is_key(keys)?, from))
-    });
-    match item {
-        Some((at, from)) => from.split('|').any(|one| one.split(',').nth(at) == Some(&row.text_of(value))),
-        None => *value == row.default_value(),
+    let text = row.text_of(value);
+    for item in Parts::of(country.draws, b' ') {
+        let (keys, from) = Parts::cut(item, b'=');
+        if let Some(at) = Parts::of(keys, b',').position(|name| name == row.name) {
+            let is_it = |one| Parts::of(one, b',').nth(at).is_some_and(|one| one == text);
+            return Parts::of(from.unwrap_or_default(), b'|').any(is_it);
+        }
     }
+    *value == row.default_value()
 }
 
 /// Returns `true` if a country decides the value of a parameter that a link leaves out.

@@ -33,7 +33,7 @@ fn every_item_of_every_row_can_be_read() {
                 assert!(is_decided(*key), "{row}: {item}");
                 let (value, spread) = value.split_once('~').unwrap_or((value, "0"));
                 assert!(spread.parse::<f32>().is_ok_and(|spread| spread < 1.0), "{row}: {item}");
-                for end in value.split("..") {
+                for end in value.split(':') {
                     let is_spread = !item.contains('=');
                     assert!(is_spread || key.parameter().parse(end).is_ok(), "{row}: {item}");
                 }
