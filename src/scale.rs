@@ -99,7 +99,7 @@ mod tests {
     use super::*;
 
     fn scale(link: &str) -> MapScale {
-        MapScale::of(&link.parse().unwrap())
+        MapScale::of(&format!("country=usual&{link}").parse().unwrap())
     }
 
     #[test]

@@ -201,7 +201,7 @@ fn amplitudes(kind: LandKind) -> Amplitudes {
         LandKind::Archipelago => Amplitudes { warp: 90.0, broad: 30.0, spurs: 36.0, fine: 28.0 },
         LandKind::Continent => Amplitudes { warp: 130.0, broad: 200.0, spurs: 70.0, fine: 30.0 },
         LandKind::Valley => Amplitudes { warp: 100.0, broad: 110.0, spurs: 50.0, fine: 30.0 },
-        kind if kind.is_figure() => Amplitudes { warp: 90.0, broad: 45.0, spurs: 54.0, fine: 34.0 },
+        kind if kind.is_figure() => Amplitudes { warp: 90.0, broad: 45.0, spurs: 54.0, fine: 38.0 },
         LandKind::Basin | LandKind::Gulf => Amplitudes { warp: 120.0, broad: 140.0, spurs: 60.0, fine: 30.0 },
         _ => Amplitudes { warp: 120.0, broad: 125.0, spurs: 70.0, fine: 30.0 },
     }

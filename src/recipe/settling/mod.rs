@@ -127,7 +127,7 @@ impl Recipe {
                 self.values[key as usize] = value;
             }
         }
-        if gives_rivers && is_free(self, Key::Attractors) {
+        if is_free(self, Key::Attractors) {
             let most = most_attractors(self);
             let drawn = self.integer(IntegerKey::Attractors);
             self.values[Key::Attractors as usize] = Value::Integer(drawn.min(most));

@@ -33,8 +33,16 @@ export function position(value: number, range: Range): number {
 export function textAt(place: number, range: Range): string {
   if (!range.isLog) return nearestText(place, range);
   const value = range.min * (range.max / range.min) ** (place / LOG_STEPS);
+  return numberText(snap(rounded(value, range), range), range.step);
+}
+
+/** Rounds a value of a logarithmic slider, so that pointing at 12,000 attractors does not give 12,347. */
+function rounded(value: number, range: Range): number {
+  const { min, max, step } = range;
   const grain = grainAt(value, range);
-  return numberText(snap(Math.round(value / grain) * grain, range), range.step);
+  // The greatest value below, where the slider rounds to a tenth of that.
+  const below = grain > step ? (Math.round(3000 / Math.log(max / min)) * grain) / 10 : min;
+  return Math.max(below, Math.round(value / grain) * grain);
 }
 
 /** Returns the next value after `value` on a logarithmic scale, a share of it or at least one step away, as text. */
@@ -44,10 +52,7 @@ export function logStep(value: number, direction: 1 | -1, share: number, range: 
   return numberText(snap(atLeast, range), range.step);
 }
 
-/**
- * Returns the power of ten to which a logarithmic slider rounds near `value`: at most one pixel of a slider of 300 px,
- * so that pointing at 12,000 attractors does not give 12,347.
- */
+/** Returns the power of ten to which a logarithmic slider rounds near `value`: at most one pixel of a slider of 300 px. */
 function grainAt(value: number, { min, max, step }: Range): number {
   const pixel = (value * Math.log(max / min)) / 300;
   return Math.max(step, 10 ** Math.floor(Math.log10(pixel)));

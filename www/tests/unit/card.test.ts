@@ -8,7 +8,7 @@ import { engine, memory } from "../whole.ts";
 
 const COURSE: Course = { tell: () => {}, pause: () => Promise.resolve() };
 /** An island of few rivers on plain paper: what is not paper is land or a letter. */
-const LINK = "seed=Ardenwold&land=island&style=ink&labels=none&attractors=400&meander=none";
+const LINK = "country=usual&seed=Ardenwold&land=island&style=ink&labels=none&attractors=400&meander=none";
 
 /** No test depends on speed; this only ends one that hangs. */
 const SLOWEST_MS = 120_000;

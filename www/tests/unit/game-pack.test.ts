@@ -57,8 +57,8 @@ test("rasters have the size and the shape that were asked for, and the text says
   const square = contentsOf(finished(), { longerSide: 1025, isSquare: true });
   expect([square.columns, square.rows]).toEqual([1025, 1025]);
   expect(square.readme).toContain("The map takes 1025 x 641 of them, from column 0 and row 192, counted from 0");
-  const unit = /A pixel is (\S+) x/.exec(square.readme)?.[1];
-  expect(unit).toBe(/A pixel is (\S+) x/.exec(whole.readme)?.[1]);
+  const unit = /\((\S+) units of the map\)/.exec(square.readme)?.[1];
+  expect(unit).toBe(/\((\S+) units of the map\)/.exec(whole.readme)?.[1]);
   for (const [i, { values, texts }] of square.rasters.entries()) {
     const part = values.subarray(192 * 1025, (192 + 641) * 1025);
     expect(Buffer.compare(bytesOf(part), bytesOf(whole.rasters[i]?.values ?? new Uint8Array()))).toBe(0);

@@ -39,6 +39,10 @@ const recipes = [
 const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
+  return [...sameByChance(link), "country"]; // these links name all that a country decides
+}
+
+function sameByChance(link: string): string[] {
   if (link.includes("meander-rounds=0")) return [...BY_CHANCE, "meander"];
   if (link.includes("meander-strength=0"))
     return [...BY_CHANCE, "meander-elsewhere", "great-rivers", "flat-share", "taper"];

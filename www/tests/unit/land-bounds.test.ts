@@ -17,7 +17,7 @@ it("bounds the land of a river, without its islets", () => {
 });
 
 it("bounds the land that the engine makes", () => {
-  const river = new engine.River("seed=kauri&attractors=300");
+  const river = new engine.River("country=usual&seed=kauri&attractors=300");
   const bounds = landBoundsOf(river);
   if (!bounds) throw new Error("no land");
   const { left, top, right, bottom } = bounds;

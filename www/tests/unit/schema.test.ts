@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
+import { table } from "../table.ts";
 import { engine } from "../whole.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
@@ -73,6 +74,11 @@ test("what is not of the form is refused, where it is not", () => {
   }
 }, 60_000);
 
+/** Returns whether the country may decide a parameter, so that a recipe need not hold it. */
+function isDecided(name: string): boolean {
+  return table.parameters.some(({ key, decided }) => key === name && decided);
+}
+
 test("no member may be missing, and none be there that is not told of", () => {
   const network = { ...networkOf(WITH_LAKES), attractors: { x: [1], y: [2] } };
   const places: ((network: Network) => Network)[] = [
@@ -92,7 +98,9 @@ test("no member may be missing, and none be there that is not told of", () => {
     const more = structuredClone(network);
     place(more).more = 1;
     expect(wrong(more)).toHaveLength(1);
-    for (const name of Object.keys(place(network)).filter((name) => name !== "attractors")) {
+    const isRecipe = place(network) === network.recipe;
+    const mayBeLeftOut = (name: string): boolean => name === "attractors" || (isRecipe && isDecided(name));
+    for (const name of Object.keys(place(network)).filter((name) => !mayBeLeftOut(name))) {
       const less = structuredClone(network);
       delete place(less)[name];
       expect(wrong(less), name).toHaveLength(1);

@@ -3,7 +3,7 @@ import { expect, it } from "vitest";
 import { finishedPicture, type Thumbnail, thumbnails } from "../../src/player/thumbnails.ts";
 import { engine, memory, pictureOf } from "../core.ts";
 
-const LINK = "seed=rimu&attractors=300&labels=none";
+const LINK = "country=usual&seed=rimu&attractors=300&labels=none";
 const SIZE = { width: 112, height: 64 };
 const STYLES = ["atlas", "ink", "basins", "past-courses", "night"];
 

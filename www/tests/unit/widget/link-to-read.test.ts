@@ -15,17 +15,17 @@ test("a river says how its link was read", () => {
 });
 
 test("a widget's river is within the widget's limits, and says so", () => {
-  const { link, notices } = created("attractors=20001&curl=9");
-  expect(link).toBe(engine.readLink("attractors=20000&curl=2").link);
+  const { link, notices } = created("country=usual&attractors=24001&curl=9");
+  expect(link).toBe(engine.readLink("country=usual&attractors=24000&curl=2").link);
   expect(notices.map(({ key }) => key)).toEqual(["curl", "attractors"]);
-  expect(new engine.River("attractors=20001").notices).toEqual([]);
+  expect(new engine.River("country=usual&attractors=24001").notices).toEqual([]);
 });
 
 test("a river that goes over to another link says how that was read", () => {
-  const river = created("attractors=20001");
-  expect(river.change("curl=0.6&attractors=20000", { widget: true })).toBe("grow");
-  expect([river.link, river.notices]).toEqual([engine.readLink("curl=0.6&attractors=20000").link, []]);
-  expect(river.change("curl=0.60&attractors=99999", { widget: true })).toBe("none");
+  const river = created("country=usual&attractors=24001");
+  expect(river.change("curl=0.6&country=usual&attractors=24000", { widget: true })).toBe("grow");
+  expect([river.link, river.notices]).toEqual([engine.readLink("curl=0.6&country=usual&attractors=24000").link, []]);
+  expect(river.change("curl=0.60&country=usual&attractors=99999", { widget: true })).toBe("none");
   expect(river.notices).toHaveLength(1);
 });
 
