@@ -77,11 +77,11 @@ test("GeoJSON holds every river and lake, with the north up @core", async ({ pag
   const toSea = rivers.filter(({ properties }: Feature) => properties.parent === null);
   expect([rivers.length, toSea.length]).toEqual([sources, mouths]);
   for (const { geometry } of toSea) {
-    // 1224.7 by 816.5 units, a hundredth of a degree each, around 0, 0: the sea is in the south.
-    expect(geometry.coordinates.at(-1)?.[1]).toBeCloseTo(-4.08248, 4);
+    // 200 by 133 kilometres, of which 111.32 are a degree, around 0, 0: the sea is in the south.
+    expect(geometry.coordinates.at(-1)?.[1]).toBeCloseTo(-0.59888, 4);
     for (const [east, north] of geometry.coordinates) {
-      expect(Math.abs(east)).toBeLessThan(6.1238);
-      expect(Math.abs(north)).toBeLessThan(4.08249);
+      expect(Math.abs(east)).toBeLessThan(0.89832);
+      expect(Math.abs(north)).toBeLessThan(0.59889);
     }
   }
 });

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { complaints, finished } from "./riverpage.ts";
+import { complaints, finished, onDay } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
 const ENGINE = /\/riverseed_engine_bg[^/]*\.wasm$/;
@@ -35,6 +35,7 @@ test("on a first visit the poster is asked for before the engine, which is fetch
   const said = complaints(page);
   const asked: string[] = [];
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await onDay(page);
   await page.goto("./");
   await finished(page);
   const orderOf = (name: RegExp): number => asked.findIndex((path) => name.test(path));

@@ -76,6 +76,7 @@ export async function openBegun(page: Page, link = ""): Promise<void> {
 /** Opens a link and has its finished map grow again, which then stands at its start: the page's clock is stopped. */
 export async function openStopped(page: Page, link = ""): Promise<void> {
   await ownClock(page);
+  if (link === "") await onDay(page);
   await page.goto(link === "" ? "./" : `./?${link}`);
   await finished(page);
   await stopClock(page);
