@@ -15,7 +15,7 @@ import {
 } from "./riverpage.ts";
 import { download } from "./saving.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
+const LINK = "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
 
 /** The greatest names of a link's map, mark and name in turn. */
 function greatest(link: string): string[][] {

@@ -13,7 +13,7 @@ import {
 } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
+const LINK = "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
@@ -150,7 +150,7 @@ test("a link from a wide window shows its land as large as the phone allows, and
   page,
 }) => {
   const said = complaints(page);
-  await openFinished(page, "seed=kauri&attractors=300");
+  await openFinished(page, "country=usual&seed=kauri&attractors=300");
   const width = async (): Promise<number> => (await page.locator("#map-place").boundingBox())?.width ?? 0;
   // The land's sides are those of the window, and the sea's are out of sight.
   await expect.poll(width).toBeGreaterThan(400);

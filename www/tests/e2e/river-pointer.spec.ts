@@ -2,7 +2,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, openWithPanel } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
+const LINK = "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 
 /** A place on the greatest river, in the page's pixels: where it is shown from by keys. */
 async function greatest(page: Page): Promise<{ x: number; y: number; name: string }> {
@@ -32,7 +32,7 @@ test("a river under the mouse is told by name and order, with its basin and its 
   await page.mouse.move(x, y);
   await expect(card(page)).toBeVisible();
   await expect(card(page)).toContainText(name);
-  await expect(card(page)).toContainText(/Order \d( \(1 here\))? · [\d,]+ km long · drains .* of the land/);
+  await expect(card(page)).toContainText(/Order \d( \(1 here\))? · [\d,.]+ km long · drains .* of the land/);
   await expect(card(page)).toContainText(/Flows into the .*sea/);
   for (const part of [".basin", ".way"])
     await expect(page.locator(`.river-pointer ${part}`)).toHaveAttribute("d", /^M.{20}/);
