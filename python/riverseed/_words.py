@@ -11,9 +11,7 @@ if TYPE_CHECKING:
     from riverseed._summary import Summary
 
 
-def describe(
-    link: str, title: str | None, summary: Summary, rivers: Rivers, kilometres: Callable[[float], str]
-) -> str:
+def describe(link: str, title: str | None, summary: Summary, rivers: Rivers, kilometres: Callable[[float], str]) -> str:
     """Return the call that grows a map and, as its comment, the map in one sentence."""
     said = f"{_shown(title)}: " if title else ""
     return f"riverseed.grow({link!r})  # {said}{_rivers(summary, rivers, kilometres)}"

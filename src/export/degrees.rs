@@ -59,7 +59,7 @@ mod tests {
             let grid = DegreeGrid::of(size, &MapScale::of(&recipe));
             let [west, east] = [Vec2::ZERO, size].map(|at| grid.degrees(grid.steps(at))[0]);
             assert!(((east - west) / degrees - 1.0).abs() < 1e-4, "{span}: {west} {east}");
-            assert_eq!(grid.steps_a_degree, 10f64.powi(places), "{span}");
+            assert_eq!(grid.steps_a_degree, libm::pow(10.0, places.into()), "{span}");
         }
     }
 }

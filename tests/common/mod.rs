@@ -129,7 +129,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let start = (random_seed(), edition);
     let span = 1.0f64..=3.7;
     (start, land, ground, growth, bends, finish, rivers, span).prop_map(|(start, land, ground, growth, bends, finish, rivers, span)| {
-        let span = 10f64.powf(span).clamp(10.0, 5000.0);
+        let span = libm::pow(10.0, span).clamp(10.0, 5000.0);
         let (seed, edition) = start;
         let (land, (sea, drowning), roughness, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;

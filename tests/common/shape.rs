@@ -111,7 +111,8 @@ impl Raster {
         let [xx, xy, yy] =
             off.fold([0.0, 0.0, 0.0], |[xx, xy, yy], off| [xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y]);
         // The greater and the lesser of the moments about the axes of the island.
-        let (mean, apart) = ((xx + yy) / 2.0, (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt());
+        let (mean, half) = ((xx + yy) / 2.0, (xx - yy) / 2.0);
+        let apart = (half * half + xy * xy).sqrt();
         ((mean + apart) / (mean - apart)).sqrt()
     }
 

@@ -7,7 +7,7 @@ export function linkText(values: Iterable<readonly [key: string, value: string]>
   return query.toString().replaceAll("+", "%20");
 }
 
-/** What a link says of a key in place of a value, or by leaving it out, where the word is to decide. */
+/** The value of a key that a word is to decide; leaving the key out says the same. */
 export const AUTO = "auto";
 
 /** Returns a link with some values changed. */

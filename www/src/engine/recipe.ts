@@ -41,12 +41,12 @@ export class Recipe {
     return this.#values;
   }
 
-  /** What the link says of every key: a value, or `auto` where the word decides. */
+  /** The values that the link names, and `auto` for each key that the word decides. */
   get asked(): ReadonlyMap<string, string> {
     return this.#asked;
   }
 
-  /** What is said of every key by a link that says nothing, on this page. */
+  /** The values of a link that says nothing, on this page. */
   get defaults(): ReadonlyMap<string, string> {
     this.#defaults ??= askedBy(this.#readHere(""));
     return this.#defaults;

@@ -13,7 +13,8 @@ import {
 } from "./riverpage.ts";
 import { core } from "./tiers.ts";
 
-const LINK = "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
+const LINK =
+  "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5&style=ink&labels=none";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

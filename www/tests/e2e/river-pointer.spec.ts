@@ -2,7 +2,8 @@ import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, openWithPanel } from "./riverpage.ts";
 
-const LINK = "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
+const LINK =
+  "country=usual&seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink&labels=none";
 
 /** A place on the greatest river, in the page's pixels: where it is shown from by keys. */
 async function greatest(page: Page): Promise<{ x: number; y: number; name: string }> {

@@ -3,7 +3,9 @@ import { progressOf } from "../../src/player/progress.ts";
 import { engine } from "../core.ts";
 
 test("progress goes from 0 to 1 through every phase, and never back", () => {
-  const river = new engine.River("country=usual&seed=rimu&land=island&drowning=0.4&attractors=2000&style=atlas&labels=none");
+  const river = new engine.River(
+    "country=usual&seed=rimu&land=island&drowning=0.4&attractors=2000&style=atlas&labels=none",
+  );
   const shares = [progressOf(river)];
   const phases = new Set([river.phase]);
   while (river.advance(1)) {
