@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 pub const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 /// Small maps that are made quickly.
-pub const LINK: &str = "land=island&attractors=100&style=ink";
+pub const LINK: &str = "country=usual&land=island&attractors=100&style=ink";
 
 /// All forms of a file but the packs of engines, whose rasters have sizes of their own.
 pub const FORMS: [&str; 24] = [

@@ -19,7 +19,7 @@ use serde_json::Value as Json;
 use crate::maps::{LINKS, file, file_with, map};
 
 /// A map with a lake at the sea's level.
-const LAKE: &str = "seed=kea&land=basin&attractors=300";
+const LAKE: &str = "country=usual&seed=kea&land=basin&attractors=300";
 
 /// Returns the layer of each kind of feature.
 fn layer_of(kind: &str) -> &'static str {
@@ -366,7 +366,7 @@ fn measured(collection: &Json) -> (Vec<f64>, Vec<f64>, Vec<[f64; 2]>) {
 
 #[test]
 fn files_of_two_spans_are_one_map_in_two_scales() {
-    const LINK: &str = "seed=kauri&attractors=900";
+    const LINK: &str = "country=usual&seed=kauri&attractors=900";
     let options = Options { has_segments: true, ..Options::default() };
     let of = |span: f64| {
         let map = map(&format!("{LINK}&span={span}"));

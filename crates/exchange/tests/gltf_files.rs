@@ -98,7 +98,7 @@ fn picture_lies_where_the_map_lies() {
 
 #[test]
 fn large_rasters_are_thinned_and_the_last_corner_stays() {
-    let map = map("seed=kauri&land=island&attractors=300&aspect=1");
+    let map = map("country=usual&seed=kauri&land=island&attractors=300&aspect=1");
     let rasters = Rasters::with_size(&map, 1500).unwrap();
     let mesh = read(&of(&map, &rasters));
     assert_eq!(mesh.positions.len(), 751 * 751);

@@ -10,13 +10,13 @@ use riverseed_exchange::{Form, Options, Source, write};
 
 /// Small maps of many kinds: lands, growths, oxbow lakes, ridges, no sea at all, and a seed that would like to be markup.
 pub const LINKS: [&str; 7] = [
-    "seed=kauri&land=island&attractors=700",
-    "seed=kea&land=archipelago&attractors=300&growth=colonize",
-    "seed=matai&land=valley&attractors=300",
-    "seed=totara&land=rectangle&attractors=600&oxbows=1&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",
-    "seed=rimu&land=island&attractors=300&aspect=2",
-    "seed=weka&land=drawn&outline=.MzMzzMMzzMzMMzzM&attractors=300",
-    "seed=%3Cb%3E%22%27..%2F..%2Fx&land=island&attractors=300&aspect=0.5&names=t.%3Cscript%3E%26",
+    "country=usual&seed=kauri&land=island&attractors=700",
+    "country=usual&seed=kea&land=archipelago&attractors=300&growth=colonize",
+    "country=usual&seed=matai&land=valley&attractors=300",
+    "country=usual&seed=totara&land=rectangle&attractors=600&oxbows=1&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",
+    "country=usual&seed=rimu&land=island&attractors=300&aspect=2",
+    "country=usual&seed=weka&land=drawn&outline=.MzMzzMMzzMzMMzzM&attractors=300",
+    "country=usual&seed=%3Cb%3E%22%27..%2F..%2Fx&land=island&attractors=300&aspect=0.5&names=t.%3Cscript%3E%26",
 ];
 
 /// The maps of [`LINKS`], grown once for all tests.

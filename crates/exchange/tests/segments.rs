@@ -12,11 +12,11 @@ use crate::maps::{LINKS, file_with, map};
 
 /// Lands, forms and lines of many kinds.
 const MORE: [&str; 5] = [
-    "seed=kauri&land=island&attractors=3000",
-    "seed=kea&land=continent&attractors=1500&growth=brownian",
-    "seed=moa&land=archipelago&attractors=900&drowning=0.5",
-    "seed=tui&land=rectangle&attractors=900&courses=grown",
-    "seed=pipi&land=basin&attractors=900&trim=40&meander-rounds=200&meander-strength=1",
+    "country=usual&seed=kauri&land=island&attractors=3000",
+    "country=usual&seed=kea&land=continent&attractors=1500&growth=brownian",
+    "country=usual&seed=moa&land=archipelago&attractors=900&drowning=0.5",
+    "country=usual&seed=tui&land=rectangle&attractors=900&courses=grown",
+    "country=usual&seed=pipi&land=basin&attractors=900&trim=40&meander-rounds=200&meander-strength=1",
 ];
 
 struct Segment {

@@ -4,6 +4,8 @@
 //! have the same least hash as often as their members are the same). While most of the course stays where it is, so does the number,
 //! however its ends move: neither a mouth on a coast that moves nor a source that another brook takes over renames a river.
 
+use std::collections::BTreeSet;
+
 use super::heads::Heads;
 use super::squares::Squares;
 use crate::base::random::ItemHash;
@@ -24,12 +26,12 @@ const SQUARE: u32 = 1 << 18;
 pub(super) fn of(heads: &Heads, rivers: &[usize], chance: ItemHash) -> Vec<u32> {
     let beyond = |node: usize| Squares::COUNT.wrapping_add(heads.identity(node));
     let mut numbers: Vec<u32> = (0..heads.len()).map(beyond).collect();
-    let mut is_taken = vec![false; Squares::COUNT as usize];
+    let mut taken = BTreeSet::new();
     for &river in rivers {
         let squares = heads.lower_course(river).map(|at| SQUARES.number(at));
-        let free = squares.filter(|&square| !is_taken[square as usize]);
+        let free = squares.filter(|square| !taken.contains(square));
         if let Some(square) = free.min_by_key(|&square| (chance.bits([square, 0, SQUARE]), square)) {
-            is_taken[square as usize] = true;
+            taken.insert(square);
             numbers[river] = square;
         }
     }
