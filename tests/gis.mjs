@@ -19,12 +19,12 @@ const DEGREE = 111_320;
 const NAME = "Riverseed map, metres from its centre";
 
 const LINKS = {
-  island: "seed=kauri&attractors=900",
-  lake: "seed=kea&land=basin&attractors=300",
-  valley: "seed=matai&land=valley&attractors=400&aspect=0.5",
+  island: "country=usual&seed=kauri&attractors=900",
+  lake: "country=usual&seed=kea&land=basin&attractors=300",
+  valley: "country=usual&seed=matai&land=valley&attractors=400&aspect=0.5",
   // Oxbow lakes, no sea, and a seed and a title that would like to be markup, a statement and a path.
   hostile:
-    "seed=%3Cb%3E%22%27%29%3B--..%2F..%2Fx&names=t.%3Cscript%3E%26%27&land=rectangle&attractors=500&oxbows=1" +
+    "country=usual&seed=%3Cb%3E%22%27%29%3B--..%2F..%2Fx&names=t.%3Cscript%3E%26%27&land=rectangle&attractors=500&oxbows=1" +
     "&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",
 };
 const LAYERS = ["heights", "land", "rivers", "flow", "basins"];
@@ -169,7 +169,7 @@ function check(name, link, folder) {
 
 /** Checks that GDAL takes a file's word for its coordinate system, and that the definition in a GeoPackage is that of its own list. */
 function systemsAreKnown(folder) {
-  const link = "seed=kauri&attractors=300";
+  const link = "country=usual&seed=kauri&attractors=300";
   for (const number of [32601, 32633, 32760, 3395, 3857, 6933]) {
     const [gpkg, tif] = ["gpkg", "land.tif"].map((ending) => join(folder, `${number}.${ending}`));
     execFileSync(program, ["render", link, "-o", gpkg, "-o", tif, "--crs", `EPSG:${number}`]);
