@@ -12,7 +12,7 @@ import {
   unfold,
 } from "./riverpage.ts";
 
-const LINK = "seed=kauri&land=island&sea=0.55&growth=drainage&attractors=1500&meander-rounds=9&style=atlas&labels=some";
+const LINK = "country=usual&seed=kauri&land=island&sea=0.55&growth=drainage&attractors=1500&meander-rounds=9&style=atlas&labels=some";
 
 /** Moves a slider by a step as a hand does that holds it. */
 async function move(page: Page, slider: string, by: number): Promise<void> {
