@@ -65,7 +65,7 @@ test("Hugo: parameters may have names, and a map that is more than the element d
   skip,
 }, async () => {
   const source = site("named");
-  const large = "attractors=20001&seed=moa";
+  const large = "attractors=24001&seed=moa";
   write(
     source,
     "content/_index.md",
@@ -76,7 +76,7 @@ test("Hugo: parameters may have names, and a map that is more than the element d
   assert.equal(code, 0, said);
   assert.match(
     said,
-    /river-seed: a picture without the element for "attractors=20001&seed=moa": attractors: 20001 exceeds/,
+    /river-seed: a picture without the element for "attractors=24001&seed=moa": attractors: 24001 exceeds/,
   );
   await build(source, "hugo", ["--quiet"]);
   const page = readFileSync(join(source, "public/index.html"), "utf8");

@@ -80,7 +80,7 @@ test("Jekyll: an address and a damaged link are read, and a map beyond the eleme
   skip,
 }, async () => {
   const source = site("given");
-  const maps = ["https://rivers.example/?seed=rimu&land=valley", "seed=rimu&amp;land=valley", "attractors=20001"];
+  const maps = ["https://rivers.example/?seed=rimu&land=valley", "seed=rimu&amp;land=valley", "attractors=24001"];
   write(source, "index.md", `---\n---\n${maps.map((map) => `{% river_seed "${map}" %}`).join("\n\n")}\n`);
   await placePictures(join(source, ".jekyll-cache/river-seed/riverseed"), maps.map(pngOf("sha256")));
   const { code, said } = await run(source, "jekyll", ["build"]);
@@ -93,7 +93,7 @@ test("Jekyll: an address and a damaged link are read, and a map beyond the eleme
   );
   assert.equal(page.match(/<img /g).length, 3);
   assert.match(said, /river-seed: the link was damaged on its way, and has been mended/);
-  assert.match(said, /river-seed: a picture without the element for "attractors=20001": attractors: 20001 exceeds/);
+  assert.match(said, /river-seed: a picture without the element for "attractors=24001": attractors: 24001 exceeds/);
 });
 
 test("Jekyll: the element and the picture are of one edition, and a tag in a comment is no element", {

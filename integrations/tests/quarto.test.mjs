@@ -93,7 +93,7 @@ test("Quarto: an address and a damaged link are read, and a map beyond the eleme
   skip,
 }, async () => {
   const folder = site("given");
-  const maps = ["https://rivers.example/?seed=rimu&land=valley", "seed=rimu&amp;land=valley", "attractors=20001"];
+  const maps = ["https://rivers.example/?seed=rimu&land=valley", "seed=rimu&amp;land=valley", "attractors=24001"];
   post(
     folder,
     allOf(maps),
@@ -110,7 +110,7 @@ test("Quarto: an address and a damaged link are read, and a map beyond the eleme
   );
   assert.equal(page.match(/<img /g).length, 3);
   assert.match(said, /riverseed: the link was damaged on its way, and has been mended/);
-  assert.match(said, /river-seed: a picture without the element for "attractors=20001": attractors: 20001 exceeds/);
+  assert.match(said, /river-seed: a picture without the element for "attractors=24001": attractors: 24001 exceeds/);
 });
 
 test("Quarto: the element and the picture are of one edition", { skip }, async () => {

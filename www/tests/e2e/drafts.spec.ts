@@ -12,7 +12,8 @@ import {
   unfold,
 } from "./riverpage.ts";
 
-const LINK = "country=usual&seed=kauri&land=island&sea=0.55&growth=drainage&attractors=1500&meander-rounds=9&style=atlas&labels=some";
+const LINK =
+  "country=usual&seed=kauri&land=island&sea=0.55&growth=drainage&attractors=1500&meander-rounds=9&style=atlas&labels=some&width=16&mountains=2&plains=100&drowning=0.24&roughness=1";
 
 /** Moves a slider by a step as a hand does that holds it. */
 async function move(page: Page, slider: string, by: number): Promise<void> {
