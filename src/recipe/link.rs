@@ -116,8 +116,9 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
         if std::mem::replace(&mut seen[key as usize], true) {
             return Err(RecipeError::Duplicate { key: shown(name) });
         }
-        recipe.set(key, text)?;
+        recipe.assign_text(key, text)?;
     }
+    recipe.settle();
     Ok(recipe)
 }
 
@@ -139,7 +140,7 @@ pub(super) fn apply_leniently(pairs: &[(String, String)], notices: &mut Vec<Noti
     if presets.next().is_some() {
         notices.push(repeated(PRESET));
     }
-    let mut seen = [false; TABLE.len()];
+    let (mut seen, mut refused) = ([false; TABLE.len()], Vec::new());
     for (name, text) in pairs.iter().filter(|(key, _)| key != PRESET) {
         let Some(key) = Key::from_name(name) else {
             notices.push(unknown(name));
@@ -149,9 +150,17 @@ pub(super) fn apply_leniently(pairs: &[(String, String)], notices: &mut Vec<Noti
             notices.push(repeated(name));
         } else if key == Key::Names {
             take_names(&mut recipe, text, notices);
-        } else if let Err(error) = recipe.set(key, text) {
-            notices.push(correct(&mut recipe, key, text, &error));
+        } else if let Err(error) = recipe.assign_text(key, text) {
+            refused.push((notices.len() + refused.len(), key, error));
+            if let Some(value) = nearest_allowed(key.parameter(), text) {
+                recipe.assign(key, value);
+            }
         }
+    }
+    recipe.settle();
+    // Only now it is known which value is drawn in place of one that cannot be read.
+    for (at, key, error) in refused {
+        notices.insert(at, corrected(&recipe, key, &error));
     }
     (recipe, seen)
 }
@@ -170,13 +179,13 @@ fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
         name: shown(name),
         names: preset::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", "),
     })?;
-    preset.values.iter().try_for_each(|(key, text)| recipe.set(*key, text))
+    preset.values.iter().try_for_each(|(key, text)| recipe.assign_text(*key, text))
 }
 
 /// Takes own names as far as they can be read: one that is wrong takes no other away, and is told by itself.
 fn take_names(recipe: &mut Recipe, text: &str, notices: &mut Vec<Notice>) {
     let (names, faults) = OwnNames::corrected(text);
-    recipe.put(Key::Names, Value::Text(names.to_string()));
+    recipe.assign(Key::Names, Value::Text(names.to_string()));
     let key = Key::Names.parameter().name;
     for reason in faults {
         let correction = reason.correction();
@@ -190,12 +199,9 @@ fn told(key: &str, error: &RecipeError, correction: &str) -> Notice {
     Notice { key: key.into(), message: format!("{error}: {correction}") }
 }
 
-/// Replaces a refused value by the nearest allowed one, if there is one.
-fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
+/// Makes the notice of a refused value: the fault, and the value that is used instead.
+fn corrected(recipe: &Recipe, key: Key, error: &RecipeError) -> Notice {
     let parameter = key.parameter();
-    if let Some(value) = nearest_allowed(parameter, text) {
-        recipe.put(key, value);
-    }
     let used = parameter.text_of(recipe.value(key));
     let correction = match error {
         RecipeError::UnknownEdition { .. } => "the picture may differ from the one shared".into(),
@@ -278,6 +284,28 @@ mod tests {
         let keys: Vec<_> = notices.iter().map(|notice| notice.key.as_str()).collect();
         assert_eq!(keys, ["curl", "mouths", "trim", "curl", "depth", "style", "kill"]);
         assert_eq!(notices[0].message, "curl: 3 is not between 0 and 2: 2 is used");
+    }
+
+    #[test]
+    fn notices_tell_the_value_that_is_drawn_wherever_they_stand() {
+        for seed in ["Isolde", "ocean", "lullaby"] {
+            let told = |link: &str| {
+                let (recipe, notices) = read_leniently(link);
+                let trim = Key::Trim.parameter().text_of(recipe.value(Key::Trim));
+                assert_eq!(recipe, read(&format!("seed={seed}&curl=2")).unwrap());
+                let messages: Vec<_> = notices.into_iter().map(|notice| notice.message).collect();
+                let used = format!("trim: 'x' is not a number in plain digits: {trim} is used");
+                assert!(messages.contains(&used), "{messages:?} does not tell of {trim}");
+                messages
+            };
+            let first = told(&format!("trim=x&depth=1&curl=9&seed={seed}"));
+            let last = told(&format!("seed={seed}&depth=1&trim=x&curl=9"));
+            assert_eq!(
+                [&first[1], &first[0], &first[2]],
+                [&last[0], &last[1], &last[2]],
+                "they are in the link's order"
+            );
+        }
     }
 
     #[test]

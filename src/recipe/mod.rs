@@ -64,7 +64,7 @@ pub struct Recipe {
 impl Default for Recipe {
     fn default() -> Self {
         let mut recipe = Self { values: std::array::from_fn(|i| TABLE[i].default_value()), named: 0 };
-        recipe.settle_all();
+        recipe.settle();
         recipe
     }
 }
@@ -199,19 +199,32 @@ impl Recipe {
     /// # Errors
     /// Names the key, the value and the allowed range or words; the recipe is then unchanged.
     pub fn set(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
+        self.assign_text(key, text)?;
+        self.settle();
+        Ok(())
+    }
+
+    /// Sets a parameter as [`set`](Self::set) does, but leaves all others as they are until they are [settled](Self::settle).
+    fn assign_text(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
         if text.trim() == country::AUTO && is_decided(key) {
             self.forget(key);
         } else {
-            self.put(key, key.parameter().parse(text)?);
+            self.assign(key, key.parameter().parse(text)?);
         }
         Ok(())
     }
 
     /// Sets a parameter to a value that is known to be of its kind and in its range.
     pub(crate) fn put(&mut self, key: Key, value: Value) {
+        self.assign(key, value);
+        self.settle();
+    }
+
+    /// Sets a parameter as [`put`](Self::put) does, but leaves all others as they are until they are [settled](Self::settle).
+    fn assign(&mut self, key: Key, value: Value) {
         debug_assert!(key.parameter().accepts(&value), "{key:?} cannot be {value:?}");
         self.values[key as usize] = value;
-        self.settle(key);
+        self.note(key);
     }
 
     /// Returns `true` if another recipe has the same values for all parameters but these.

@@ -25,11 +25,11 @@ pub struct Country {
     pub label: &'static str,
     /// One line on its looks.
     pub help: &'static str,
-    /// How many tickets it has in the draw of a word's country.
+    /// The number of its tickets in the draw of a word's country.
     pub(super) weight: u32,
     /// The names of climates that its words draw from, with their shares.
     pub(super) climates: &'static str,
-    /// What its words draw.
+    /// The draws of its words, in the language of `settling/draws.rs`.
     pub(super) draws: &'static str,
     /// The style that is best on such a map, if it needs one: beside that style the page offers this country.
     pub style: Option<Style>,
@@ -38,7 +38,7 @@ pub struct Country {
 /// The value of the key `country` if nothing is given: the word decides.
 pub(super) const AUTO: &str = "auto";
 
-/// The country of today's usual values, for every word the same.
+/// The country of the table's own values, the same for every word.
 pub(super) const USUAL: &str = "usual";
 
 /// The country of land that is in no row: the word's own values about the usual ones.

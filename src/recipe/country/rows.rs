@@ -1,5 +1,5 @@
-//! The rows of the table of countries, and the climates that they draw from. The language of the draws is explained in
-//! [`draws`](super::draws).
+//! The rows of the table of countries, and the climates that they draw from. `settling/draws.rs` explains the language of the
+//! draws.
 
 use super::Country;
 use crate::recipe::Style;
@@ -7,15 +7,14 @@ use crate::recipe::Style;
 /// The number of rows.
 pub(in crate::recipe) const COUNT: usize = 34;
 
-/// Draws of every country, unless its row says otherwise. No river is drawn to the sea less than `fall` 0.2 asks: less
-/// makes neighbours run side by side.
+/// Draws of every country, unless its row says otherwise. With less `fall`, neighbours run side by side.
 pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
-    tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35 \
+    tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35>0.2 \
     width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
 
 /// Draws about the usual values, for land that is in no row: the rectangle, and what somebody has drawn.
 pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
-    tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6 simplify=20:75";
+    tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6>0.2 simplify=20:75";
 
 /// The draws of each climate.
 pub(in crate::recipe) static CLIMATES: &[(&str, &str)] = &[

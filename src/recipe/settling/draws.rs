@@ -4,6 +4,7 @@
 //! sea=0.6:0.7              any number from 0.6 to 0.7
 //! mountains=2~0.3          about 2: 2·e^(0.3·g), where g is a normal deviate, at most 2 either way
 //! bending~0.3              about the value that another item gives, or else the usual one
+//! fall~0.3>0.2             the same, and 0.2 at least
 //! sides=n|e|sw             one of these
 //! sides,strike=e,16|n,75   one of these, for both keys
 //! land=island              this
@@ -25,6 +26,8 @@ struct Draw {
     from: &'static str,
     /// The deviation of the logarithm.
     spread: f32,
+    /// The least that is drawn, whatever the value.
+    least: f32,
 }
 
 /// The draws of all keys.
@@ -35,9 +38,6 @@ pub(super) struct Draws {
 
 /// The greatest deviate.
 const FARTHEST: f32 = 2.0;
-
-/// The least pull of the general slope that is drawn. With less, neighbours run side by side.
-const LEAST_FALL: f64 = 0.2;
 
 impl Draws {
     /// Makes draws of nothing, with a word's chance.
@@ -68,8 +68,8 @@ impl Draws {
     fn add_value(&mut self, key: &str, from: &'static str, is_exact: bool) {
         let Some(draw) = self.draw_of(key) else { return };
         *draw = match Parts::cut(from, b'~') {
-            (middle, Some(spread)) => Draw { from: middle, spread: number(spread) },
-            _ => Draw { from, spread: if is_exact { 0.0 } else { draw.spread } },
+            (middle, Some(spread)) => Draw { from: middle, spread: number(spread), ..*draw },
+            _ => Draw { from, spread: if is_exact { 0.0 } else { draw.spread }, ..*draw },
         };
     }
 
@@ -77,7 +77,8 @@ impl Draws {
         if let (key, Some(spread)) = Parts::cut(item, b'~')
             && let Some(draw) = self.draw_of(key)
         {
-            draw.spread = number(spread);
+            let (spread, least) = Parts::cut(spread, b'>');
+            (draw.spread, draw.least) = (number(spread), least.map_or(0.0, number));
         }
     }
 
@@ -107,8 +108,7 @@ impl Draws {
                 middle * libm::expf(draw.spread * deviate)
             }
         };
-        let least = if key == Key::Fall { Decimal::new(LEAST_FALL) } else { min };
-        let drawn = step.nearest_multiple(drawn.into()).clamp(least, max);
+        let drawn = step.nearest_multiple(drawn.max(draw.least).into()).clamp(min, max);
         Some(match row.kind {
             Kind::Integer { .. } => Value::Integer(drawn.round()),
             _ => Value::Number(drawn),

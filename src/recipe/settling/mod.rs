@@ -10,12 +10,13 @@ use super::country::{self, COUNTRIES, Country, Parts};
 use super::key::{IntegerKey, Key};
 use super::parameter::Stage;
 use super::parcels::most_attractors;
+use super::table::TABLE;
 use super::value::Value;
 use crate::base::random::{ItemHash, Purpose, Seed};
 use draws::Draws;
 
-/// The keys whose values, if a link leaves them out, are the country's.
-const DECIDED: &[Key] = &[
+/// The keys whose values, if a link leaves them out, are the country's, as a set.
+const DECIDED: u128 = set(&[
     Key::Span,
     Key::Land,
     Key::Sea,
@@ -61,7 +62,7 @@ const DECIDED: &[Key] = &[
     Key::RainShadow,
     Key::Ground,
     Key::Woods,
-];
+]);
 
 /// Where the values of keys come from that a link leaves out.
 enum Origin {
@@ -76,10 +77,14 @@ impl Recipe {
         if is_decided(key) { self.named & bit(key) != 0 } else { *self.value(key) != key.parameter().default_value() }
     }
 
-    /// Takes the value back that somebody gave to a parameter.
-    pub fn forget(&mut self, key: Key) {
+    /// Leaves a parameter to the country, once all are [settled](Self::settle).
+    pub(super) fn forget(&mut self, key: Key) {
         self.named &= !bit(key);
-        self.settle_all();
+    }
+
+    /// Notes that somebody has given a parameter its value.
+    pub(super) fn note(&mut self, key: Key) {
+        self.named |= bit(key) & DECIDED;
     }
 
     /// Returns the name of the country: that of a row of [`COUNTRIES`], `usual` or `own`.
@@ -91,23 +96,12 @@ impl Recipe {
         }
     }
 
-    /// Notes that somebody has given a parameter its value, and gives those that nobody named theirs.
-    pub(super) fn settle(&mut self, key: Key) {
-        if is_decided(key) {
-            self.named |= bit(key);
-        }
-        if is_decided(key) || matches!(key, Key::Seed | Key::Country) {
-            self.settle_all();
-        }
-    }
-
     /// Gives all parameters that the country decides, and nobody named, its values.
-    pub(super) fn settle_all(&mut self) {
-        let is_free = |recipe: &Self, key: Key| is_decided(key) && !recipe.is_named(key);
-        for key in DECIDED.iter().copied() {
-            if is_free(self, key) {
-                self.values[key as usize] = key.parameter().default_value();
-            }
+    pub(super) fn settle(&mut self) {
+        let free = DECIDED & !self.named;
+        let is_free = |key: Key| free & bit(key) != 0;
+        for row in TABLE.iter().filter(|row| is_free(row.key)) {
+            self.values[row.key as usize] = row.default_value();
         }
         let chance = self.chance();
         let mut draws = Draws::new(chance);
@@ -123,11 +117,11 @@ impl Recipe {
         let gives_rivers = self.gives_rivers();
         for (key, value) in draws.values() {
             let is_river = matches!(key.parameter().stage, Stage::Grow | Stage::Prune | Stage::Shape);
-            if is_free(self, key) && (gives_rivers || !is_river) {
+            if is_free(key) && (gives_rivers || !is_river) {
                 self.values[key as usize] = value;
             }
         }
-        if is_free(self, Key::Attractors) {
+        if is_free(Key::Attractors) {
             let most = most_attractors(self);
             let drawn = self.integer(IntegerKey::Attractors);
             self.values[Key::Attractors as usize] = Value::Integer(drawn.min(most));
@@ -182,10 +176,19 @@ fn may_have(country: &Country, key: Key, value: &Value) -> bool {
 
 /// Returns `true` if a country decides the value of a parameter that a link leaves out.
 pub fn is_decided(key: Key) -> bool {
-    DECIDED.contains(&key)
+    DECIDED & bit(key) != 0
 }
 
 /// Returns the bit of a key in a set of keys.
 const fn bit(key: Key) -> u128 {
     1 << key as u32
+}
+
+const fn set(keys: &[Key]) -> u128 {
+    let (mut set, mut i) = (0, 0);
+    while i < keys.len() {
+        set |= bit(keys[i]);
+        i += 1;
+    }
+    set
 }

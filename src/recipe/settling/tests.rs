@@ -1,10 +1,13 @@
 use super::*;
 use crate::recipe::Parameter;
 use crate::recipe::link;
-use crate::recipe::table::TABLE;
 
 fn read(text: &str) -> Recipe {
     link::read(text).unwrap()
+}
+
+fn decided() -> impl Iterator<Item = Key> {
+    TABLE.iter().map(|row| row.key).filter(|key| is_decided(*key))
 }
 
 /// Returns words that nobody chose.
@@ -23,7 +26,9 @@ fn items() -> Vec<(&'static str, &'static str)> {
 #[test]
 fn every_item_of_every_row_can_be_read() {
     for (row, item) in items() {
-        let (keys, from) = item.split_once('=').unwrap_or_else(|| item.split_once('~').unwrap());
+        let is_spread = !item.contains('=');
+        let (keys, from) =
+            if is_spread { item.split_at(item.find('~').unwrap()) } else { item.split_once('=').unwrap() };
         let keys: Vec<_> =
             keys.split(',').map(|key| Key::from_name(key).unwrap_or_else(|| panic!("{row}: {item}"))).collect();
         for alternative in from.split('|') {
@@ -32,10 +37,12 @@ fn every_item_of_every_row_can_be_read() {
             for (key, value) in keys.iter().zip(values) {
                 assert!(is_decided(*key), "{row}: {item}");
                 let (value, spread) = value.split_once('~').unwrap_or((value, "0"));
+                let (spread, least) = spread.split_once('>').unwrap_or((spread, "0"));
+                assert!(least.parse::<f32>().is_ok(), "{row}: {item}");
                 assert!(spread.parse::<f32>().is_ok_and(|spread| spread < 1.0), "{row}: {item}");
-                for end in value.split(':') {
-                    let is_spread = !item.contains('=');
-                    assert!(is_spread || key.parameter().parse(end).is_ok(), "{row}: {item}");
+                assert_eq!(value.is_empty(), is_spread, "{row}: {item}");
+                for end in value.split(':').filter(|end| !end.is_empty()) {
+                    assert!(key.parameter().parse(end).is_ok(), "{row}: {item}");
                 }
             }
         }
@@ -100,11 +107,11 @@ fn naming_the_value_that_is_drawn_changes_nothing() {
         let drawn = read(&format!("seed={word}"));
         // A marsh that somebody names as a Brownian tree is one like the document's.
         let is_marsh = drawn.country() == "marsh";
-        for key in DECIDED.iter().filter(|key| !(is_marsh && **key == Key::Growth)) {
+        for key in decided().filter(|key| !(is_marsh && *key == Key::Growth)) {
             let mut named = drawn.clone();
-            named.put(*key, drawn.value(*key).clone());
-            assert!(named.is_named(*key) && named.first_difference(&drawn).is_none(), "{word}: {key:?}");
-            named.set(*key, "auto").unwrap();
+            named.put(key, drawn.value(key).clone());
+            assert!(named.is_named(key) && named.first_difference(&drawn).is_none(), "{word}: {key:?}");
+            named.set(key, "auto").unwrap();
             assert_eq!(named, drawn, "{word}: {key:?}");
         }
         let name = drawn.country();
@@ -150,9 +157,9 @@ fn ways_of_growing_from_the_documents_have_usual_rivers() {
     for word in words(40) {
         let grown = read(&format!("seed={word}&growth=colonize"));
         // But for how many attractors an element may grow.
-        for key in DECIDED.iter().filter(|key| !matches!(key, Key::Growth | Key::Attractors)) {
+        for key in decided().filter(|key| !matches!(key, Key::Growth | Key::Attractors)) {
             let is_river = matches!(key.parameter().stage, Stage::Grow | Stage::Prune | Stage::Shape);
-            assert!(!is_river || grown.value(*key) == usual.value(*key), "{word}: {key:?}");
+            assert!(!is_river || grown.value(key) == usual.value(key), "{word}: {key:?}");
         }
         assert_ne!(grown.country(), country::USUAL);
     }
@@ -176,4 +183,59 @@ fn no_country_has_more_parcels_than_a_widget_may_draw() {
         let reading = read_given(&format!("seed={word}"), "", options);
         assert_eq!((reading.recipe, reading.notices), (read(&format!("seed={word}")), vec![]), "{word}");
     }
+}
+
+/// Returns what words draw for a key in a country.
+fn drawn(country: &str, key: Key) -> Vec<f32> {
+    let number = |word| match read(&format!("seed={word}&country={country}")).value(key) {
+        Value::Number(number) => number.to_f64() as f32,
+        Value::Integer(integer) => *integer as f32,
+        other => panic!("{other:?} is no number"),
+    };
+    words(600).map(number).collect()
+}
+
+/// Returns the mean and the standard deviation.
+fn spread(values: &[f32]) -> [f32; 2] {
+    let mean = values.iter().sum::<f32>() / values.len() as f32;
+    let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f32>() / values.len() as f32;
+    [mean, variance.sqrt()]
+}
+
+#[test]
+fn values_lie_about_their_middle_as_far_as_the_row_says() {
+    for (key, middle, deviation) in
+        [(Key::Bending, 1.2, 0.3), (Key::Mountains, 2.0, 0.25), (Key::Valleys, 0.35, 0.4), (Key::Span, 95.0, 0.35)]
+    {
+        let logarithms: Vec<f32> = drawn("island", key).iter().map(|value| libm::logf(value / middle)).collect();
+        let [mean, found] = spread(&logarithms);
+        assert!(mean.abs() < 0.05 && (found / deviation - 1.0).abs() < 0.15, "{key:?}: {mean} ± {found}");
+        assert!(logarithms.iter().all(|logarithm| logarithm.abs() < 2.0 * deviation + 0.04), "{key:?}");
+    }
+    let seas = drawn("island", Key::Sea);
+    assert!(seas.iter().all(|sea| (0.63..=0.75).contains(sea)) && spread(&seas)[1] > 0.03, "{seas:?}");
+}
+
+#[test]
+fn each_key_has_a_chance_of_its_own() {
+    let keys = [Key::Bending, Key::Hardness, Key::Valleys, Key::Mountains, Key::Sea, Key::Drowning];
+    let all: Vec<Vec<f32>> = keys.map(|key| drawn("island", key)).into();
+    for (i, one) in all.iter().enumerate() {
+        for (j, other) in all[..i].iter().enumerate() {
+            let ([mean, deviation], [other_mean, other_deviation]) = (spread(one), spread(other));
+            let together: f32 = one.iter().zip(other).map(|(a, b)| (a - mean) * (b - other_mean)).sum();
+            let correlation = together / (one.len() as f32 * deviation * other_deviation);
+            assert!(correlation.abs() < 0.15, "{:?} and {:?}: {correlation}", keys[i], keys[j]);
+        }
+    }
+}
+
+#[test]
+fn the_least_is_kept_and_what_is_one_of_some_is_exactly_that() {
+    let falls = drawn("island", Key::Fall);
+    assert!(falls.iter().all(|fall| *fall >= 0.2) && falls.contains(&0.2) && falls.iter().any(|fall| *fall > 0.25));
+    let mut hardness = drawn("fjords", Key::Hardness);
+    hardness.sort_by(f32::total_cmp);
+    hardness.dedup();
+    assert_eq!(hardness, [0.9, 1.0, 1.1, 1.3]);
 }
