@@ -265,7 +265,9 @@ fn referred_to(svg: &str) -> Vec<&str> {
 #[test]
 fn a_drawing_has_the_colours_of_its_climate() {
     let drawn = |more: &str| {
-        let session = finished(&format!("attractors=900&growth=drainage&style=atlas&land=island&labels=none{more}"));
+        let session = finished(&format!(
+            "country=usual&attractors=900&growth=drainage&style=atlas&land=island&labels=none{more}"
+        ));
         svg::svg(&session.map().unwrap()).unwrap()
     };
     let levels = |text: &str| text.matches("<clipPath id=\"rain-").count();

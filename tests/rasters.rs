@@ -108,7 +108,7 @@ fn check_heights(rasters: &Rasters) {
         let is_raised = || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
         assert!(value == rounded || (value > rounded && is_raised()), "{value} for {rounded} at {cell}");
         let (value, metres) = (rounded, (f64::from(rounded) - sea) * step);
-        let off = (metres - f64::from(height * USUAL_METRES)).abs();
+        let off = (metres - f64::from(height * rasters.map_scale.metres_up)).abs();
         // The step is written with six decimals.
         assert!(off <= 0.5 * step + 0.04 || (f64::from(value) == sea + 1.0 && off <= step), "{metres} for {height}");
         assert_eq!(f64::from(value) > sea, height > 0.0, "land and sea");
@@ -309,10 +309,14 @@ fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
         check_heights(&rasters);
         let (_, _, _, texts) = read(&file(&rasters, Layer::Land));
         let text = |keyword: &str| texts.iter().find(|(own, _)| own == keyword).unwrap().1.clone();
-        let longer = text("units-a-pixel").parse::<f32>().unwrap() * size as f32;
+        let [units, metres] = ["units-a-pixel", "metres-a-pixel"].map(|keyword| text(keyword).parse::<f32>().unwrap());
+        let longer = units * size as f32;
         assert!((longer - map.max_element()).abs() < 0.01, "{longer}");
+        // The usual map is 200 km wide, whatever its shape.
+        assert!((metres / units - 200_000.0 / map.x).abs() < 0.1, "{metres} m, {units} units");
         assert!(pack::readme(&rasters).contains(&format!("{} x {} pixels", rasters.columns, rasters.rows)));
-        assert!(pack::readme(&rasters).contains(&format!("A pixel is {0} x {0} units", text("units-a-pixel"))));
+        let wide = format!("A pixel is {metres:.2} m wide ({} units of the map)", text("units-a-pixel"));
+        assert!(pack::readme(&rasters).contains(&wide), "{wide}");
         // The same land, as a share of the map, and the same rivers.
         let share = |rasters: &Rasters, layer| {
             let Values::Bytes(values) = rasters.values(layer) else { panic!("no bytes") };

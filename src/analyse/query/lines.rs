@@ -52,9 +52,10 @@ impl CourseLines {
         Self { index: Index::new(&middles, widest), places, starts, segments, widest }
     }
 
-    /// Returns the middle line of a river.
+    /// Returns the middle line of a river; empty if there is no such river.
     pub fn line(&self, river: u32) -> &[Place] {
-        &self.places[self.starts[river as usize] as usize..self.starts[river as usize + 1] as usize]
+        let [from, to] = [0, 1].map(|next| self.starts.get((river as usize).saturating_add(next)));
+        from.zip(to).map_or(&[], |(&from, &to)| &self.places[from as usize..to as usize])
     }
 
     /// Returns the spot at a river's source; `None` if there is no such river.
