@@ -413,7 +413,7 @@ fn svg_has_the_light_and_shadow_of_the_picture() {
             _ => 43,
         };
         let style = style.word().name;
-        let link = format!("seed=tui&aspect=1&land=island&attractors=3000&trim=30&style={style}");
+        let link = format!("country=usual&seed=tui&aspect=1&land=island&attractors=3000&trim=30&style={style}");
         let [lit, flat] = ["", "&shade=0"].map(|shade| finished(&format!("{link}{shade}")));
         let change = |lit: &[u8], flat: &[u8]| -> Vec<i32> {
             lit.iter().zip(flat).map(|(&lit, &flat)| i32::from(lit) - i32::from(flat)).collect()

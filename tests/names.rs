@@ -163,6 +163,20 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
 }
 
 #[test]
+fn no_two_reaches_wind_after_the_same_thing() {
+    let (mut maps, mut all) = (0, 0);
+    for seed in 0..40 {
+        let names = Names::of(&finished(MANY_REACHES, &format!("country=usual&seed=s{seed}")).map().unwrap());
+        let usual = names.reaches.iter().filter(|reach| !reach.name.ends_with(" Meanders"));
+        let winding = |name: &str| name.trim_start_matches("The ").split(' ').next().unwrap_or_default().to_string();
+        let words: Vec<String> = usual.map(|reach| winding(&reach.name)).collect();
+        assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), words.len(), "s{seed}: {words:?}");
+        (maps, all) = (maps + usize::from(words.len() > 2), all + words.len());
+    }
+    assert!(maps > 5 && all > 60, "{maps} maps, {all} reaches");
+}
+
+#[test]
 fn a_reach_keeps_its_word_however_long_it_winds() {
     let link = "growth=drainage&land=island&attractors=6000&country=usual&seed=kauri&style=ink&meander=bend";
     let reaches = |over: &str| -> BTreeMap<u32, String> {

@@ -294,7 +294,11 @@ impl Rasters {
     /// Computes how wide a river of nature is that drains as much land, in metres, for each cell of the map that a river is drawn in; 0
     /// elsewhere.
     pub fn real_widths(&self) -> Vec<f32> {
-        let width = |vertex: &Vertex| self.drained.river_width(vertex.discharge) as f32;
+        // Where it is drawn with no width, at its very source, it has none.
+        let width = |vertex: &Vertex| match vertex.width() {
+            0.0 => 0.0,
+            _ => self.drained.river_width(vertex.discharge) as f32,
+        };
         widths(&self.relief, &self.flow, &self.network, width)
     }
 

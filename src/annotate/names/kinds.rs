@@ -137,14 +137,15 @@ pub(super) fn is_winding_word(folded: &[u8]) -> bool {
     WINDING.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(folded))
 }
 
-/// Chooses the name of a reach that winds: after its bends, or after something that winds as it does.
-pub(super) fn reach(bits: u32, size: Size, manner: u32) -> String {
+/// Chooses the name of a reach that winds: after its bends, or after something that winds as it does. Returns that word with it.
+pub(super) fn reach(bits: u32, size: Size, manner: u32) -> (&'static str, String) {
     let which = bits as usize % WINDING.len();
     let word = WINDING[which];
-    match bits / WINDING.len() as u32 % 2 {
+    let name = match bits / WINDING.len() as u32 % 2 {
         0 if which >= WINDING.len() / 2 => format!("{word} {}", size.generic(manner)),
         _ => format!("The {word}"),
-    }
+    };
+    (word, name)
 }
 
 #[cfg(test)]
@@ -196,6 +197,8 @@ mod tests {
         assert_eq!(named(PlaceKind::Strait, 0.0), ["Strait of Dellen", "Dellen Sound"]);
         assert_eq!(named(PlaceKind::Range, 600.0)[0], "The Dellen Mountains");
         assert_eq!(named(PlaceKind::Range, 599.0), ["The Dellen Hills", "Dellen Fells"]);
-        assert_eq!([0, 24, 72].map(|bits| reach(bits, Size::River, 0)), ["The Meanders", "Snake River", "The Snake"]);
+        let reaches = [0, 24, 72].map(|bits| reach(bits, Size::River, 0));
+        let expected = [("Meanders", "The Meanders"), ("Snake", "Snake River"), ("Snake", "The Snake")];
+        assert_eq!(reaches, expected.map(|(word, name)| (word, name.into())));
     }
 }

@@ -131,16 +131,17 @@ impl Namer {
         self.name_of_others(Mark::River(rivers.identity(river)), || words.of(river, rivers, &self.words))
     }
 
-    /// Names reaches, which must come with the most water first.
+    /// Names reaches, which must come with the most water first. Each winds after another thing.
     fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, rivers: &Rivers, words: &RiverWords) -> Vec<ReachName> {
         let on_map: Vec<Option<usize>> = rivers.on_map().collect();
-        let mut named: Vec<ReachName> = Vec::new();
+        let (mut named, mut taken): (Vec<ReachName>, Vec<&str>) = Default::default();
         for (number, course) in reaches {
             let Some(river) = on_map.get(number as usize).copied().flatten() else { continue };
             let bits = self.words.language.chance.bits([rivers.address(river), 0, REACH]);
-            let usual = kinds::reach(bits, rivers.size(river), self.words.language.manner);
-            let is_taken = named.iter().any(|reach| reach.name == usual);
+            let (winding, usual) = kinds::reach(bits, rivers.size(river), self.words.language.manner);
+            let is_taken = taken.contains(&winding) || named.iter().any(|reach| reach.name == usual);
             let usual = if is_taken { format!("{} Meanders", self.word_of(river, rivers, words)) } else { usual };
+            taken.push(winding);
             let identity = rivers.identity(river);
             let name = self.name(Mark::Reach(identity), || usual);
             named.push(ReachName { river: number, identity, name, course });

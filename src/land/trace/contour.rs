@@ -22,7 +22,7 @@ pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
             ring.push(squares.place(crossing));
             crossing = std::mem::replace(&mut next[crossing], NONE) as usize;
         }
-        if area(&ring) >= ground.speck {
+        if !ring.is_empty() && area(&ring) >= ground.speck {
             rings.push(with_corners(&ring));
         }
     }

@@ -227,6 +227,13 @@ mod tests {
         picture(width, height, |at| if at.distance(centre) < radius { WHITE } else { BLACK })
     }
 
+    #[test]
+    fn a_ring_for_each_block_without_a_bound_on_specks() {
+        let land = [[0.0; 5], [0.0, 1.0, 0.0, 1.0, 0.0], [0.0; 5]].concat();
+        let lengths: Vec<usize> = rings(5, land, 0.0).iter().map(Vec::len).collect();
+        assert_eq!(lengths, [4, 4], "sides that no ring crosses are no rings");
+    }
+
     fn is_land(outline: &Outline, at: Vec2) -> bool {
         let mut is_land = false;
         for ring in outline.coasts() {
