@@ -165,7 +165,8 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
 #[test]
 fn no_two_reaches_wind_after_the_same_thing() {
     let (mut maps, mut all) = (0, 0);
-    for seed in 0..40 {
+    // Of 400 maps the last of these alone could have The Ouroboros and an Ouroboros River.
+    for seed in (0..40).chain([261]) {
         let names = Names::of(&finished(MANY_REACHES, &format!("country=usual&seed=s{seed}")).map().unwrap());
         let usual = names.reaches.iter().filter(|reach| !reach.name.ends_with(" Meanders"));
         let winding = |name: &str| name.trim_start_matches("The ").split(' ').next().unwrap_or_default().to_string();
