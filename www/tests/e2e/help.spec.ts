@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { address, expectAddress, openFinished, openUnfolded, openWithPanel, showCountries } from "./riverpage.ts";
 
-const LINK = "seed=kauri&attractors=1000&style=ink&labels=none";
+const LINK = "country=usual&seed=kauri&attractors=1000&style=ink&labels=none";
 
 function seed(page: Page): string | null {
   return address(page).get("seed");
@@ -51,7 +51,7 @@ test("a macro sets what it stands for, and its lock keeps that from presets", as
   await page.getByRole("button", { name: "Keep How many rivers" }).click();
   await showCountries(page);
   await page.getByRole("button", { name: "Desert" }).click();
-  await expectAddress(page, "land", "continent");
+  await expectAddress(page, "country", "desert");
   expect(address(page).get("channel-area")).toBe("1");
   await page.getByRole("button", { name: "Reset How many rivers" }).click();
   await expectAddress(page, "channel-area", null);

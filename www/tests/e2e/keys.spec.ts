@@ -54,7 +54,7 @@ test("on a slider letters are keys, and where a list has the focus a letter pick
   await page.keyboard.press("w");
   await expect(page.locator("html")).not.toHaveAttribute("data-map-alone");
   await page.keyboard.press("Control+z");
-  await expectAddress(page, "land", null);
+  await expectAddress(page, "land", "island");
 });
 
 test("a key that is held lays a thing over the map, and does not take it away again", async ({ page }) => {

@@ -6,6 +6,7 @@ import {
   expectPictureOfAddress,
   finished,
   fixChance,
+  onDay,
   openBegun,
   openFinished,
   ownClock,
@@ -141,6 +142,7 @@ test("the poster stays while a worker's word of the finished map is on its way",
     },
     undefined,
   );
+  await onDay(page);
   await page.goto("./");
   const holdsBack = () =>
     page.evaluate(() => {
