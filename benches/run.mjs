@@ -115,7 +115,8 @@ async function scaling() {
 }
 
 async function onLand() {
-  const kinds = ["rectangle", "continent", "island", "archipelago", "valley", "basin", "drawn"];
+  const figures = ["crescent", "twins", "long", "arms", "gulf"];
+  const kinds = ["rectangle", "continent", "island", "archipelago", "valley", "basin", ...figures, "drawn"];
   for (const side of [native, wasm]) {
     const nodes = {};
     for (const kind of kinds) nodes[kind] = (await side.run(`grow-on ${kind} 100000`)).result;

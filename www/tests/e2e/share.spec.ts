@@ -199,9 +199,9 @@ test("a parser finds a seed in every snippet, and nothing else, whatever signs i
 });
 
 test("it is said beforehand where a widget shows other rivers", async ({ page }) => {
-  await openShare(page, "seed=kowhai&attractors=20001&meander=none");
+  await openShare(page, "seed=kowhai&attractors=24001&meander=none");
   await expect(sharing(page).getByRole("status")).toContainText(
-    "attractors: 20001 exceeds the widget's limit: 20000 is used",
+    "attractors: 24001 exceeds the widget's limit: 24000 is used",
   );
 });
 

@@ -71,7 +71,14 @@ test("the six are drawn in ink, whatever the map is drawn in, with what trimming
     simplify: "0",
     meander: "none",
   };
-  const link = new URLSearchParams({ seed: "kauri", land: "island", ...values, ...paper, ...asGrown });
+  const link = new URLSearchParams({
+    country: "usual",
+    seed: "kauri",
+    land: "island",
+    ...values,
+    ...paper,
+    ...asGrown,
+  });
   expect(sha256).toBe(pictureOf(`${link}`, width, height).sha256);
   await expect(sheet(page)).toContainText("What trimming cuts is red in the end.");
 });

@@ -36,7 +36,22 @@ function framesOf(
 }
 
 const OUTLINE = ".MzMzzMMzzMzM";
-const LANDS = ["rectangle", "island", "continent", "archipelago", "valley", "basin", `drawn&outline=${OUTLINE}`];
+const LANDS = [
+  ...[
+    "rectangle",
+    "island",
+    "continent",
+    "archipelago",
+    "valley",
+    "basin",
+    "crescent",
+    "twins",
+    "long",
+    "arms",
+    "gulf",
+  ],
+  `drawn&outline=${OUTLINE}`,
+];
 
 /** Rivers from one short side to the other, and from all sides, with as many rounds as there may be. */
 const REST = ["sides=w&mouths=1&meander-rounds=6", "sides=nesw&mouths=12&meander-rounds=400"];
