@@ -115,11 +115,14 @@ export class Scene<R extends River = River> {
     };
   }
 
-  /** Plants the same river in an engine that places letters, since those that it carries are for other maps or pictures. */
+  /**
+   * Plants the same river in an engine that places letters and trees, since the letters that it carries are for other maps or pictures, or
+   * its word has drawn a country with woods.
+   */
   #plantWithNames(how: ShowMode): void {
     if (this.#isOver) return;
     this.#early = [];
-    this.#link = { ...this.#link, letters: "" };
+    this.#link = { ...this.#link, letters: "", isAnnotated: true };
     void this.#plant(this.makers.makerFor(this.#link, this.#maker), this.#link, how, 0);
   }
 

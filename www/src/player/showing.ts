@@ -21,6 +21,8 @@ export interface LinkToRead {
    * each picture, and not in the steps of carried ones.
    */
   letters?: string;
+  /** `true` if an engine has found that the map has names or trees, so that the smallest engine cannot show it. */
+  isAnnotated?: boolean;
 }
 
 /** A link to change to. */

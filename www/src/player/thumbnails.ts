@@ -96,7 +96,9 @@ async function pixelsOf(
 function inStyle(link: string, style: string): string {
   const values = new URLSearchParams(link);
   values.set("style", style);
-  for (const key of ["labels", "cartouche", "woods", "hills"]) values.delete(key);
+  for (const key of ["labels", "cartouche"]) values.set(key, "none");
+  // What is left out, its country may have.
+  for (const key of ["woods", "hills"]) values.set(key, "0");
   return values.toString();
 }
 

@@ -58,14 +58,15 @@ export class Engines {
   }
 }
 
-/** Returns whether the smallest engine will do for a map: it is asked for by a link, and has no names, or carries its letters. */
-function needsNoNames({ text, options, letters }: LinkToRead): boolean {
-  return options?.values === undefined && (Boolean(letters) || isBare(text));
+/** Returns whether the smallest engine may do for a map: it is asked for by a link, and has no names, or carries its letters. */
+function needsNoNames({ text, options, letters, isAnnotated }: LinkToRead): boolean {
+  return !isAnnotated && options?.values === undefined && (Boolean(letters) || isBare(text));
 }
 
 /**
- * Returns whether a link certainly asks for no labels, title, woods or hills. Nothing has read it yet, so one that could is
- * taken for one that does: a preset, for example, or a word that there is none of.
+ * Returns whether a link asks for no labels, title, woods or hills. Nothing has read it yet, so one that could is taken for one that
+ * does: a preset, for example, or a word that there is none of. Woods may still be drawn by the country of its word; the smallest engine
+ * finds that out, and leaves the map to a larger one.
  */
 export function isBare(link: string): boolean {
   const values = new URLSearchParams(link);

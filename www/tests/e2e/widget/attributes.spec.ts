@@ -164,9 +164,9 @@ test("what is told of a river is told of that river, though another waits for it
 });
 
 test("a widget grows no more than a page bears, and says so", async ({ page, blog }) => {
-  const events = await open(page, blog, '<river-seed attractors="1000000" still></river-seed>');
+  const events = await open(page, blog, '<river-seed country="usual" attractors="1000000" still></river-seed>');
   const { detail } = await heard(events, "ready");
-  expect(detail).toMatchObject({ link: canonical("attractors=24000"), notices: [{ key: "attractors" }] });
+  expect(detail).toMatchObject({ link: canonical("country=usual&attractors=24000"), notices: [{ key: "attractors" }] });
 });
 
 for (const [what, scheme, attributes, isDark] of [

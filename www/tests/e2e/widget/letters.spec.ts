@@ -95,3 +95,13 @@ test("letters that are none are no failure, and a map that changes fetches what 
   expect(blog.asked.slice(asked)).toContain(LABEL);
   expect((await events()).filter(({ type }) => type === "error")).toEqual([]);
 });
+
+test("a map without names whose word draws a country with woods has its trees @core", async ({ page, blog }) => {
+  const link = "seed=5&attractors=1500&style=parchment&labels=none";
+  expect(new engine.River(link).isAnnotated).toBe(true);
+  const events = await open(page, blog, `<river-seed recipe="${link}"></river-seed>`);
+  await heard(events, "complete");
+  await expectPicture(page, canonical(link));
+  expect(blog.asked).toContain(LABEL);
+  expect((await events()).filter(({ type }) => type === "complete")).toHaveLength(1);
+});

@@ -71,3 +71,10 @@ test("a map that carries its letters has the smallest engine, and the next one i
   expect(await engines.makerFor({ ...CARRIED, letters: "" }, BARE)).toBe(LABELLING);
   expect([engines.makerFor(CARRIED), loads]).toEqual([LABELLING, ["make", "label"]]);
 });
+
+test("a map whose country has woods has the next engine, once the smallest one has found them", async () => {
+  loads.length = 0;
+  const engines = await Engines.open({ wasmUrl: undefined, link: PLAIN });
+  expect(await engines.makerFor({ ...PLAIN, isAnnotated: true }, BARE)).toBe(LABELLING);
+  expect([engines.makerFor(PLAIN, BARE), loads]).toEqual([BARE, ["make", "label"]]);
+});
