@@ -1,7 +1,7 @@
 """River networks that grow from a word.
 
-A link says everything about a map: a seed, and parameters that differ from their defaults. The same link gives the
-same map on every machine, to the bit.
+A link says everything about a map: a seed, and the parameters that somebody chose. The country, which the seed draws,
+decides the others. The same link gives the same map on every machine, to the bit.
 
 >>> import riverseed
 >>> kauri = riverseed.grow("seed=kauri", attractors=500)

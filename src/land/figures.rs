@@ -28,8 +28,8 @@ pub(super) fn crescent(draws: &mut Draws, size: Vec2, area: f32) -> Vec<Spine> {
     placed(draws, spines, size)
 }
 
-/// Lays out two islands, each in its part of the map, of which one may be much the smaller, and the strait that keeps them
-/// apart wherever they come near one another.
+/// Lays out two islands, each in its part of the map, of which the smaller is asked to have at least half the area of the other, and the
+/// strait that keeps them apart wherever they come near one another.
 pub(super) fn twins(draws: &mut Draws, size: Vec2, area: f32) -> (Vec<Spine>, Spine) {
     /// The distance from the domain at which the strait ends, as a share of the domain.
     const BEYOND: f32 = 0.2;

@@ -1,4 +1,4 @@
-//! The outlet of a gulf: the strait that joins an inland sea to the ocean beyond the map.
+//! The strait that joins a gulf, an inland sea, to the ocean beyond the map.
 
 use glam::Vec2;
 

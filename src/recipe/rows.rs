@@ -14,26 +14,26 @@ macro_rules! rows {
     ($then:ident) => {
         $then! {
             "Seed" {
-                /// The word that the rivers grow from: any text.
+                /// The word that the country grows from: any text.
                 Seed = "seed", "Seed": Land, Text(to 64, default "kauri");
                 /// The set of algorithms that draws the recipe. Once an edition is released, its pictures never change.
                 Edition = "edition", "Edition": Land, Integer(EDITION to EDITION, default EDITION);
             }
             "Land" {
-                /// The kind of country. It decides all values of land, growth, rivers and relief that are left out. Automatic: the
-                /// word draws a country, and its own values within it.
+                /// The kind of country. It decides the values of land, growth, rivers, relief, climate and woods that are left out. By
+                /// default, the word draws a kind, and its own values within it.
                 Country = "country", "Country": Paint, Choice(Country);
                 /// Width of the map over its height. The area is always a million square units.
                 Aspect = "aspect", "Aspect": Land, Number(0.25 to 4.0 by 0.01, default 1.6, logarithmic);
-                /// Kilometres across the map. Every size that is told follows it: the scale bar, lengths of rivers, heights, what small
-                /// islands and rivers are called, and data files.
+                /// Width of the map in kilometres. The scale bar, lengths, heights, contours, data files, and words such as Brook or
+                /// River in names follow it.
                 Span = "span", "Span": Name, Number(10.0 to 5000.0 by 1.0, default 200.0, logarithmic), in "km";
                 /// The shape of the land that rivers run through.
                 Land = "land", "Land": Land, Choice(LandKind);
                 /// The coasts, ridges and rivers of a drawn land. Without a coast, the whole rectangle is land.
                 Outline = "outline", "Outline": Land, Outline();
-                /// Share of the map that is water. 0: automatic, as it suits the land (an island 0.72, a coast 0.35). No effect
-                /// if the land is drawn or is the whole rectangle.
+                /// Share of the map that is water. 0: the share that suits the land (an island 0.72, a coast 0.35). No effect if the
+                /// land is drawn or is the whole rectangle.
                 Sea = "sea", "Sea": Land, Number(0.0 to 0.8 by 0.01, default 0.0);
                 /// How far the sea has risen into valleys that rivers cut before. 0: coasts as they are shaped. High values
                 /// make long inlets, headlands and islets; the share of water stays.
@@ -41,7 +41,7 @@ macro_rules! rows {
                 /// Irregularity of coasts and ridges: 0 for smooth lines, 1 for wild ones.
                 Roughness = "roughness", "Roughness": Land, Number(0.0 to 1.0 by 0.01, default 1.0);
                 /// Number of rivers that reach the sea. A lake or a gulf has three times as many, and every larger island has
-                /// at least one. 0: automatic (8; with drainage, every outlet).
+                /// at least one. 0: 8, or every outlet with drainage.
                 Mouths = "mouths", "River mouths": Grow, Integer(0 to 64, default 0, logarithmic);
                 /// Minimum distance between river mouths along a coast. A large distance means fewer mouths.
                 MouthSpacing = "mouth-spacing", "Distance between mouths": Grow, Number(0.0 to 400.0 by 5.0, default 0.0),
@@ -96,21 +96,21 @@ macro_rules! rows {
                 /// Approximate distance between areas of hard ground.
                 HardnessScale = "hardness-scale", "Size of hard ground": Grow, Number(8.0 to 60.0 by 0.5, default 36.0, logarithmic),
                     in "spacings";
-                /// Distance by which the country is bent, and rivers with it.
+                /// Distance by which the land is bent, and rivers with it.
                 Bending = "bending", "Bending": Grow, Number(0.0 to 4.0 by 0.05, default 2.2), in "spacings";
                 /// Variation of the bending from place to place: 0 for the same everywhere, higher for straight reaches beside
                 /// wild bends.
                 BendingVariation = "bending-variation", "Uneven bending": Grow, Number(0.0 to 2.0 by 0.05, default 1.0);
                 /// Pattern of drainage: the lie of beds, joints and slopes that rivers follow.
                 Pattern = "pattern", "Pattern": Grow, Choice(Pattern);
-                /// Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: automatic
-                /// (from the seed).
+                /// Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: drawn from the
+                /// seed.
                 Strike = "strike", "Strike": Grow, Integer(0 to 180, default 0), in "degrees";
                 /// Place of the high or low ground that rivers run from, around or to, and of a lake or a gulf, as a share of
-                /// the map's width. 0: automatic (from the seed).
+                /// the map's width. 0: drawn from the seed.
                 CenterX = "center-x", "Centre, from the west": Land, Integer(0 to 100, default 0), in "%";
                 /// Place of the high or low ground that rivers run from, around or to, and of a lake or a gulf, as a share of
-                /// the map's height. 0: automatic (from the seed).
+                /// the map's height. 0: drawn from the seed.
                 CenterY = "center-y", "Centre, from the north": Land, Integer(0 to 100, default 0), in "%";
                 /// Pull of the land's general slope, most of it toward the sea. High values draw rivers side by side and narrow
                 /// the angles at which they join.
@@ -176,13 +176,14 @@ macro_rules! rows {
                 Shade = "shade", "Shade": Paint, Number(0.0 to 1.0 by 0.05, default 0.45);
             }
             "Climate" {
-                /// Warmth of the country: at 0 snow lies nearly down to the plains, and trees stand only there.
+                /// Warmth. 0: snow nearly down to the plains, and trees only there; 0.5: temperate. Above 0.5 only the tree line rises.
                 Warmth = "warmth", "Warmth": Name, Number(0.0 to 1.0 by 0.01, default 0.5), with style::CLIMATE;
-                /// Rain of the country: 0 for a desert, 1 for rain forest. Woods that are asked for have more marshes in the rain.
+                /// Rain. 0: desert, 0.5: temperate, 1: rain forest. Where there are woods, more rain makes more marshes.
                 Rain = "rain", "Rain": Name, Number(0.0 to 1.0 by 0.01, default 0.5), with style::CLIMATE;
-                /// How much drier the land behind ranges is than that before them. 0: rain falls evenly.
+                /// How much drier land in the lee of ranges is than land on their windward side. 0: the same everywhere; 1: the
+                /// greatest difference.
                 RainShadow = "rain-shadow", "Rain shadow": Name, Number(0.0 to 1.0 by 0.05, default 0.0);
-                /// Direction that the rain comes from, clockwise from north. 0: automatic (from the seed).
+                /// Direction that the rain comes from, clockwise from north; 360 is north. 0: drawn from the seed.
                 Wind = "wind", "Wind from": Name, Integer(0 to 360, default 0), in "degrees";
                 /// What the land consists of.
                 Ground = "ground", "Ground": Paint, Choice(GroundKind), with style::CLIMATE;

@@ -131,7 +131,7 @@ pub(super) static RELIEF: Written =
 
 /// The end of the help of climate.
 pub(super) static CLIMATE: Written =
-    and_styles(Written::new().and("Shown in the styles "), Shown::Climate, true).and(".");
+    and_styles(Written::new().and("Colours follow it in the styles "), Shown::Climate, true).and(".");
 
 /// The end of the help of `labels`.
 pub(super) static MARKS: Written = {

@@ -6,12 +6,13 @@ use std::path::PathBuf;
 use clap::{Arg, ArgAction, Command, crate_version, value_parser};
 use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Parameter};
+use riverseed::recipe::{Key, Kind, Parameter, is_decided};
 use riverseed_exchange::gis::crs::Crs;
 use riverseed_exchange::{SIZE, Sheet, is_ratio};
 
 use super::batch::Shard;
 use super::form;
+use super::table;
 
 /// Lists all commands.
 pub fn command() -> Command {
@@ -260,13 +261,24 @@ fn option(parameter: &'static Parameter) -> Arg {
     let help = match parameter.key {
         Key::Land => format!("{} Or a PNG of the land: white is land, black is water.", parameter.help),
         _ => parameter.help.into(),
-    };
+    } + &taken(parameter);
     Arg::new(parameter.name)
         .long(parameter.name)
         .value_name("VALUE")
         .help(help)
         .allow_hyphen_values(true)
         .help_heading("Parameters")
+}
+
+/// Writes which values a parameter takes, in brackets; nothing for one that is text of a kind.
+fn taken(parameter: &Parameter) -> String {
+    let or_auto = if is_decided(parameter.key) { ", or auto" } else { "" };
+    match parameter.kind {
+        Kind::Integer { .. } | Kind::Number { .. } | Kind::Choice { .. } => {
+            format!(" [{}{or_auto}]", table::values(parameter))
+        }
+        Kind::Text { .. } | Kind::Sides { .. } | Kind::Outline => String::new(),
+    }
 }
 
 /// Makes the option of a parameter for `riverseed render`. `--attractors` without a number asks for the attractors in JSON;
@@ -278,7 +290,7 @@ fn render_option(parameter: &'static Parameter) -> Arg {
             .action(ArgAction::Append)
             .allow_hyphen_values(false)
             .value_name("N")
-            .help(format!("{} Without a number: write them to JSON.", parameter.help)),
+            .help(format!("{} Without a number: write them to JSON.{}", parameter.help, taken(parameter))),
         _ => option(parameter),
     }
 }

@@ -12,15 +12,16 @@ const INTRODUCTION: &str = "\
 
 <!-- Written by `make docs` from the parameter table, src/recipe/rows.rs: change it there. -->
 
-A recipe is a value for each of these parameters; a parameter that is left out has its default or,
-where that is in italics, the value of its country: see [Countries](algorithms.md#countries). The same keys are used in links
+A recipe is a value for each of these parameters. One that is left out has its default or, if the default is in italics, the value of its
+country, which the word draws: see [Countries](algorithms.md#countries). The value in italics is the *usual* one, which `country=usual` has
+for every word. Name a value to keep it whatever the word; `auto` (`sea=auto`) leaves it to the country again. The same keys are used in links
 (`seed=kauri&valleys=0.6`), as command-line options (`--valleys 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
 `style` and `width` are written `river-style` and `river-width`. The tables below follow the groups of the page's controls.
 
 Numbers keep four decimal places. Units of length:
 
-- a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect. It is `span` over the map's width in kilometres,
-  158 m at the default aspect and span, and all lengths that are told are in kilometres;
+- a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect. On the ground it is `span` kilometres divided by
+  the map's width in units: 158 m at the default aspect and a span of 200 km;
 - a *spacing* is the distance between streams that growth begins with: in space colonization the mean distance between attractors,
   √(area of land that has river mouths / `attractors`); in drainage, and where `valleys` lead space colonization, √(usual area of land / `attractors`),
   whatever the actual sea: the mean distance between parcels; in a Brownian tree, for `clearance`, its `sensitivity`;
@@ -75,7 +76,7 @@ prints the marks of a map.
 | `n57109` | a strait |
 | `h37074` | a range of mountains or hills, in styles that show heights |
 
-The number of a river is that of a square of 2 units through which it runs: a thousand times the row, from the north, and the column, from the west. If the map has no
+The number of a river is that of a square of 2 units through which it runs: 1000 · row + column, counted from 0 from the north and the west. If the map has no
 river with the number, the nearest one takes the name, if it runs within 6 units of the square.
 
 The number of a place is that of the cell of 8 units in which its midst lies, counted alike. The nearest
@@ -169,7 +170,7 @@ fn settings(preset: &Preset) -> String {
 }
 
 /// Writes a parameter's range in words.
-fn values(parameter: &Parameter) -> String {
+pub fn values(parameter: &Parameter) -> String {
     let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
     match parameter.kind {
         Kind::Text { longest, .. } => format!("text, at most {longest} characters"),

@@ -1,6 +1,6 @@
-//! The numbers of rivers, by which names know them: those of squares through which they run.
+//! The identities of rivers, by which names know them: the numbers of squares through which they run.
 //!
-//! A river's square is the one that chance likes best of all along its lower course in the untrimmed tree (after Broder 1997: two sets
+//! A river's square is the one with the least hash of all along its lower course in the untrimmed tree (after Broder 1997: two sets
 //! have the same least hash as often as their members are the same). While most of the course stays where it is, so does the number,
 //! however its ends move: neither a mouth on a coast that moves nor a source that another brook takes over renames a river.
 

@@ -1,4 +1,4 @@
-//! The places in the plane by which names of places are dealt. They belong to the seed and lie where no map has a say in it, so that a
+//! The places in the plane by which names of places are dealt. They depend on the seed alone and not on the map, so that a
 //! place which moves a little, or is no longer the largest but one of its kind, keeps its name.
 
 use glam::Vec2;

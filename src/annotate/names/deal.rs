@@ -11,7 +11,7 @@ pub(super) struct Deal {
     drawn: BTreeSet<u64>,
 }
 
-/// The most often that a thing draws before it gets a number that is its alone.
+/// The most often that a thing draws before it gets a number of its own.
 const TRIES: u32 = 12;
 
 /// The first number that places draw: words below it are for the country. And the number of those that they draw from, most of which have

@@ -1,4 +1,4 @@
-//! Countries: kinds of land, as a table of values that a word draws its own from.
+//! Kinds of country: a table of values, from which a word draws its own.
 //!
 //! ```text
 //! seed ─► country (a row of the table) ─► this word's values ─► what the link says, which always wins
@@ -27,7 +27,7 @@ pub struct Country {
     pub help: &'static str,
     /// The number of its tickets in the draw of a word's country.
     pub(super) weight: u32,
-    /// The names of climates that its words draw from, with their shares.
+    /// The names of the climates that its words draw from, with blanks between them. One that stands twice is drawn twice as often.
     pub(super) climates: &'static str,
     /// The draws of its words, in the language of `settling/draws.rs`.
     pub(super) draws: &'static str,
@@ -46,9 +46,17 @@ pub(super) const OWN: &str = "own";
 
 /// Words of the key `country` that are no rows.
 const OTHERS: [Word; 3] = [
-    Word { name: AUTO, label: "as the word decides", help: "A country that the seed draws from all of these." },
-    Word { name: USUAL, label: "usual", help: "The usual values, the same for every word." },
-    Word { name: OWN, label: "its own", help: "The word's own values, about the usual ones." },
+    Word { name: AUTO, label: "as the word decides", help: "The word draws one of the kinds below." },
+    Word {
+        name: USUAL,
+        label: "usual",
+        help: "The default of each parameter, the same for every word: an island, unless another land is asked for.",
+    },
+    Word {
+        name: OWN,
+        label: "usual, varied by the word",
+        help: "Values that the word varies around the usual ones, as for the whole rectangle and drawn land.",
+    },
 ];
 
 /// All words of the key `country`.

@@ -7,7 +7,8 @@ use crate::recipe::Style;
 /// The number of rows.
 pub(in crate::recipe) const COUNT: usize = 34;
 
-/// Draws of every country, unless its row says otherwise. With less `fall`, neighbours run side by side.
+/// Draws of every country, unless its row says otherwise. `fall` is 0.2 at least: below that, neighbouring rivers run side by side without
+/// joining.
 pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35>0.2 \
     width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
@@ -41,7 +42,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "low-island",
         label: "Low island",
-        help: "A green island without mountains, where rivers wind.",
+        help: "A low island without mountains, where rivers wind.",
         weight: 4,
         climates: "temperate wet wet cold cold",
         draws: "span=70~0.35 land=island sea=0.6:0.72 drowning=0.15:0.6 roughness=0.9 bending=1.3 hardness=0.8 fall=0.2 \
@@ -156,7 +157,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "coast",
         label: "Coast",
-        help: "Land along one or two sides of the sea.",
+        help: "Land with the sea along one or two of its sides.",
         weight: 7,
         climates: "temperate temperate temperate wet dry cold",
         draws: "span=190~0.35 land=continent sides=n|e|s|w|ne|se|sw|nw sea=0.28:0.48 drowning=0.1:0.45 roughness=0.95 bending=1.8 \
@@ -199,7 +200,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "straits",
         label: "Straits",
-        help: "Land between two seas.",
+        help: "Land with the sea on two opposite sides, or on all four.",
         weight: 4,
         climates: "temperate temperate dry wet",
         draws: "span=120~0.35 land=continent sides=ns|ew|nesw sea=0.42:0.58 drowning=0.15:0.6 roughness=1 bending=1.6 channel-area=5 \
@@ -295,7 +296,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "closed-basin",
         label: "Closed basin",
-        help: "Rivers run to a salt lake in dry country.",
+        help: "Rivers run to a lake without an outlet, in a dry climate.",
         weight: 3,
         climates: "dry",
         draws: "span=300~0.35 land=basin sea=0.06:0.16 drowning=0.3 roughness=0.8 bending=2.2 channel-area=12 trim=32 width=16 \
@@ -327,7 +328,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "worn-dome",
         label: "Worn dome",
-        help: "Arcs around a dome of hard and soft beds.",
+        help: "Rivers in arcs around a dome of hard and soft beds.",
         weight: 2,
         climates: "temperate dry",
         draws: "span=180~0.35 land=continent sides=n|e|s|w|sw|se sea=0.15:0.4 drowning=0.24 roughness=0.9 pattern=annular bending=2 \
@@ -379,7 +380,7 @@ pub static COUNTRIES: [Country; COUNT] = [
     Country {
         name: "marsh",
         label: "Marsh",
-        help: "Streams that wander everywhere, a Brownian tree.",
+        help: "A low island where streams wander everywhere: a Brownian tree.",
         weight: 2,
         climates: "wet",
         draws: "span=45~0.35 land=island growth=brownian sensitivity=12 sea=0.42:0.6 drowning=0.3 roughness=0.9 width=24 trim=26 \

@@ -148,8 +148,8 @@ impl Recipe {
         COUNTRIES.iter().filter(agrees).max_by_key(|country| country.best_ticket(chance))
     }
 
-    /// Returns `true` if a country gives growth and rivers their values, too, and not the land alone: unless a way of growing is named
-    /// that has usual values of its own.
+    /// Returns `true` if the country decides growth and rivers, too: always, unless a way of growing other than drainage is named. Land,
+    /// relief, climate, woods and span are its in any case.
     fn gives_rivers(&self) -> bool {
         !self.is_named(Key::Growth) || self.get::<GrowthMethod>() == GrowthMethod::Drainage
     }

@@ -34,7 +34,7 @@ export class Padlocks {
    * at the last visit are kept again.
    */
   padlock(label: string, keys: readonly string[]): HTMLElement {
-    const title = `Keep ${label} when a word, a country, a pattern or a variation is chosen`;
+    const title = `Keep ${label} when another word, country, preset or variation is chosen`;
     const attributes = { type: "button", class: "keep", "aria-label": `Keep ${label}`, title };
     const button = el("button", attributes, icon(DRAWING));
     button.addEventListener("click", () => this.#turn(keys));
