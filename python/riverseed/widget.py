@@ -67,6 +67,7 @@ class Widget(AnyWidget):
     """
 
     _esm = _module()
+    _is_made = False
 
     link = traitlets.Unicode(help="The whole recipe, as a link.").tag(sync=True)
     still = traitlets.Bool(False, help="Shows the finished map at once.").tag(sync=True)
@@ -106,6 +107,7 @@ class Widget(AnyWidget):
         given = {name: options.pop(name) for name in _OPTIONS if name in options}
         link, values = _native.read(link.link if isinstance(link, Map) else link, texts(options))
         super().__init__(link=link, **by_keyword(values), **given)
+        self._is_made = True
         self.on_msg(self._answer)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -117,7 +119,10 @@ class Widget(AnyWidget):
         if name == "preset":
             message = "preset: a widget takes it when it is made, and in its link"
             raise ValueError(message)
-        if name.startswith("_") or hasattr(type(self), name):
+        if name in _PARAMETERS and self._is_made:
+            # Named in the link, even if its country has drawn that value; `auto` is the opposite.
+            self.link = _native.read(self.link, texts({name: value}))[0]
+        elif name.startswith("_") or hasattr(type(self), name):
             super().__setattr__(name, value)
         else:
             _native.read("", texts({name: ""}))  # which says that there is no such parameter

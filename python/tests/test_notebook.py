@@ -153,6 +153,18 @@ def test_a_link_and_its_parameters_follow_each_other(river: Widget) -> None:
     assert river.link == riverseed.Widget(seed="kahikatea", sea=0.5).link
 
 
+def test_what_is_set_stays_and_auto_leaves_it_to_the_country_again(river: Widget) -> None:
+    drawn = river.land
+    river.land = "island"
+    river.land = "auto"
+    assert (river.land, river.link) == (drawn, "seed=kauri&edition=1&curl=0.4")
+    river.land = drawn
+    assert parse_qs(river.link)["land"] == [drawn]
+    for seed in ("rimu", "totara", "kea"):
+        river.seed = seed
+        assert river.land == drawn
+
+
 def test_a_parameter_can_be_observed_and_linked(river: Widget) -> None:
     heard: list[object] = []
     river.observe(lambda change: heard.append((change["name"], change["new"])), ["curl", "link"])

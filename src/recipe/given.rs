@@ -2,7 +2,9 @@
 //!
 //! A canonical link is never changed, and a word never damaged: what a link could hold as it is stays as it is.
 
+use super::country::AUTO;
 use super::error::RecipeError;
+use super::is_decided;
 use super::key::Key;
 use super::link::{self, Notice, PRESET, Pairs, split};
 use super::parameter::Kind;
@@ -200,7 +202,10 @@ fn value_at_start(name: &str, value: &str) -> Option<String> {
 /// Returns `true` if a value is right for a parameter, or if it is text.
 fn accepts(name: &str, value: &str) -> bool {
     match Key::from_name(name).map(Key::parameter) {
-        Some(parameter) => matches!(parameter.kind, Kind::Text { .. }) || parameter.parse(value).is_ok(),
+        Some(parameter) => {
+            let is_auto = value == AUTO && is_decided(parameter.key);
+            is_auto || matches!(parameter.kind, Kind::Text { .. }) || parameter.parse(value).is_ok()
+        }
         None => name == PRESET && preset::find(value).is_some(),
     }
 }

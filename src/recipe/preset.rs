@@ -19,7 +19,8 @@ pub struct Preset {
 
 /// Returns the values of a pattern from the paper, from its momentum, curl, stretch and trim. They cover everything
 /// that shapes a tree, so that no default of the table shows through, and nothing that the tree grows on: land, mouths,
-/// number of attractors, looks.
+/// number of attractors, looks. Only in a link of its own is a preset of the usual country; on a map that is there, the page leaves that
+/// as it is.
 const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 16] {
     [
         (Key::Country, "usual"),

@@ -77,7 +77,9 @@ function ofStyle(style: string): Picture {
   const shot: Shot = { ...STYLE_SIZE, format: "webp", quality: 60 };
   return {
     file: `styles/${style}.webp`,
-    link: readLink(`seed=${wordOf(new Date(2024, ...POSTER_DAY))}&style=${style}&labels=none`).link,
+    link: readLink(
+      `seed=${wordOf(new Date(2024, ...POSTER_DAY))}&style=${style}&labels=none&cartouche=none&woods=0&hills=0`,
+    ).link,
     shots: [shot],
   };
 }

@@ -8,7 +8,7 @@ use riverseed::domain::Domain;
 use riverseed::import::png::Image;
 use riverseed::land::Land;
 use riverseed::land::trace::{TraceError, trace};
-use riverseed::recipe::{Key, LandKind, Recipe};
+use riverseed::recipe::{Key, LandKind, Recipe, is_decided};
 
 use super::outline::{read_picture, say_what_is_odd};
 use super::{Failure, say};
@@ -35,9 +35,12 @@ pub fn read(path: &Path, recipe: &mut Recipe, given: &[String]) -> Result<Arc<La
     let values = [(Key::Land, LandKind::Drawn.word().name), (Key::Aspect, &aspect), (Key::Outline, &outline)];
     for (key, value) in values {
         let before = recipe.clone();
+        // `land=auto` says nothing.
+        let is_left = is_decided(key) && !recipe.is_named(key);
+        let is_given = !is_left && given.iter().any(|name| *name == key.parameter().name);
         recipe.set(key, value)?;
         // A link that this command wrote may be given again with the same picture.
-        if given.iter().any(|name| *name == key.parameter().name) && before != *recipe {
+        if is_given && before != *recipe {
             let reason = format!("the picture determines '{}', and another value is given", key.parameter().name);
             return Err(Failure::Land { path: path.into(), reason });
         }

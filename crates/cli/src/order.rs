@@ -28,7 +28,7 @@ impl Order {
     }
 
     /// Warns of given values that have no effect in any of the files. `are_pictures` holds `true` for each file that is
-    /// a picture.
+    /// a picture. The recipe must be that of each map: what is idle in one country may not be in that of another seed.
     pub fn say_what_is_idle(&self, are_pictures: &[bool]) {
         let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
         let reason = |key, is_picture| match (key, &self.land) {

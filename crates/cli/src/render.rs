@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
 use clap::ArgMatches;
+use riverseed::recipe::Key;
 use riverseed_exchange::{Form, Options};
 
 use super::grow::progress;
@@ -24,7 +25,10 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     }
     let forms: Vec<Form> = wanted.iter().map(|wanted| wanted.form).collect();
     let options = options(matches, &forms, &order.recipe)?;
-    order.say_what_is_idle(&forms.iter().map(|form| form.is_picture()).collect::<Vec<_>>());
+    // Seeds whose words draw their countries use different values.
+    if matches.get_one::<OsString>("seeds").is_none() || order.recipe.is_named(Key::Country) {
+        order.say_what_is_idle(&forms.iter().map(|form| form.is_picture()).collect::<Vec<_>>());
+    }
     match matches.get_one::<OsString>("seeds") {
         Some(seeds) => batch::render(matches, seeds, &order, &wanted, options),
         None => render_one(order, &wanted, &forms, Options { threads: Some(all_threads()), ..options }),

@@ -290,6 +290,16 @@ fn warnings_name_the_map_and_do_not_flood() {
 }
 
 #[test]
+fn what_does_nothing_is_said_beforehand_only_of_maps_of_one_country() {
+    let folder = folder("idle");
+    let idle = "'sensitivity' has no effect";
+    let said = |link: &str| said(&folder, &[link, "--sensitivity", "40", "--seeds", "1..3", "-o", "{seed}.json"]);
+    // A word may draw a country with a Brownian tree.
+    assert!(!said("attractors=200").contains(idle));
+    assert!(said("country=usual&attractors=200").contains(idle));
+}
+
+#[test]
 fn common_recipe_file_may_name_a_seed_and_nothing_else_may() {
     let folder = folder("recipe");
     said(&folder, &[LINK, "--seed", "kea", "-o", "kea.json"]);

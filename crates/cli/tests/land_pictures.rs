@@ -77,6 +77,7 @@ fn a_picture_given_as_land_is_the_land_and_links_hold_its_outline() {
     said(&["render", "--recipe", out, "-o", again.to_str().unwrap()]);
     assert_eq!(fs::read(out).unwrap(), fs::read(again).unwrap());
     assert!(said(&["render", "--roughness", "0.5", "-o", out]).contains("'roughness' has no effect: the picture"));
+    said(&["render", "land=auto", "-o", out]);
 }
 
 #[test]

@@ -29,6 +29,7 @@
     ("seed=rimu&land=valley)", true),
     ("seed=rimu&land=valley.", true),
     ("seed=rimu&land=valley,", true),
+    ("seed=rimu&land=valley&sea=auto,", true),
     ("seed=rimu&land=valley%20", true),
     ("seed=rimu&land=valley+", true),
     ("seed=rimu&land=valley%29.", true),

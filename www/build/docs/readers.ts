@@ -26,28 +26,28 @@ export const READERS: readonly Reader[] = [
   {
     name: "bloggers",
     who: "Bloggers",
-    line: `<script type="module" src="${SOME_SITE}widget/river-seed.js"></script><river-seed seed="skye"></river-seed>`,
+    line: `<script type="module" src="${SOME_SITE}widget/river-seed.js"></script><river-seed seed="skye" country="usual"></river-seed>`,
     lang: "html",
     map: "skye",
   },
   {
     name: "novelists",
     who: "Novelists",
-    line: `${SOME_SITE}?seed=rimu&style=parchment`,
+    line: `${SOME_SITE}?seed=rimu&country=usual&style=parchment`,
     lang: "text",
     map: "rimu",
   },
   {
     name: "game-makers",
     who: "Game makers",
-    line: 'riverseed render "seed=juan&land=archipelago" -o juan.unity.zip',
+    line: 'riverseed render "seed=juan&country=usual&land=archipelago" -o juan.unity.zip',
     lang: "sh",
     map: "juan",
   },
   {
     name: "teachers",
     who: "Teachers",
-    line: `${SOME_SITE}?seed=lesson&land=rectangle&mouths=1&attractors=900&trim=40`,
+    line: `${SOME_SITE}?seed=lesson&country=usual&land=rectangle&mouths=1&attractors=900&trim=40`,
     lang: "text",
     map: {
       link: "seed=lesson&country=usual&aspect=1.4&land=rectangle&mouths=1&attractors=900&channel-area=6&trim=40&width=24&meander-rounds=40&style=ink&labels=none",
@@ -58,7 +58,7 @@ export const READERS: readonly Reader[] = [
   {
     name: "scientists",
     who: "Scientists",
-    line: 'riverseed measure "seed=loire&land=rectangle&mouths=1"',
+    line: 'riverseed measure "seed=loire&country=usual&land=rectangle&mouths=1"',
     lang: "sh",
     map: "loire",
   },

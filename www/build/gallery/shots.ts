@@ -20,7 +20,7 @@ export const CARD: Size = { width: 1200, height: 630 };
 /** The margins of a map on a card, with its name below. */
 const CARD_INSETS: Insets = { left: 40, top: 36, right: 40, bottom: 104 };
 /** Lands that are shown whole on a card, since the sea is all around them. Others fill the card. */
-const WHOLE_LANDS = ["island", "archipelago"];
+const WHOLE_LANDS = ["island", "archipelago", "crescent", "twins", "long", "arms"];
 
 /** The number of pixels of a map in the overview, and on its own page, whatever its shape. */
 const OVERVIEW_AREA = 640 * 400;

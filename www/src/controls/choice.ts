@@ -28,8 +28,13 @@ export class Choice {
 
   /** Shows a value. `automatic` is the one that the word has decided, if it is left to that. */
   show(text: string, automatic: string | undefined): void {
-    const label = this.parameter?.choices?.find(({ value }) => value === automatic)?.label;
-    setText(this.#options.get(AUTO), label === undefined ? AS_THE_WORD_DECIDES : `${AUTO}: ${label}`);
+    const label = automatic === undefined ? undefined : this.#labelOf(automatic);
+    const unnamed = this.#labelOf(AUTO) ?? AS_THE_WORD_DECIDES;
+    setText(this.#options.get(AUTO), label === undefined ? unnamed : `${AUTO}: ${label}`);
     setValue(this.select, text);
+  }
+
+  #labelOf(choice: string): string | undefined {
+    return this.parameter?.choices?.find(({ value }) => value === choice)?.label;
   }
 }

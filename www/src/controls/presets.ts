@@ -7,6 +7,11 @@ import type { Parameter, Preset } from "../engine/table.ts";
 import { Buttons } from "./buttons.ts";
 import { inWords } from "./values.ts";
 
+/** Returns presets that leave the country as it is, for a map that is there; in a link of its own a preset is of the usual country. */
+export function onAnyCountry(all: readonly Preset[]): readonly Preset[] {
+  return all.map((preset) => ({ ...preset, values: preset.values.filter(([key]) => key !== "country") }));
+}
+
 /** Returns whether the values on show are those of a preset. */
 export function isShown({ values }: Preset, shown: ReadonlyMap<string, string>): boolean {
   return values.every(([key, value]) => shown.get(key) === value);

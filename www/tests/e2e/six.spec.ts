@@ -72,7 +72,6 @@ test("the six are drawn in ink, whatever the map is drawn in, with what trimming
     meander: "none",
   };
   const link = new URLSearchParams({
-    country: "usual",
     seed: "kauri",
     land: "island",
     ...values,

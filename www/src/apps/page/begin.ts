@@ -3,6 +3,7 @@
 import "../../style/page.css";
 import { asQuery, linkOf } from "../../browser/address.ts";
 import { turn } from "../../browser/turn.ts";
+import { onAnyCountry } from "../../controls/presets.ts";
 import { Recipe } from "../../engine/recipe.ts";
 import { loadTable } from "../../engine/table.ts";
 import { type Engines, openEngines } from "./backend.ts";
@@ -46,7 +47,9 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   };
   await turn();
   const day = linked === "" ? recipe.seed : undefined;
-  const page = new Page(own, await table.catch(shut), recipe, viewport, renderHost, day);
+  const rows = await table.catch(shut);
+  const ofPage = { ...rows, presets: onAnyCountry(rows.presets) };
+  const page = new Page(own, ofPage, recipe, viewport, renderHost, day);
   await turn();
   page.start();
   if (linked === "") typeAtOnce(elements.seed);

@@ -7,6 +7,7 @@ import { answerEscape } from "../../browser/keys.ts";
 import { COUNTRY } from "../../controls/countries.ts";
 import { Disclosures } from "../../controls/disclosure.ts";
 import { isRecoverable, named } from "../../engine/errors.ts";
+import { changed } from "../../engine/link-text.ts";
 import type { Recipe } from "../../engine/recipe.ts";
 import type { Preset, Table } from "../../engine/table.ts";
 import type { Phase, Summary } from "../../engine/types.ts";
@@ -182,7 +183,10 @@ export class Page {
 
   #makeSix(renderHost: PageRenderHost): SixWays {
     return new SixWays(renderHost, this.table.presets, {
-      shared: () => ({ link: this.#recipe.shown, values: this.#recipe.values, kept: this.#choices.kept }),
+      shared: () => {
+        const { shown, values } = this.#recipe;
+        return { link: changed(shown, this.#choices.pins(this.#recipe)), values, kept: this.#choices.kept };
+      },
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),

@@ -140,9 +140,9 @@ function textIn(element: HTMLElement, name: string): string | null {
   return element.getAttribute(name);
 }
 
-function numberIn(element: HTMLElement, name: string): number | null {
+function numberIn(element: HTMLElement, name: string): number | "auto" | null {
   const text = element.getAttribute(name);
-  return text === null ? null : Number(text);
+  return text === null || text === "auto" ? text : Number(text);
 }
 
 function camelCase(attribute: string): string {
@@ -153,6 +153,8 @@ type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${
 type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
 
 /** The properties by type. Without the attribute they are null, or false if Boolean. */
-export type Properties = { [Key in (typeof NUMBERS)[number] | "speed" as Property<Key>]: number | null } & {
+export type Properties = { speed: number | null } & {
+  [Key in (typeof NUMBERS)[number] as Property<Key>]: number | "auto" | null;
+} & {
   [Key in (typeof TEXTS | typeof BEHAVIOUR)[number] as Property<Key>]: string | null;
 } & { [Key in (typeof FLAGS)[number]]: boolean };

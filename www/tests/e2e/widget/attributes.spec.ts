@@ -82,8 +82,10 @@ test("properties mirror attributes", async ({ page, blog }) => {
     const before = [river.seed, river.attractors, river.controls, river.still, river.alt];
     Object.assign(river, { seed: "miro", attractors: null, controls: false, alt: "", still: true });
     const names = river.getAttributeNames().map((name) => [name, river.getAttribute(name)]);
-    return { before, names };
+    river.sea = "auto";
+    return { before, names, left: [river.sea, river.getAttribute("sea")] };
   });
+  expect(seen.left).toEqual(["auto", "auto"]);
   expect(seen.before).toEqual([null, 300, false, false, null]);
   expect(Object.fromEntries(seen.names)).toEqual({ seed: "miro", alt: "", still: "" });
 });

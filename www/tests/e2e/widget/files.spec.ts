@@ -95,3 +95,13 @@ test("a picture of one that is not laid out needs a size, and says so", async ({
   });
   expect(said).toEqual(["InvalidStateError: this river-seed is not laid out: say how long its longSide is", 160]);
 });
+
+test("a PNG has the woods that a word's country has, also of one that was never seen", async ({ page, blog }) => {
+  const link = "seed=5&attractors=1500&style=parchment&labels=none";
+  await listen(page);
+  blog.answer("/", { body: post(`<div style="height: 4000px"></div><river-seed recipe="${link}"></river-seed>`) });
+  await page.goto(blog.origin);
+  const { sha256 } = await png(page, 240);
+  expect(sha256).toBe(pictureOf(link, 240, 150).sha256);
+  expect(sha256).not.toBe(pictureOf(`${link}&woods=0`, 240, 150).sha256);
+});

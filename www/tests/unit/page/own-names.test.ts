@@ -40,6 +40,7 @@ test.each([
     ],
     false,
   ],
+  ["a pattern, which few countries have", [["pattern", "radial"]], true],
   ["a slider", [["attractors", "900"]], false],
   ["a style", [["style", "night"]], false],
   [
@@ -65,4 +66,9 @@ test("a name is one's own by its whole mark", () => {
   expect(isOwnName("12.Silverrun_t.2.Home", "t")).toBe(true);
   expect(isOwnName("12.Silverrun_t.2.Home", "2")).toBe(false);
   expect(isOwnName("", "t")).toBe(false);
+});
+
+test("where the country is named, a pattern moves rivers on it at most", () => {
+  const asked = new Map([...ASKED, ["country", "coast"]]);
+  expect(withoutForeignNames([["pattern", "radial"]], { asked, values: VALUES })).toEqual([["pattern", "radial"]]);
 });

@@ -1,10 +1,14 @@
 /** Names of one's own: which of them a change of the recipe lets go. */
 
+import { AUTO } from "../../../engine/link-text.ts";
+
 type Values = ReadonlyMap<string, string>;
 type Changes = readonly (readonly [key: string, value: string])[];
 
 /** The keys that decide where rivers, coasts and islands are at all. Others move them at most. */
 const COUNTRY: readonly string[] = ["seed", "country", "land"];
+/** Those that do if the word draws its country: of the kinds that may have such values. */
+const LIMITS: readonly string[] = ["pattern", "growth"];
 
 /**
  * Returns the changes of a recipe, and with them that of its own names: they belong to seed and land, and would name
@@ -14,7 +18,8 @@ const COUNTRY: readonly string[] = ["seed", "country", "land"];
 export function withoutForeignNames(changes: Changes, { asked, values }: { asked: Values; values: Values }): Changes {
   const is = (all: Values, key: string, value: string): boolean => small(all.get(key)) === small(value);
   const isNew = (key: string, value: string): boolean => !is(asked, key, value) && !is(values, key, value);
-  const isOther = changes.some(([key, value]) => COUNTRY.includes(key) && isNew(key, value));
+  const deciding = asked.get("country") === AUTO ? [...COUNTRY, ...LIMITS] : COUNTRY;
+  const isOther = changes.some(([key, value]) => deciding.includes(key) && isNew(key, value));
   const bringsNames = changes.some(([key]) => key === "names");
   return isOther && !bringsNames && values.get("names") ? [...changes, ["names", ""]] : changes;
 }
