@@ -43,14 +43,14 @@ test("the element gets the canonical link, whose edition an upgrade does not cha
 
 test("a map that is more than the element draws is a picture alone, and the author is told once why", async () => {
   const files = await shared("large");
-  const large = "seed=kauri&attractors=24001";
+  const large = "seed=kauri&country=usual&attractors=24001";
   const { page, said } = await embedded(files, large);
   assert.match(page, /^<img src="\/river-seed-[0-9a-f]{16}\.webp" alt="Rivers grown from “kauri”" width="16"[^>]*>$/);
   assert.deepEqual(said, [
-    `river-seed: a picture without the element for "${large}": attractors: 24001 exceeds the element's limit of 20000`,
+    `river-seed: a picture without the element for "${large}": attractors: 24001 exceeds the element's limit of 24000`,
   ]);
   assert.deepEqual((await embedded(files, large)).said, []);
-  assert.match((await embedded(files, "attractors=20000")).page, /<river-seed/);
+  assert.match((await embedded(files, "country=usual&attractors=24000")).page, /<river-seed/);
 });
 
 test("an error names the fault, and no repair, since there is none", async () => {
