@@ -62,8 +62,9 @@ test("properties and methods are those of the class", async ({ page }) => {
 test("a property sets its attribute, and reads what that says", async ({ page }) => {
   await page.goto("./blog/");
   const samples = members("field").flatMap(({ name, attribute, type }) => {
-    const value = type?.text === "number" ? 2.5 : type?.text === "boolean" ? true : "some";
-    return attribute ? [{ name, attribute, value }] : [];
+    const [is = "", ...others] = type?.text.split(" | ") ?? [];
+    const values = is === "number" ? [2.5, ...others.map((other) => JSON.parse(other))] : [is === "boolean" || "some"];
+    return attribute ? values.map((value) => ({ name, attribute, value })) : [];
   });
   const read = await page.evaluate((samples) => {
     const river = document.createElement("river-seed");

@@ -16,7 +16,11 @@ const MOST_BYTES = 64_000_000;
 /** A program in Node, in a process of its own: nothing of the test runner's is there. */
 function runs(program: string): string {
   const words = ["--input-type=module", "--eval", program];
-  const { stdout, stderr } = spawnSync(process.execPath, words, { cwd: CONSUMERS, encoding: "utf8", maxBuffer: MOST_BYTES });
+  const { stdout, stderr } = spawnSync(process.execPath, words, {
+    cwd: CONSUMERS,
+    encoding: "utf8",
+    maxBuffer: MOST_BYTES,
+  });
   return stdout + stderr;
 }
 
