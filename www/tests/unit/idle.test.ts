@@ -6,7 +6,7 @@ import { isSecondTier, ofTier } from "../tier.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
-  "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink&labels=none";
+  "country=usual&growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink&labels=none";
 /** Long enough for some side branches to be about as long. */
 const COARSE = `${PLAIN.replace("trim=20", "trim=60")}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
 const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
@@ -39,7 +39,7 @@ const recipes = [
 const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
-  return [...sameByChance(link), "country"]; // these links name all that a country decides
+  return [...sameByChance(link), "country"]; // who chooses another country keeps what these links name
 }
 
 function sameByChance(link: string): string[] {
