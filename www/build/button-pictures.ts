@@ -9,6 +9,7 @@ import { initSync, readLink } from "../pkg-engine/riverseed_engine.js";
 import { wordOf } from "../src/apps/page/day/day.ts";
 import { Camera } from "../src/apps/page/map/camera.ts";
 import type { Country } from "../src/engine/table.ts";
+import { inStyle } from "../src/player/thumbnails.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
 import { POSTER_DAY } from "./poster.ts";
@@ -77,9 +78,7 @@ function ofStyle(style: string): Picture {
   const shot: Shot = { ...STYLE_SIZE, format: "webp", quality: 60 };
   return {
     file: `styles/${style}.webp`,
-    link: readLink(
-      `seed=${wordOf(new Date(2024, ...POSTER_DAY))}&style=${style}&labels=none&cartouche=none&woods=0&hills=0`,
-    ).link,
+    link: readLink(inStyle(`seed=${wordOf(new Date(2024, ...POSTER_DAY))}`, style)).link,
     shots: [shot],
   };
 }

@@ -131,7 +131,7 @@ impl Namer {
         self.name_of_others(Mark::River(rivers.identity(river)), || words.of(river, rivers, &self.words))
     }
 
-    /// Names reaches, which must come with the most water first. Each winds after another thing.
+    /// Names reaches, which must come with the most water first. No two share the word for what winds.
     fn reaches(&self, reaches: Vec<(u32, Vec<Vec2>)>, rivers: &Rivers, words: &RiverWords) -> Vec<ReachName> {
         let on_map: Vec<Option<usize>> = rivers.on_map().collect();
         let (mut named, mut taken): (Vec<ReachName>, Vec<&str>) = Default::default();

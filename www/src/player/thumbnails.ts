@@ -93,7 +93,7 @@ async function pixelsOf(
 }
 
 /** Returns a link with another style, and without labels and scenery, which would be too small to see. */
-function inStyle(link: string, style: string): string {
+export function inStyle(link: string, style: string): string {
   const values = new URLSearchParams(link);
   values.set("style", style);
   for (const key of ["labels", "cartouche"]) values.set(key, "none");

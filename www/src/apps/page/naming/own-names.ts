@@ -7,7 +7,7 @@ type Changes = readonly (readonly [key: string, value: string])[];
 
 /** The keys that decide where rivers, coasts and islands are at all. Others move them at most. */
 const COUNTRY: readonly string[] = ["seed", "country", "land"];
-/** Those that do if the word draws its country: of the kinds that may have such values. */
+/** The keys that limit which countries the word may draw, so that a new value may give another one. */
 const LIMITS: readonly string[] = ["pattern", "growth"];
 
 /**
