@@ -53,6 +53,7 @@ mod statistics;
 mod steady;
 mod timeline;
 mod trimming;
+mod valleys;
 mod work;
 
 /// Cargo would not say so: a file that no program has is not compiled.

@@ -19,6 +19,7 @@ mod clearance;
 mod courses;
 mod curvature;
 mod evenly;
+mod heads;
 pub mod hydrology;
 pub mod meander;
 mod narrow;
@@ -29,6 +30,7 @@ mod samples;
 mod settings;
 mod shaping;
 mod smooth;
+mod turns;
 mod uncross;
 mod width;
 
@@ -39,6 +41,7 @@ pub use meander::{Meander, PastCourse, PastCourses, PastRound};
 pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
+pub(crate) use turns::greatest_turns;
 #[doc(hidden)] // Tests and benchmarks measure with these.
 pub use {
     crate::base::geometry::{gap, meet},

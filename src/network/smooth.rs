@@ -7,13 +7,16 @@
 use glam::Vec2;
 
 use super::clearance::ClearanceGrid;
+use super::heads::unhook;
 use super::settings::NetworkSettings;
 use super::{NONE, Network};
 use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::land::Land;
 
-/// The number of times that vertices are moved toward the smooth line: most reach it after two or three.
+/// The number of times that vertices are moved toward the smooth line: most reach it after two or three. Those of hooks have
+/// farther to go, and are moved more often.
 const ROUNDS: u32 = 6;
+const ROUNDS_OF_HOOKS: u32 = 24;
 
 /// The share of the distance to the nearest other line that a vertex may move. Below a half, with a margin for rounding
 /// and for removed vertices, lines stay apart.
@@ -29,6 +32,7 @@ pub(super) fn smooth(
 ) {
     let spacing = settings.spacing;
     let mut targets = targets(coarse, origin);
+    let is_hook = unhook(network, &mut targets, settings);
     let downstream = network.downstream();
     let mut guard = ClearanceGrid::new(&settings.domain, spacing);
     for (target, vertex) in targets.iter_mut().zip(&network.vertices) {
@@ -37,7 +41,7 @@ pub(super) fn smooth(
             *target = vertex.at;
         }
     }
-    for _ in 0..ROUNDS {
+    for round in 0..ROUNDS_OF_HOOKS {
         let is_off = |i: usize| targets[i] != network.vertices[i].at;
         let moves = |i: usize| is_off(i) || downstream[i] != NONE && is_off(downstream[i] as usize);
         let reach: Vec<f32> = (0..targets.len()).map(|i| if moves(i) { spacing } else { 0.0 }).collect();
@@ -49,6 +53,11 @@ pub(super) fn smooth(
         let limits = limits(&clearance, &downstream);
         for ((vertex, &target), limit) in network.vertices.iter_mut().zip(&targets).zip(limits) {
             vertex.at = toward(vertex.at, target, limit);
+        }
+        if round + 1 == ROUNDS {
+            // Where there is no room, a corner stays.
+            let rest = targets.iter_mut().zip(&network.vertices).zip(&is_hook).filter(|(_, is_hook)| !**is_hook);
+            rest.for_each(|((target, vertex), _)| *target = vertex.at);
         }
     }
 }

@@ -97,10 +97,10 @@ macro_rules! rows {
                 HardnessScale = "hardness-scale", "Size of hard ground": Grow, Number(8.0 to 60.0 by 0.5, default 36.0, logarithmic),
                     in "spacings";
                 /// Distance by which the land is bent, and rivers with it.
-                Bending = "bending", "Bending": Grow, Number(0.0 to 4.0 by 0.05, default 2.2), in "spacings";
+                Bending = "bending", "Bending": Grow, Number(0.0 to 4.0 by 0.05, default 2.8), in "spacings";
                 /// Variation of the bending from place to place: 0 for the same everywhere, higher for straight reaches beside
                 /// wild bends.
-                BendingVariation = "bending-variation", "Uneven bending": Grow, Number(0.0 to 2.0 by 0.05, default 1.0);
+                BendingVariation = "bending-variation", "Uneven bending": Grow, Number(0.0 to 2.0 by 0.05, default 0.5);
                 /// Pattern of drainage: the lie of beds, joints and slopes that rivers follow.
                 Pattern = "pattern", "Pattern": Grow, Choice(Pattern);
                 /// Direction of folded beds and of joints, clockwise from north; an even slope falls across it. 0: drawn from the

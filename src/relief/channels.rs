@@ -124,9 +124,7 @@ impl Channels {
     /// Fails if there is not enough memory.
     pub fn find_dams(&self, cells: &Cells, heights: &[f32], mut lower: impl FnMut(usize, f32)) -> Result<f32, Refused> {
         work::count(9 * self.steps.len());
-        let mut is_river = Vec::new();
-        lengthen(&mut is_river, heights.len(), false)?;
-        self.steps.iter().for_each(|step| is_river[step.0 as usize] = true);
+        let is_river = self.marked(heights.len())?;
         let mut lowered = 0.0;
         for pair in self.paths().flat_map(|path| path.windows(2)) {
             let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
@@ -140,6 +138,17 @@ impl Channels {
             }
         }
         Ok(lowered)
+    }
+
+    /// Returns for each of so many cells `true` if a river passes it.
+    ///
+    /// # Errors
+    /// Fails if there is not enough memory.
+    pub fn marked(&self, cells: usize) -> Result<Vec<bool>, Refused> {
+        let mut is_river = Vec::new();
+        lengthen(&mut is_river, cells, false)?;
+        self.steps.iter().for_each(|step| is_river[step.0 as usize] = true);
+        Ok(is_river)
     }
 
     /// Returns the number of steps of all paths.

@@ -10,6 +10,7 @@
 //! trimmed tree ─► rills ─► steepness, carved ────────────┘
 //! ```
 
+mod beds;
 mod cells;
 mod channels;
 mod contours;

@@ -2,10 +2,12 @@
 //! that map readers dislike. [`TABLE`] names them and gives the values of natural rivers.
 
 mod along_coast;
+mod beside;
 mod courses;
 mod directions;
 mod drained;
 mod fit;
+mod hooks;
 mod index;
 mod knots;
 mod parallels;
@@ -20,9 +22,11 @@ mod tests;
 mod umbrellas;
 
 pub use along_coast::along_coast;
+pub use beside::beside;
 pub use courses::{Angles, junction_angles, sinuosity, total_length, tributary_angle};
 pub use directions::Directions;
 pub use drained::Drained;
+pub use hooks::hooks;
 pub(crate) use index::Index;
 pub use knots::knots;
 pub use parallels::parallels;

@@ -16,7 +16,7 @@ use crate::base::work;
 const STEPS: u32 = 8;
 
 /// The greatest wavelength of the noise, in spacings, its octaves and their gain.
-const WAVELENGTH: f32 = 10.0;
+const WAVELENGTH: f32 = 16.0;
 const OCTAVES: i32 = 3;
 const GAIN: f32 = 0.2;
 

@@ -101,7 +101,7 @@ impl DrainageSettings {
 
     /// Returns a bound for the distance by which bends move a place, in units; measured, not proved.
     pub(super) fn farthest_bend(&self) -> f32 {
-        self.bending * (1.65 + 1.7 * self.bending_variation).min(2.9)
+        self.bending * (2.1 + 2.3 * self.bending_variation).min(5.0) / (1.0 + 0.05 * self.bending / self.spacing)
     }
 
     /// Returns fractal noise over the plane, from −1 to 1, of a wavelength in units. `index` separates different uses.

@@ -293,7 +293,7 @@ fn land_hides_parcels_and_moves_none() {
 
 #[test]
 fn bends_move_no_place_farther_than_they_are_said_to() {
-    for (bending, variation) in [(0.5, 0.8), (2.0, 0.0), (2.0, 0.4), (2.0, 0.8), (4.0, 0.0), (4.0, 1.0)] {
+    for (bending, variation) in [(0.5, 0.8), (2.0, 0.0), (2.0, 0.4), (2.0, 0.8), (2.8, 0.5), (4.0, 0.0), (4.0, 1.0)] {
         for seed in 0..6 {
             let link = format!(
                 "land=rectangle&attractors=5000&bending={bending}&bending-variation={variation}&country=usual&seed={seed}"
