@@ -55,10 +55,17 @@ pub enum DigestError {
 /// Fails if there is not enough memory, or if this build cannot draw such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     refuse_annotation(recipe)?;
-    let mut session = Session::new(recipe.clone())?;
+    digest_of_session(&mut Session::new(recipe.clone())?)
+}
+
+/// Returns the [`digest`] of a session's recipe, on the session's land. Runs what is left to do of the session.
+///
+/// # Errors
+/// Fails if there is not enough memory, or if this build cannot draw such a map.
+pub fn digest_of_session(session: &mut Session) -> Result<String, DigestError> {
     let map = session.finish()?;
     let mut picture = Picture::new(WIDTH, WIDTH)?;
-    picture.paint(&session);
+    picture.paint(session);
     digest_of(&map, picture.pixmap().data(), &session.growth().scattered())
 }
 

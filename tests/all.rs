@@ -41,6 +41,7 @@ mod painting;
 mod patterns;
 mod pieces;
 mod presets;
+mod proof;
 mod rasters;
 mod real_sizes;
 mod recipes;

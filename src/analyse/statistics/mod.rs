@@ -14,7 +14,7 @@ mod parallels;
 mod pattern;
 mod pieces;
 #[cfg(test)]
-mod samples;
+pub(crate) mod samples;
 mod streams;
 mod table;
 #[cfg(test)]
@@ -41,7 +41,7 @@ use glam::Vec2;
 use crate::domain::parcel_spacing;
 use crate::land::CELL_SIZE;
 use crate::map::Map;
-use crate::recipe::GrowthMethod;
+use crate::recipe::{GrowthMethod, Sides};
 
 /// The distance above a junction at which its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
@@ -109,7 +109,7 @@ impl Measures {
             junction_angles: junction_angles(network, ANGLE_SPACINGS * spacing),
             umbrellas: umbrellas(network),
             parallels: parallels(network, spacing),
-            along_coast: along_coast(network, spacing, |at| inland(map, at)),
+            along_coast: along_coast(network, spacing, |at| inland(map, map.recipe().sides(), at)),
             tributary_angle: tributary_angle(network, ANGLE_SPACINGS * spacing),
             knots: knots(network, spacing),
             look: Look::typical(&Look::all(network, map.domain().size, density as f32)),
@@ -141,10 +141,9 @@ pub(crate) fn land_area(map: &Map) -> f64 {
 }
 
 /// Returns the distance of a point from the coast, in units; positive inland. In a rectangle everything is land, and
-/// the sides with mouths are its coasts.
-fn inland(map: &Map, at: Vec2) -> f32 {
+/// `sides` are its coasts.
+pub(crate) fn inland(map: &Map, sides: Sides, at: Vec2) -> f32 {
     let beyond = map.domain().size - at;
-    let sides = map.recipe().sides();
     let from_sides = || {
         let all = [('n', at.y), ('e', beyond.x), ('s', beyond.y), ('w', at.x)];
         all.into_iter().filter(|(side, _)| sides.contains(*side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min)

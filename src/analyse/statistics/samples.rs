@@ -5,7 +5,7 @@ use glam::Vec2;
 use crate::network::{NONE, Network, River, Vertex};
 
 /// A river through the given points, source first, with a constant width and discharge.
-pub(super) struct Sample<'a> {
+pub(crate) struct Sample<'a> {
     pub points: &'a [(f32, f32)],
     /// The river that it joins, and the vertex there.
     pub joins: Option<(usize, u32)>,
@@ -14,17 +14,17 @@ pub(super) struct Sample<'a> {
 }
 
 /// Makes a river to the sea with discharge 1, a unit wide.
-pub(super) fn to_sea(points: &[(f32, f32)]) -> Sample<'_> {
+pub(crate) fn to_sea(points: &[(f32, f32)]) -> Sample<'_> {
     Sample { points, joins: None, discharge: 1, width: 1.0 }
 }
 
 /// Makes a river like `to_sea` that joins a vertex of another river.
-pub(super) fn into(points: &[(f32, f32)], river: usize, vertex: u32) -> Sample<'_> {
+pub(crate) fn into(points: &[(f32, f32)], river: usize, vertex: u32) -> Sample<'_> {
     Sample { joins: Some((river, vertex)), ..to_sea(points) }
 }
 
 /// Makes a network of rivers, all of order 2.
-pub(super) fn network(samples: &[Sample<'_>]) -> Network {
+pub(crate) fn network(samples: &[Sample<'_>]) -> Network {
     let mut network = Network::default();
     for sample in samples {
         let start = network.vertices.len() as u32;

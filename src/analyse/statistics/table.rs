@@ -49,6 +49,13 @@ pub struct Nature {
     pub source: &'static str,
 }
 
+impl Nature {
+    /// Returns `true` if a value lies in nature's range, whose ends belong to it.
+    pub fn holds(&self, value: f64) -> bool {
+        (self.least..=self.most).contains(&value)
+    }
+}
+
 /// Median and range over the river basins that growth was compared with.
 const fn basins(median: f64, least: f64, most: f64) -> Option<Nature> {
     Some(Nature { median: Some(median), least, most, source: "11 river basins" })

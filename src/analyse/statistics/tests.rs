@@ -105,7 +105,7 @@ fn density_is_length_by_area_of_land() {
 #[test]
 fn a_rectangle_s_coasts_are_its_chosen_sides() {
     let map = finished("land=rectangle&growth=colonize&valleys=0&aspect=1&sides=nw&attractors=100").map().unwrap();
-    let at = |x: f32, y: f32| inland(&map, Vec2::new(x, y));
+    let at = |x: f32, y: f32| inland(&map, map.recipe().sides(), Vec2::new(x, y));
     assert_eq!((at(300.0, 20.0), at(30.0, 500.0), at(990.0, 600.0)), (20.0, 30.0, 600.0));
 }
 
