@@ -7,6 +7,7 @@ use crate::common::tier::{first, tiers};
 use crate::common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
+use riverseed::analyse::proof::{crossings, sums};
 use riverseed::grow::{Growth, GrowthSettings};
 use riverseed::land::Land;
 use riverseed::network::{self, ClearanceGrid, Meander, NONE, Network, Shaping, hydrology, meet};
@@ -34,22 +35,9 @@ fn shaped(recipe: &Recipe) -> Meander {
     shaping.meander().unwrap().clone()
 }
 
-/// Checks that two segments without a common end never meet, by a sweep from west to east that shares nothing with the
-/// guard.
+/// Checks that no two rivers cross, by a sweep that shares nothing with the guard.
 fn check_no_crossing(network: &Network, when: &str) {
-    let downstream = network.downstream();
-    let at = |i: u32| network.vertices[i as usize].at;
-    let mut segments: Vec<(u32, u32)> = (0..).zip(downstream).filter(|(_, below)| *below != NONE).collect();
-    let west = |&(i, j): &(u32, u32)| at(i).x.min(at(j).x);
-    segments.sort_by(|a, b| west(a).total_cmp(&west(b)));
-    for (n, a) in segments.iter().enumerate() {
-        let east = at(a.0).x.max(at(a.1).x);
-        for b in segments[n + 1..].iter().take_while(|b| west(b) <= east) {
-            let joined = a.0 == b.0 || a.0 == b.1 || a.1 == b.0 || a.1 == b.1;
-            let (p, q) = ((at(a.0), at(a.1)), (at(b.0), at(b.1)));
-            assert!(joined || !meet(p, q), "{when}: {a:?} {p:?} meets {b:?} {q:?}");
-        }
-    }
+    assert_eq!(crossings(network).breaches, [], "{when}");
 }
 
 /// Every river has a course, joins its parent at one of its vertices, and comes to the sea.
@@ -73,34 +61,6 @@ fn check_rivers(network: &Network) {
         assert!(river.order >= 1 && river.magnitude >= 1);
     }
     assert_eq!(end as usize, network.vertices.len());
-}
-
-/// Orders and magnitudes are those of a count vertex by vertex, from the sources down.
-fn check_orders(network: &Network) {
-    let downstream = network.downstream();
-    let mut above = vec![vec![]; network.vertices.len()];
-    (0..).zip(&downstream).for_each(|(i, &below)| {
-        if let Some(above) = above.get_mut(below as usize) {
-            above.push(i);
-        }
-    });
-    // Every vertex after the one below it.
-    let mut upward: Vec<usize> = (0..downstream.len()).filter(|&i| downstream[i] == NONE).collect();
-    for n in 0.. {
-        let Some(&vertex) = upward.get(n) else { break };
-        upward.extend(&above[vertex]);
-    }
-    let mut counted = vec![(1u8, 1u32); network.vertices.len()];
-    for &vertex in upward.iter().rev().filter(|&&vertex| !above[vertex].is_empty()) {
-        let orders = || above[vertex].iter().map(|&i| counted[i].0);
-        let highest = orders().max().unwrap();
-        let shared = orders().filter(|&order| order == highest).count() > 1;
-        let magnitude = above[vertex].iter().map(|&i| counted[i].1).sum();
-        counted[vertex] = (highest + u8::from(shared), magnitude);
-    }
-    for river in &network.rivers {
-        assert_eq!((river.order, river.magnitude), counted[river.end as usize - 1], "{river:?}");
-    }
 }
 
 fn check_vertices(network: &Network, size: Vec2) {
@@ -217,7 +177,7 @@ fn check_network(link: &str, every: u32) {
         if rounds <= 2 || rounds.is_multiple_of(every) || meander.is_finished() {
             check_no_crossing(network, &format!("{link}, round {rounds}"));
             check_rivers(network);
-            check_orders(network);
+            assert_eq!(sums(network).breaches, [], "{link}, round {rounds}");
             check_vertices(network, size);
             check_widths(network);
         }

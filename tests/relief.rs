@@ -9,6 +9,7 @@ use crate::common::random_link;
 use crate::common::tier::{first, one_in, pairs, tiers};
 use glam::Vec2;
 use proptest::prelude::*;
+use riverseed::analyse::proof::{Breach, falls};
 use riverseed::export::svg;
 use riverseed::network::NONE;
 use riverseed::picture::Picture;
@@ -60,39 +61,9 @@ fn pits(session: &Session, relief: &Relief) -> Vec<usize> {
     (0..heights.len()).filter(is_pit).collect()
 }
 
-fn cell_of(relief: &Relief, at: Vec2) -> usize {
-    let place = (at / relief.cell_size()).max(Vec2::ZERO);
-    (place.y as usize).min(relief.rows() - 1) * relief.columns() + (place.x as usize).min(relief.columns() - 1)
-}
-
-/// The cells of a course, in its order.
-fn cells_of(relief: &Relief, course: &[Vec2]) -> Vec<usize> {
-    let between = |pair: &[Vec2]| {
-        let (from, to) = (pair[0], pair[1]);
-        // As rivers are walked there: another rule could cut another corner.
-        let count = (from.distance(to) / (0.5 * relief.cell_size())).ceil().max(1.0) as u32;
-        (0..=count).map(move |i| from.lerp(to, i as f32 / count as f32))
-    };
-    let mut cells: Vec<usize> = course.windows(2).flat_map(between).map(|at| cell_of(relief, at)).collect();
-    cells.dedup();
-    cells
-}
-
-/// The number of places where rivers do not fall from one cell of their paths to a later one. Cells that are passed
-/// more than once are left out, since the lower river counts there.
-fn climbs(session: &Session, relief: &Relief) -> usize {
-    let network = session.network().unwrap();
-    let course = |river| network.course(river).map(|vertex| vertex.at).collect::<Vec<_>>();
-    let courses: Vec<Vec<usize>> = network.rivers.iter().map(|river| cells_of(relief, &course(river))).collect();
-    let mut passed = vec![0; relief.heights().len()];
-    courses.iter().flatten().for_each(|&cell| passed[cell] += 1);
-    let mut climbs = 0;
-    for mut cells in courses {
-        // At the sea's height rivers may be led on from their mouths.
-        cells.retain(|&cell| passed[cell] == 1 && relief.heights()[cell] > 0.01);
-        climbs += cells.windows(2).filter(|pair| relief.heights()[pair[1]] >= relief.heights()[pair[0]]).count();
-    }
-    climbs
+/// The places where rivers do not fall from one cell of their ways to a later one.
+fn climbs(session: &Session, relief: &Relief) -> Vec<Breach> {
+    falls(session.network().unwrap(), relief).breaches
 }
 
 proptest! {
@@ -104,7 +75,7 @@ proptest! {
         let mut session = Session::new(recipe).unwrap();
         session.finish().unwrap();
         prop_assert_eq!(pits(&session, relief(&session)), Vec::<usize>::new());
-        prop_assert_eq!(climbs(&session, relief(&session)), 0);
+        prop_assert_eq!(climbs(&session, relief(&session)), vec![]);
         prop_assert!(relief(&session).heights().iter().all(|height| height.is_finite()));
     }
 }
@@ -117,7 +88,7 @@ fn no_land_of_usual_maps_is_a_pit() {
     for (land, growth) in one_in(7, pairs(every_land(), GROWTHS)) {
         let session = finished(&format!("country=usual&seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
         let relief = relief(&session);
-        assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], 0), "{land}, {growth}");
+        assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], vec![]), "{land}, {growth}");
     }
 }
 
@@ -139,7 +110,7 @@ proptest! {
         let own = *Grid::sizes(&session.domain()).start();
         let finer = finer(&session, ((own as f32 * times) as u32).min(2400));
         prop_assert_eq!(pits(&session, &finer), Vec::<usize>::new());
-        prop_assert_eq!(climbs(&session, &finer), 0);
+        prop_assert_eq!(climbs(&session, &finer), vec![]);
         prop_assert!(finer.heights().iter().all(|height| height.is_finite()));
     }
 }
@@ -154,7 +125,7 @@ fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
         let session = finished(&format!("country=usual&seed=kea&{link}"));
         let finer = finer(&session, cells);
         assert_eq!(finer.columns().max(finer.rows()), cells as usize);
-        assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0), "{link}");
+        assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], vec![]), "{link}");
     }
 }
 
