@@ -26,6 +26,7 @@ pub fn command() -> Command {
         .subcommand(embed_command())
         .subcommand(outline_command())
         .subcommand(measure_command())
+        .subcommand(check_command())
         .subcommand(names_command())
         .subcommand(table_command())
         .subcommand(verify_command())
@@ -196,6 +197,20 @@ fn measure_command() -> Command {
         .args(TABLE.iter().map(option))
 }
 
+fn check_command() -> Command {
+    Command::new("check")
+        .about("Checks that a map keeps the promises of all maps, and says which of nature's ranges it keeps")
+        .after_help(format!("{MIXED}\n{CHECKED}"))
+        .args(recipe_arguments())
+        .arg(
+            Arg::new("json")
+                .long("json")
+                .action(ArgAction::SetTrue)
+                .help("Print JSON, with all places of what is wrong"),
+        )
+        .args(TABLE.iter().map(option))
+}
+
 fn names_command() -> Command {
     Command::new("names")
         .about("Prints the names of a recipe's rivers, greatest first, with the marks for 'names'")
@@ -206,6 +221,10 @@ fn names_command() -> Command {
 
 /// The rule for a recipe that is given in several ways.
 const MIXED: &str = "Link, file and options may be mixed. If a value is given twice, the later one counts.";
+
+/// What the exit code of a check says.
+const CHECKED: &str =
+    "The exit code is 0 if all promises are kept, and 3 if one is broken. A value outside nature's range breaks none.";
 
 fn recipe_arguments() -> [Arg; 3] {
     [

@@ -2,17 +2,14 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::recipe::{IntegerKey, LandKind, Recipe};
-use riverseed::session::{Session, Shortfall};
+use riverseed::session::{Session, SessionError, Shortfall};
 
 use super::order::Order;
 use super::{Failure, Say};
 
 /// Grows a recipe to its end.
 pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Session, Failure> {
-    let mut session = match order.land {
-        Some(land) => Session::on_land(order.recipe, land)?,
-        None => Session::new(order.recipe)?,
-    };
+    let mut session = begin(order)?;
     if is_undrawn(&session) {
         say("land is 'drawn' but no outline shows both land and water; all of the map is land");
     }
@@ -37,6 +34,14 @@ pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Sessio
         None => {}
     }
     Ok(session)
+}
+
+/// Begins the session of a recipe, on its land if that is given.
+pub fn begin(order: Order) -> Result<Session, SessionError> {
+    match order.land {
+        Some(land) => Session::on_land(order.recipe, land),
+        None => Session::new(order.recipe),
+    }
 }
 
 /// Returns `true` if a drawn land is asked for, but nothing is drawn that could be land.

@@ -1,10 +1,11 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed page` writes a map's page as a folder for any host, `riverseed embed` writes the element for a page, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
+//! land, `riverseed page` writes a map's page as a folder for any host, `riverseed embed` writes the element for a page, `riverseed measure` compares a recipe's rivers with nature's, `riverseed check` says whether one map keeps the promises of all, `riverseed names` lists their names, `riverseed
 //! table` explains recipes, and `riverseed verify` checks that this machine draws like all others.
 //!
-//! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
+//! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong, 3 a map breaks a promise.
 
 mod batch;
+mod check;
 mod commands;
 mod embed;
 mod form;
@@ -79,6 +80,7 @@ fn run() -> Result<(), Failure> {
         Some(("embed", matches)) => embed::embed(matches),
         Some(("outline", matches)) => outline::outline(matches),
         Some(("measure", matches)) => measure::measure(matches),
+        Some(("check", matches)) => check::check(matches),
         Some(("names", matches)) => names::names(matches),
         Some(("table", given)) => {
             let print = if given.get_flag("json") { table_json::print } else { table::print };
@@ -124,6 +126,8 @@ enum Failure {
     Picture { path: PathBuf, reason: String },
     #[error("{differing} of {all} recipes give other rivers, pixels or files here")]
     Differs { differing: usize, all: usize },
+    #[error("{broken} of {all} promises are broken on this map")]
+    Broken { broken: usize, all: usize },
     #[error("--seeds {seeds}: {reason}")]
     Seeds { seeds: String, reason: String },
     #[error("a seed is given besides --seeds")]
@@ -179,6 +183,7 @@ impl Failure {
             | Self::Words { .. }
             | Self::NoFolder { .. }
             | Self::Pattern { .. } => ExitCode::from(2),
+            Self::Broken { .. } => ExitCode::from(3),
             Self::Session(_)
             | Self::Paint(_)
             | Self::Digest(_)

@@ -67,7 +67,7 @@ fn table(measures: &Measures, scale: &MapScale) -> String {
 }
 
 /// Lists where nature's values come from, each once.
-fn sources() -> Vec<&'static str> {
+pub fn sources() -> Vec<&'static str> {
     let mut sources = Vec::new();
     for Nature { source, .. } in TABLE.iter().filter_map(|measure| measure.nature) {
         if !sources.contains(&source) {
@@ -101,7 +101,7 @@ fn pattern(measures: &Measures) -> Option<String> {
 }
 
 /// Writes nature's values and the number of their source, such as `4.1 (3.5 to 5.2) [1]`.
-fn in_words(nature: Nature, sources: &[&str]) -> String {
+pub fn in_words(nature: Nature, sources: &[&str]) -> String {
     let Nature { median, least, most, source, .. } = nature;
     let note = sources.iter().position(|other| *other == source).map_or(0, |i| i + 1);
     match median {

@@ -13,6 +13,7 @@ use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, given, json, link};
 use super::{Failure, mask, say};
 
 /// The recipe of a call, and the land itself if it is given as a picture.
+#[derive(Clone)]
 pub struct Order {
     pub recipe: Recipe,
     /// The names of parameters that were given on purpose.

@@ -322,6 +322,40 @@ fn measures_are_printed_beside_nature_s() {
 }
 
 #[test]
+fn a_map_is_checked_against_its_promises() {
+    let printed = |arguments: &[&str]| {
+        let output = riverseed(&[&["check"], arguments].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let (digest, link) = COMMITTED.lines().next().unwrap().split_once(' ').unwrap();
+    let lines = printed(&[link]);
+    let line = |label: &str| lines.lines().find(|line| line.starts_with(label)).unwrap();
+    for promise in ["Nothing runs uphill", "Nothing crosses", "Every river arrives", "Discharge adds up"] {
+        assert!(line(promise).ends_with(" kept"), "{lines}");
+    }
+    assert!(line("The same bits").contains(&format!("{digest}, as committed")), "{lines}");
+    assert!(line("Bifurcation ratio").contains("4.1 (3.5 to 5.2) [1]"), "{lines}");
+    assert!(lines.contains("No promise is broken by that"), "{lines}");
+    let json: serde_json::Value = serde_json::from_str(&printed(&[link, "--json"])).unwrap();
+    assert_eq!((&json["verdict"], &json["digest"]), (&"kept".into(), &digest.into()));
+    let names = |list: &str| -> Vec<String> {
+        let rows = json[list].as_array().unwrap();
+        rows.iter().map(|row| row["name"].as_str().unwrap().into()).collect()
+    };
+    assert_eq!(names("promises"), ["falls", "apart", "joins", "adds-up", "same-bits"]);
+    let compared = TABLE.iter().filter(|measure| measure.nature.is_some()).map(|measure| measure.name);
+    assert_eq!(names("nature"), compared.collect::<Vec<_>>());
+    assert!(json["promises"][1]["count"].as_u64().unwrap() > 1000, "{json}");
+    // A file of a network is the recipe that it holds.
+    network("checked.json", &["seed=rata&attractors=300"]);
+    let file = scratch("checked.json");
+    let of_file = printed(&["--recipe", file.to_str().unwrap()]);
+    assert_eq!(of_file, printed(&["seed=rata&attractors=300"]));
+    assert_eq!(refusal(&["check", "--curl", "9"]).0, 2);
+}
+
+#[test]
 fn network_is_a_recipe_of_itself() {
     let first = network("first.json", &["seed=rimu&attractors=300&curl=0.6"]);
     let again = network("again.json", &["--recipe", scratch("first.json").to_str().unwrap()]);
@@ -516,6 +550,7 @@ fn closed_standard_output_is_an_error_of_commands_that_print() {
         "table",
         "names seed=kea\\&attractors=100",
         "measure seed=kea\\&attractors=100",
+        "check seed=kea\\&attractors=100",
         "render seed=kea\\&attractors=100 -o -",
         "render attractors=100 --seeds 1..2 -o -",
     ];
