@@ -51,7 +51,8 @@ fn plane(raised: Vec2, up: f32) -> Relief {
 #[test]
 fn a_river_that_climbs_is_found_where_it_does() {
     let mut stem = valley();
-    (stem.rivers.truncate(1), stem.vertices.truncate(4));
+    stem.rivers.truncate(1);
+    stem.vertices.truncate(4);
     let found = falls(&stem, &plane(Vec2::new(81.0, 51.0), 0.0));
     assert_eq!((found.looked_at, found.breaches), (50, vec![]));
     let found = falls(&stem, &plane(Vec2::new(81.0, 51.0), 3.0));
