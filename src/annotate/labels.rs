@@ -17,7 +17,7 @@ use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
 use crate::land::{Land, Region, margin_of};
 use crate::map::Map;
-use crate::network::{NONE, Network, Oxbow, Place};
+use crate::network::{Network, Oxbow, Place};
 use crate::recipe::Shown;
 use crate::recipe::{self, Labels, Mark, NumberKey, Recipe, Style};
 use crate::relief::Relief;
@@ -111,7 +111,7 @@ fn map_input<'a>(
         scale: map.scale(),
         courses: network.rivers.iter().map(|river| network.middle(river)).collect(),
         discharges: network.rivers.iter().map(|river| network.discharge(river)).collect(),
-        total_discharge: total_discharge(network),
+        total_discharge: network.total_discharge(),
         cartouche: map.recipe().has_title().then(|| cartouche(map, &names, sheet)),
         own: own(map.recipe(), network, &names),
         names,
@@ -277,11 +277,6 @@ pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
         cell_size: relief.cell_size(),
         highest: relief.quantile(HIGHEST),
     }
-}
-
-pub(crate) fn total_discharge(network: &Network) -> u32 {
-    let mouths = network.rivers.iter().filter(|river| river.parent == NONE);
-    mouths.map(|river| network.discharge(river)).fold(0, u32::saturating_add)
 }
 
 pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {

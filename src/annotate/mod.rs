@@ -1,5 +1,6 @@
 //! The annotation of a finished map: names, labels set in type, woods and hills.
 
+mod divides;
 #[doc(hidden)]
 pub mod glyph;
 #[doc(hidden)]

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::annotate::labels::{heights, on_map, ridges, total_discharge};
+use crate::annotate::labels::{heights, on_map, ridges};
 use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stroke, Weather};
 use crate::base::memory;
 use crate::base::random::Seed;
@@ -34,7 +34,6 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         woods,
         hills,
         weather: weather(map),
-        total_discharge: total_discharge(network),
         network,
         lakes: network.oxbows.iter().map(Oxbow::middle).chain(beds(map)).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),

@@ -74,6 +74,15 @@ fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     }
 }
 
+/// Returns the distance of a point from a segment, and the share of the segment's length at which it is nearest to the point.
+#[inline]
+pub(crate) fn nearest(point: Vec2, (a, b): Segment) -> (f32, f32) {
+    let (along, out) = (b - a, point - a);
+    let squared_length = along.length_squared();
+    let t = if squared_length > 0.0 { (out.dot(along) / squared_length).clamp(0.0, 1.0) } else { 0.0 };
+    (length(out - along * t), t)
+}
+
 /// Returns the smaller of two numbers. `f32::min` compiles to several jumps in wasm.
 #[inline]
 pub(crate) fn fast_min(a: f32, b: f32) -> f32 {

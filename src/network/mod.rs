@@ -232,6 +232,12 @@ impl Network {
         self.vertices[river.vertex_range()].last().map_or(0, |vertex| vertex.discharge)
     }
 
+    /// Returns the discharge of all rivers together, at their mouths.
+    pub(crate) fn total_discharge(&self) -> u32 {
+        let mouths = self.rivers.iter().filter(|river| river.parent == NONE);
+        mouths.map(|river| self.discharge(river)).fold(0, u32::saturating_add)
+    }
+
     /// Returns the length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
         lengths(&self.places(river)).last().copied().unwrap_or(0.0)

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::input::Input;
+use crate::base::geometry::nearest;
 use crate::network::{Network, Place};
 
 /// The number of no river.
@@ -88,11 +89,8 @@ impl Piece {
     #[inline]
     pub fn nearest(&self, point: Vec2) -> (f32, f32) {
         let [from, to] = self.ends;
-        let (along, out) = (to.at - from.at, point - from.at);
-        let squared_length = along.length_squared();
-        let t = if squared_length > 0.0 { (out.dot(along) / squared_length).clamp(0.0, 1.0) } else { 0.0 };
-        let off = out - along * t;
-        (off.length_squared().sqrt(), from.half + (to.half - from.half) * t)
+        let (distance, t) = nearest(point, (from.at, to.at));
+        (distance, from.half + (to.half - from.half) * t)
     }
 
     /// Returns its ink at a point; `None` if that is bare.

@@ -192,7 +192,6 @@ mod tests {
             woods: 1.0,
             hills: 1.0,
             weather: Weather::even(0.5, 0.5),
-            total_discharge: 1,
             network: &network,
             lakes: vec![line(LAKE, 5.0)],
             ridges: vec![line(RIDGE, 0.5)],

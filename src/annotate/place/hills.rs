@@ -4,11 +4,11 @@
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
-use super::divides::{Divide, Divides};
 use super::free::{FROM_BANKS, FreeGround, Spots};
 use super::input::{Heights, SceneryInput};
 use super::pen::Feature;
 use super::standing::Standing;
+use crate::annotate::divides::{Divide, Divides};
 use crate::base::random::{ItemHash, Purpose};
 use crate::base::sort;
 

@@ -360,8 +360,6 @@ pub struct SceneryInput<'a> {
     pub hills: f32,
     /// The climate.
     pub weather: Weather,
-    /// The discharge of all rivers together.
-    pub total_discharge: u32,
     /// The rivers.
     pub network: &'a Network,
     /// Lakes that rivers have left.

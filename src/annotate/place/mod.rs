@@ -22,7 +22,6 @@ mod chosen;
 mod compass_rose;
 mod corner;
 mod costs;
-mod divides;
 mod frames;
 mod free;
 mod grid_letters;

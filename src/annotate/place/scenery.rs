@@ -2,13 +2,13 @@
 
 use glam::Vec2;
 
-use super::divides::Divides;
 use super::free::FreeGround;
 use super::hills::hills;
 use super::input::SceneryInput;
 use super::scatter::scatter;
 use super::standing::Standing;
 use super::woods::woods;
+use crate::annotate::divides::Divides;
 use crate::base::sort;
 
 /// The scenery of a map in the making.
@@ -38,7 +38,8 @@ impl Scenery {
             return true;
         };
         let Some((ground, divides)) = &self.ground else {
-            self.ground = Some((FreeGround::new(input), (input.hills > 0.0).then(|| Divides::new(input))));
+            self.ground =
+                Some((FreeGround::new(input), (input.hills > 0.0).then(|| Divides::new(input.size, input.network))));
             return true;
         };
         let Some(placed) = &self.hills else {

@@ -2,8 +2,7 @@
 
 use glam::Vec2;
 
-use super::background::Piece;
-use super::input::SceneryInput;
+use crate::base::geometry::{self, Segment};
 use crate::network::{NONE, Network};
 
 /// The side of the cells that know their nearest river, in units.
@@ -22,6 +21,13 @@ pub enum Divide {
     Main,
 }
 
+/// A straight piece of the middle line of a river.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    river: u32,
+    ends: Segment,
+}
+
 /// The nearest river of each cell.
 #[derive(Clone, Debug)]
 pub struct Divides {
@@ -36,10 +42,9 @@ pub struct Divides {
 
 impl Divides {
     /// Finds the nearest river of each cell of a map.
-    pub fn new(input: &SceneryInput<'_>) -> Self {
-        let [columns, rows] = [input.size.x, input.size.y].map(|length| (length / CELL) as usize + 1);
-        let systems = systems(input.network, input.total_discharge);
-        let pieces = Piece::of_rivers(input.network);
+    pub fn new(size: Vec2, network: &Network) -> Self {
+        let [columns, rows] = [size.x, size.y].map(|length| (length / CELL) as usize + 1);
+        let (systems, pieces) = (systems(network, network.total_discharge()), pieces(network));
         let mut this = Self { columns, rows, nearest: vec![(NONE, f32::MAX); columns * rows], systems, pieces };
         this.mark_pieces();
         this.hand_on();
@@ -48,7 +53,8 @@ impl Divides {
 
     fn mark_pieces(&mut self) {
         for number in 0..self.pieces.len() {
-            let [from, to] = self.pieces[number].ends.map(|place| place.at / CELL);
+            let (from, to) = self.pieces[number].ends;
+            let (from, to) = (from / CELL, to / CELL);
             let steps = (to - from).abs().max_element() as u32 + 1;
             for step in 0..=steps {
                 let at = from.lerp(to, step as f32 / steps as f32);
@@ -99,7 +105,7 @@ impl Divides {
             return;
         }
         let middle = (Vec2::new(column as f32, row as f32) + 0.5) * CELL;
-        let (distance, _) = self.pieces[number as usize].nearest(middle);
+        let (distance, _) = geometry::nearest(middle, self.pieces[number as usize].ends);
         if distance < cell.1 {
             *cell = (number, distance);
         }
@@ -134,6 +140,16 @@ impl Divides {
     }
 }
 
+/// Returns the pieces of the rivers of a network, river by river.
+fn pieces(network: &Network) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (river, course) in (0..).zip(&network.rivers) {
+        let middle = network.middle(course);
+        pieces.extend(middle.windows(2).map(|pair| Piece { river, ends: (pair[0].at, pair[1].at) }));
+    }
+    pieces
+}
+
 /// Returns two rivers for each river: the first great one downstream of its source, which may be itself, and the one that reaches the sea.
 fn systems(network: &Network, total_discharge: u32) -> Vec<[u32; 2]> {
     let (rivers, least) = (&network.rivers, GREAT * total_discharge as f32);
@@ -159,8 +175,6 @@ fn systems(network: &Network, total_discharge: u32) -> Vec<[u32; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::annotate::place::Weather;
-    use crate::base::random::Seed;
     use crate::network::{River, Vertex};
 
     /// Makes a network of rivers from north to south, each with its x, its discharge and the number of the river that it joins.
@@ -177,20 +191,7 @@ mod tests {
     }
 
     fn divides(network: &Network) -> Divides {
-        Divides::new(&SceneryInput {
-            size: Vec2::new(200.0, 100.0),
-            seed: Seed::from_text(""),
-            woods: 0.0,
-            hills: 1.0,
-            weather: Weather::even(0.5, 0.5),
-            total_discharge: 100,
-            network,
-            lakes: Vec::new(),
-            ridges: Vec::new(),
-            coast: None,
-            heights: None,
-            letters: Vec::new(),
-        })
+        Divides::new(Vec2::new(200.0, 100.0), network)
     }
 
     #[test]
