@@ -42,6 +42,7 @@ mod patterns;
 mod pieces;
 mod presets;
 mod proof;
+mod ranges;
 mod rasters;
 mod real_sizes;
 mod recipes;

@@ -2,11 +2,11 @@
 
 use glam::Vec2;
 
-use crate::base::geometry::{self, Segment};
+use crate::base::geometry::{self, Segment, distance};
 use crate::network::{NONE, Network};
 
 /// The side of the cells that know their nearest river, in units.
-const CELL: f32 = 5.0;
+pub const CELL: f32 = 5.0;
 /// The share of all water below which rivers are part of the one that they join.
 const GREAT: f32 = 0.03;
 
@@ -26,13 +26,17 @@ pub enum Divide {
 struct Piece {
     river: u32,
     ends: Segment,
+    /// The distance of its upper end from the river's source, along the river, in units.
+    below: f32,
 }
 
 /// The nearest river of each cell.
 #[derive(Clone, Debug)]
 pub struct Divides {
-    columns: usize,
-    rows: usize,
+    /// The number of cells in a row.
+    pub columns: usize,
+    /// The number of rows.
+    pub rows: usize,
     /// The number of the piece of a river that is nearest to each cell, and its distance, in units.
     nearest: Vec<(u32, f32)>,
     /// Two rivers for each river: the first great one from it downstream, which may be itself, and the one that reaches the sea.
@@ -128,6 +132,13 @@ impl Divides {
         self.cell(at).1
     }
 
+    /// Returns the distance between the middle of a place's cell and the middle of the nearest river, and that between there and the
+    /// river's source, along the river, both in units.
+    pub fn river_at(&self, at: Vec2) -> (f32, f32) {
+        let (piece, away) = self.cell(at);
+        (away, self.pieces.get(piece as usize).map_or(0.0, |piece| piece.below))
+    }
+
     fn cell(&self, at: Vec2) -> (u32, f32) {
         let cell = at / CELL;
         let (column, row) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
@@ -144,8 +155,11 @@ impl Divides {
 fn pieces(network: &Network) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for (river, course) in (0..).zip(&network.rivers) {
-        let middle = network.middle(course);
-        pieces.extend(middle.windows(2).map(|pair| Piece { river, ends: (pair[0].at, pair[1].at) }));
+        let mut below = 0.0;
+        for pair in network.middle(course).windows(2) {
+            pieces.push(Piece { river, ends: (pair[0].at, pair[1].at), below });
+            below += distance(pair[0].at, pair[1].at);
+        }
     }
     pieces
 }

@@ -12,6 +12,7 @@
 
 mod addresses;
 mod anchors;
+mod crests;
 mod deal;
 mod filter;
 mod heads;

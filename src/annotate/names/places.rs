@@ -4,6 +4,7 @@ use super::PlaceKind;
 use super::lattice::Lattice;
 use super::regions::{self, Found};
 use super::{ranges, shores};
+use crate::annotate::divides::Divides;
 use crate::land::{Land, Region};
 use crate::map::Map;
 use crate::scale::MapScale;
@@ -47,9 +48,10 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<Place> {
         main_land.found.line = axis;
     }
     add(&mut places, &scale, others);
-    for (rank, (found, height)) in
-        (0..).zip(map.shown_relief().map_or_else(Vec::new, |relief| ranges::found(&lattice, relief)))
-    {
+    for (rank, (found, height)) in (0..).zip(
+        map.shown_relief()
+            .map_or_else(Vec::new, |relief| ranges::found(&lattice, relief, &Divides::new(land.size(), map.network()))),
+    ) {
         places.push(Place { found, region: Region::default(), rank, extent: height * scale.metres_up });
     }
     places

@@ -16,12 +16,12 @@ const SIZES: [[f32; 3]; 2] = [[30.0, 24.0, 19.0], [15.0, 13.0, 11.0]];
 const OVER_LEAST: f32 = 1.1;
 /// The space between letters, in ems, the widest first that fits.
 const TRACKING: [f32; 6] = [2.2, 1.6, 1.1, 0.75, 0.5, 0.3];
-/// The greatest share of its line that a name takes up.
-const SHARE: f32 = 0.72;
-/// The smoothness of lines, as a share of their length, and the distances from the line and along it at which names are tried, in ems.
-const SMOOTHED: f32 = 0.15;
+/// The greatest share of its line that a name takes up, of the main land and of a range.
+const SHARE: [f32; 2] = [0.72, 1.0];
+/// The smoothness of lines, as a share of their length: those of ranges are smooth, and run where no river does.
+const SMOOTHED: [f32; 2] = [0.15, 0.0];
+/// The distances from the line and along it at which names are tried, in ems. Those of ranges keep to their lines.
 const ASIDE: [f32; 7] = [0.0, -1.2, 1.2, -2.4, 2.4, -3.6, 3.6];
-const ASIDE_OF_RANGES: usize = 3;
 const STEP: f32 = 0.8;
 /// The least distances of letters from the coast, the frame and other labels, in ems.
 const FROM_COAST: f32 = 0.3;
@@ -39,8 +39,8 @@ pub fn region<G: Background>(
     place: &PlaceName,
     taken: &[(u32, Box)],
 ) -> Option<Chosen> {
-    let (line, [_, name]) = (upright(&place.line)?, forms(&place.name));
     let is_range = place.kind == PlaceKind::Range;
+    let (line, [_, name]) = (upright(&place.line, SMOOTHED[usize::from(is_range)])?, forms(&place.name));
     let em = |usual: f32| input.em(usual, OVER_LEAST);
     let sizes = input.sizes(&SIZES[usize::from(is_range)], OVER_LEAST);
     let tries = sizes.into_iter().flat_map(|usual| TRACKING.map(|tracking| (usual, tracking)));
@@ -54,7 +54,7 @@ pub fn region<G: Background>(
 }
 
 /// Smooths a line so that its bends are gone, and turns it to the direction in which it is read; `None` if it has no length.
-fn upright(line: &[Vec2]) -> Option<Line> {
+fn upright(line: &[Vec2], smoothness: f32) -> Option<Line> {
     let (first, last) = (*line.first()?, *line.last()?);
     let mut line = line.to_vec();
     if !is_upright(last - first) {
@@ -66,7 +66,7 @@ fn upright(line: &[Vec2]) -> Option<Line> {
     let length = whole.length();
     let mut walk = walk_from(&whole, 0.0);
     let even: Vec<Vec2> = (0..=POINTS).map(|i| walk.at(length * i as f32 / POINTS as f32)).collect();
-    let line = Line::through(smoothed(&even, (SMOOTHED * POINTS as f32) as usize));
+    let line = Line::through(smoothed(&even, (smoothness * POINTS as f32) as usize));
     (length > 0.0).then_some(line)
 }
 
@@ -85,10 +85,10 @@ impl<G: Background> Search<'_, G> {
     fn best(&self) -> Option<(Vec<Placed>, Line)> {
         let (length, step) = (self.text.length * self.em, STEP * self.em);
         let room = self.line.length() - length;
-        if self.text.letters.is_empty() || length > SHARE * self.line.length() {
+        if self.text.letters.is_empty() || length > SHARE[usize::from(self.is_range)] * self.line.length() {
             return None;
         }
-        let aside = if self.is_range { &ASIDE[..ASIDE_OF_RANGES] } else { &ASIDE[..] };
+        let aside = if self.is_range { &ASIDE[..1] } else { &ASIDE[..] };
         let mut best: Option<(f32, Vec<Placed>, Line)> = None;
         for &aside in aside {
             let line = self.shifted(aside);
