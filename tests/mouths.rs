@@ -8,7 +8,7 @@ use riverseed::recipe::{Choice, Style};
 use riverseed::{Picture, Session};
 
 const LINK: &str =
-    "country=usual&seed=lewis&attractors=3000&land=island&sea=0.55&width=16&meander=none&bank-variation=0";
+    "country=usual&seed=leven&attractors=3000&land=island&sea=0.55&width=16&meander=none&bank-variation=0";
 
 /// A distance from the coast at which there is nothing but the sea, in units: its line has ended and no ring has begun. Where
 /// beaches sink into the sea, that is farther.
@@ -140,7 +140,7 @@ fn the_sea_in_a_mouth_is_cut_out_with_the_sea() {
 #[test]
 fn a_brook_ends_in_the_line_of_the_coast() {
     let session =
-        finished("country=usual&seed=lewis&attractors=3000&land=island&roughness=0.2&drowning=0&width=1.5&style=ink");
+        finished("country=usual&seed=leven&attractors=3000&land=island&roughness=0.2&drowning=0&width=1.5&style=ink");
     let (at, seaward, _) = widest_mouth(&session);
     let close = Close::of(&session, at);
     let distance = session.land().unwrap().coast_distance();

@@ -22,7 +22,7 @@ fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
 }
 
 /// A map on which several great rivers wind.
-const MANY_REACHES: &str = "country=usual&seed=s0&land=island&sea=0.55&attractors=5600&bending=1&bending-variation=0&growth=drainage&great-rivers=8&style=ink";
+const MANY_REACHES: &str = "country=usual&seed=s0&land=island&sea=0.55&attractors=5600&bending=1&bending-variation=0&growth=drainage&great-rivers=8&meander-rounds=60&style=ink";
 
 proptest! {
     #![proptest_config(large(500))]
@@ -153,7 +153,7 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
     // Another reach may be called The Meanders, after no river.
     let is_named_after_a_river = |name: &str| name.ends_with(" Meanders") && name != "The Meanders";
     let meanders = |names: Names| names.reaches.into_iter().find(|reach| is_named_after_a_river(&reach.name));
-    let seed = (0..40).find(|&seed| meanders(of_seed(seed, "")).is_some()).unwrap();
+    let seed = (0..80).find(|&seed| meanders(of_seed(seed, "")).is_some()).unwrap();
     let names = |own: &str| of_seed(seed, own);
     let reach = meanders(names("")).unwrap();
     assert!(!reach.name.contains("Fork"), "{}", reach.name);
@@ -166,7 +166,7 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
 fn no_two_reaches_wind_after_the_same_thing() {
     let (mut maps, mut all) = (0, 0);
     // Of 400 maps the last of these alone could have The Ouroboros and an Ouroboros River.
-    for seed in (0..40).chain([261]) {
+    for seed in (0..80).chain([261]) {
         let names = Names::of(&finished(MANY_REACHES, &format!("country=usual&seed=s{seed}")).map().unwrap());
         let usual = names.reaches.iter().filter(|reach| !reach.name.ends_with(" Meanders"));
         let winding = |name: &str| name.trim_start_matches("The ").split(' ').next().unwrap_or_default().to_string();
@@ -280,10 +280,11 @@ fn files_have_the_names() {
             (&feature["geometry"]["type"], &feature["properties"]["name"]),
             (&"Point".into(), &place.name.clone().into())
         );
-        let is_land = session.land().unwrap().coast_distance().height(place.at) > 0.0;
+        let inland = session.land().unwrap().coast_distance().height(place.at);
         let is_of_land = matches!(place.kind, PlaceKind::Island | PlaceKind::Cape | PlaceKind::Range);
-        // Capes are found on a lattice of eight units.
-        assert!(is_land == is_of_land || place.kind == PlaceKind::Cape, "{id} lies in its midst");
+        // Capes and straits are found on a lattice of eight units.
+        let is_found_roughly = matches!(place.kind, PlaceKind::Cape | PlaceKind::Strait) && inland.abs() < 8.0;
+        assert!((inland > 0.0) == is_of_land || is_found_roughly, "{id} lies in its midst, {inland} from the coast");
     }
 }
 

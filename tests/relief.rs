@@ -155,7 +155,8 @@ fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
         assert!(off.len() > 1000 && near < 0.1 && far < 0.025 && farthest < 0.01, "{text}: {near}, {far}, {farthest}");
         let rises = network.vertices.iter().map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)) / highest);
         let most = rises.fold(0.0, f32::max);
-        assert!(most < 0.006, "{text}: a river is {most} higher");
+        // A bed that lies below the ground at its sides may fall by more from one cell to the next.
+        assert!(most < 0.015, "{text}: a river is {most} higher");
         let land = own.heights().iter().enumerate().filter(|(_, height)| **height > 0.0).map(|(cell, height)| {
             let at = Vec2::new((cell % own.columns()) as f32, (cell / own.columns()) as f32) + 0.5;
             (finer.at(at * CELL_SIZE) - height).abs() / highest

@@ -9,7 +9,7 @@ use glam::Vec2;
 
 use super::turns::greatest_turns;
 use super::{Network, NetworkSettings};
-use crate::base::geometry::{fast_min, smooth_step};
+use crate::base::geometry::{fast_max, fast_min, smooth_step};
 
 /// The stretch of the mean, as the deviation of its weights: in vertices, where at most so many parcels are drained.
 const STRETCH: f32 = 7.0;
@@ -35,11 +35,14 @@ pub(super) fn unhook(network: &Network, targets: &mut [Vec2], settings: &Network
         let course: Vec<Vec2> =
             own.clone().chain([river.junction as usize]).filter_map(|i| read.get(i).copied()).collect();
         let turns = greatest_turns(&course, WITHIN * settings.spacing);
+        let mut shares: Vec<f32> =
+            turns.iter().map(|turn| smooth_step((turn.to_degrees() - GENTLE) / (SHARP - GENTLE))).collect();
+        let mut stretches: Vec<f32> = own.clone().map(|i| stretch(network.vertices[i].discharge)).collect();
+        spread(&mut shares);
+        ease(&mut stretches);
         for (place, i) in own.enumerate() {
-            let stretch = stretch(network.vertices[i].discharge);
-            let share = smooth_step((turns[place].to_degrees() - GENTLE) / (SHARP - GENTLE));
-            if stretch >= SHORTEST && share > 0.0 {
-                targets[i] = read[i].lerp(mean(&course, place, stretch), share);
+            if stretches[place] >= SHORTEST && shares[place] > 0.0 {
+                targets[i] = read[i].lerp(mean(&course, place, stretches[place]), shares[place]);
                 has_moved[i] = true;
             }
         }
@@ -53,25 +56,50 @@ fn stretch(parcels: u32) -> f32 {
     STRETCH * share * share
 }
 
+/// Spreads shares to both sides, less and less, so that no place moves without its neighbours.
+fn spread(shares: &mut [f32]) {
+    /// The greatest difference between neighbours.
+    const STEP: f32 = 0.125;
+    for i in 1..shares.len() {
+        shares[i] = fast_max(shares[i], shares[i - 1] - STEP);
+    }
+    for i in (1..shares.len()).rev() {
+        shares[i - 1] = fast_max(shares[i - 1], shares[i] - STEP);
+    }
+}
+
+/// Shortens stretches above a confluence, below which there is more water, so that the course has no corner there.
+fn ease(stretches: &mut [f32]) {
+    /// The greatest fall from a vertex to the next.
+    const FALL: f32 = 0.7;
+    for i in (1..stretches.len()).rev() {
+        stretches[i - 1] = fast_min(stretches[i - 1], stretches[i] + FALL);
+    }
+}
+
 /// Returns the mean of a course around one of its places, with the weights of a Gaussian. Beyond its ends the course goes on as its
 /// own mirror image, turned around the end, so that both ends stay.
 fn mean(course: &[Vec2], place: usize, stretch: f32) -> Vec2 {
     /// The reach of the weights, in deviations.
     const REACH: f32 = 2.5;
-    let last = course.len() as i32 - 1;
-    let at = |i: i32| match i {
-        i if i < 0 => 2.0 * course[0] - course[last.min(-i) as usize],
-        i if i > last => 2.0 * course[last as usize] - course[(2 * last - i).max(0) as usize],
-        i => course[i as usize],
-    };
     let (mut sum, mut weights) = (course[place], 1.0);
     for off in 1..=(REACH * stretch).ceil() as i32 {
         let away = off as f32 / stretch;
         let weight = libm::expf(-0.5 * away * away);
-        sum += (at(place as i32 - off) + at(place as i32 + off)) * weight;
+        sum += (around(course, place as i32 - off) + around(course, place as i32 + off)) * weight;
         weights += 2.0 * weight;
     }
     sum / weights
+}
+
+/// Returns a place of a course that is continued beyond its ends, each time as the mirror image of what lies before the end.
+fn around(course: &[Vec2], place: i32) -> Vec2 {
+    let last = course.len() as i32 - 1;
+    match place {
+        place if place < 0 => 2.0 * course[0] - around(course, -place),
+        place if place > last => 2.0 * course[last as usize] - around(course, 2 * last - place),
+        place => course[place as usize],
+    }
 }
 
 #[cfg(test)]

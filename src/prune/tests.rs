@@ -66,7 +66,7 @@ fn uneven_trimming_spares_some_short_branches_and_takes_some_longer_ones() {
     const FARTHEST: f32 = 3.5;
     for link in LINKS {
         let (tree, discharge, trim) = grown(link);
-        let trim = Trim { nodes: 3, variation: 0.5, tributary_spacing: 0.0, ..trim };
+        let trim = Trim { nodes: 3, variation: 0.8, tributary_spacing: 0.0, ..trim };
         let channels = trim.heads.channels(&tree, &discharge, trim.seed);
         let (depth, stays) = (channel_depth(&tree, &channels), stays(&tree, &discharge, trim));
         let (mut spared, mut taken) = (0, 0);

@@ -19,7 +19,7 @@ use serde_json::Value as Json;
 use crate::maps::{LINKS, file, file_with, map};
 
 /// A map with a lake at the sea's level.
-const LAKE: &str = "country=usual&seed=kea&land=basin&attractors=300";
+const LAKE: &str = "country=usual&seed=leven&land=basin&attractors=300";
 
 /// Returns the layer of each kind of feature.
 fn layer_of(kind: &str) -> &'static str {

@@ -37,13 +37,13 @@ fn rasters_are_read_as_they_are() {
         }
         let DecodingResult::F32(widths) = read(&of(Layer::Rivers)) else { panic!() };
         let Values::Words(thousandths) = rasters.values(Layer::Rivers) else { panic!() };
-        // A river has a width where it is drawn; the greatest is that of what drains the most.
+        // A river has a width where it is drawn; the greatest is that of what drains the most, if a little less in a bend.
         let apart = widths.iter().zip(&thousandths).filter(|(metres, drawn)| (**metres > 0.0) != (**drawn > 0)).count();
         assert_eq!(apart, 0, "{link}");
         let (network, drained) = (map.network(), Drained::of(&map));
         let most = network.rivers.iter().map(|river| network.discharge(river)).max().unwrap();
         let widest = widths.iter().copied().fold(0.0, f32::max);
-        assert!((0.95..=1.0001).contains(&(f64::from(widest) / drained.river_width(most))), "{link}: {widest}");
+        assert!((0.9..=1.0001).contains(&(f64::from(widest) / drained.river_width(most))), "{link}: {widest}");
         for layer in [Layer::Land, Layer::Flow] {
             let (DecodingResult::U8(bytes), Values::Bytes(expected)) = (read(&of(layer)), rasters.values(layer)) else {
                 panic!()

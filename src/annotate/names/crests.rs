@@ -25,10 +25,10 @@ const STRAIGHT: f32 = 0.78;
 const MOST_RATE: f32 = 3.0;
 /// The factor by which a way off divides costs more, and the weight of the share of height by which ground beside a way is higher.
 const OFF: f32 = 6.0;
-const LOW: f32 = 4.0;
+const LOW: f32 = 3.0;
 /// The distance from the middle of rivers that ways keep, and smoothed lines, in units.
 const FROM_RIVERS: f32 = 6.0;
-const SMOOTHED_FROM_RIVERS: f32 = 7.0;
+const SMOOTHED_FROM_RIVERS: f32 = 5.5;
 /// The length of the uppermost stretch of a river that names may cover, in units.
 const HEAD: f32 = 25.0;
 /// The greatest turn of a line, all its bends together: the sum of their sines.
