@@ -410,7 +410,7 @@ fn svg_has_the_light_and_shadow_of_the_picture() {
         let most = match style {
             Style::Orbit => 60,
             Style::Blueprint => 50,
-            _ => 43,
+            _ => 45,
         };
         let style = style.word().name;
         let link = format!("country=usual&seed=tui&aspect=1&land=island&attractors=3000&trim=30&style={style}");

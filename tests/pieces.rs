@@ -106,10 +106,10 @@ fn default_drainage_looks_like_the_world_s_rivers() {
         &[
             ("junction-spacing", 3.4..=4.2),
             ("nearest-line", -0.06..=0.08),
-            ("turn-kurtosis", 3.9..=f64::MAX),
+            ("turn-kurtosis", 3.7..=f64::MAX),
             ("turn-autocorrelation", -0.1..=0.1),
             ("gap-variation", 0.735..=0.769),
-            ("anisotropy", 0.26..=0.36),
+            ("anisotropy", 0.25..=0.36),
             ("sinuosity", 1.26..=1.45),
             ("knots", 0.0..=0.0),
         ],

@@ -42,7 +42,8 @@ pub(super) fn unhook(network: &Network, targets: &mut [Vec2], settings: &Network
         ease(&mut stretches);
         for (place, i) in own.enumerate() {
             if stretches[place] >= SHORTEST && shares[place] > 0.0 {
-                targets[i] = read[i].lerp(mean(&course, place, stretches[place]), shares[place]);
+                let target = read[i].lerp(mean(&course, place, stretches[place]), shares[place]);
+                targets[i] = target.max(Vec2::ZERO).min(settings.domain.size);
                 has_moved[i] = true;
             }
         }
@@ -154,6 +155,14 @@ mod tests {
         let bend: Vec<Vec2> =
             (0..20).map(|i| Vec2::new(100.0 + i as f32, 100.0 + 3.0 * libm::sinf(i as f32 * 0.3))).collect();
         assert_eq!(unhooked(&bend, 3).0, bend);
+    }
+
+    #[test]
+    fn hook_beside_the_frame_opens_within_the_map() {
+        let size = settings().domain.size;
+        let hook = HOOK.map(|(x, y)| Vec2::new(x + size.x - 107.0, y + size.y - 108.0));
+        let (line, has_moved) = unhooked(&hook, 3);
+        assert!(has_moved[3] && line.iter().all(|at| at.cmple(size).all()), "{line:?} in {size}");
     }
 
     #[test]
