@@ -47,10 +47,10 @@ export const READERS: readonly Reader[] = [
   {
     name: "teachers",
     who: "Teachers",
-    line: `${SOME_SITE}?seed=lesson&country=usual&land=rectangle&mouths=1&attractors=900&trim=40`,
+    line: `${SOME_SITE}?seed=pencil&country=usual&land=rectangle&mouths=1&attractors=900&trim=40`,
     lang: "text",
     map: {
-      link: "seed=lesson&country=usual&aspect=1.4&land=rectangle&mouths=1&attractors=900&channel-area=6&trim=40&width=24&meander-rounds=40&style=ink&labels=none",
+      link: "seed=pencil&country=usual&aspect=1.4&land=rectangle&mouths=1&attractors=900&channel-area=6&trim=40&width=24&meander-rounds=40&style=ink&labels=none",
       aspect: "1.4",
       sentence: "One river in ink, and all that joins it: 25 springs, few enough to number by hand.",
     },
