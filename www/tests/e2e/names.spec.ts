@@ -247,7 +247,7 @@ test("keys alone name a river, and Escape leaves it as it is @core", async ({ pa
 test("on a phone two taps and a word name a river @core", async ({ browser }) => {
   const context = await browser.newContext({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   const page = await context.newPage();
-  await openFinished(page, `${NAMED}&aspect=0.75`);
+  await openFinished(page, `${NAMED}&aspect=0.7`);
   const { mark, ...at } = await source(page);
   await page.touchscreen.tap(at.x, at.y);
   await expect(page.locator(".river-name")).toHaveText(/\w/);
