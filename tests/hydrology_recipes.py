@@ -112,7 +112,7 @@ def pillow_s(names):
     with rasterio.open("kauri.heights.tif") as file:
         metres = file.read(1)
     # Where land is almost level, whole steps raise it.
-    assert np.abs((values - names["sea"]) * names["step"] - metres).max() < 1
+    assert np.abs((values - names["sea"]) * names["step"] - metres).max() < 2
     assert grey.max() == 255 and grey.std() > 10
 
 

@@ -61,7 +61,7 @@ const CONTEXTS = [
 ];
 
 /** Many rivers that meander for long: here they come near each other. */
-const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=60&tributary-spacing=0&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1&flat-share=1`;
+const CLOSE = `${SMALL.replace("kauri", "rimu")}&land=rectangle&mouths=3&curl=0&trim=60&tributary-spacing=0&great-rivers=16&meander-elsewhere=1&meander-rounds=200&meander-strength=1&flat-share=1`;
 
 function contextOf(key: string): string {
   if (["neck", "oxbows", "clearance"].includes(key)) return CLOSE;
