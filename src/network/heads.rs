@@ -151,6 +151,23 @@ mod tests {
     }
 
     #[test]
+    fn stretches_are_as_short_above_a_confluence_as_below_and_lengthen_from_there_up() {
+        let mut stretches = [7.0, 7.0, 7.0, 0.6, 0.6];
+        ease(&mut stretches);
+        assert!(
+            stretches.iter().zip([2.7, 2.0, 1.3, 0.6, 0.6]).all(|(one, asked)| (one - asked).abs() < 1e-5),
+            "{stretches:?}"
+        );
+    }
+
+    #[test]
+    fn neighbours_of_what_moves_move_with_it_less_and_less() {
+        let mut shares = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        spread(&mut shares);
+        assert_eq!(shares, [0.75, 0.875, 1.0, 0.875, 0.75, 0.625]);
+    }
+
+    #[test]
     fn gentle_bends_stay() {
         let bend: Vec<Vec2> =
             (0..20).map(|i| Vec2::new(100.0 + i as f32, 100.0 + 3.0 * libm::sinf(i as f32 * 0.3))).collect();
