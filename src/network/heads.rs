@@ -175,14 +175,6 @@ mod tests {
     }
 
     #[test]
-    fn hook_beside_the_frame_opens_within_the_map() {
-        let size = settings().domain.size;
-        let hook = HOOK.map(|(x, y)| Vec2::new(x + size.x - 107.0, y + size.y - 108.0));
-        let (line, has_moved) = unhooked(&hook, 3);
-        assert!(has_moved[3] && line.iter().all(|at| at.cmple(size).all()), "{line:?} in {size}");
-    }
-
-    #[test]
     fn tributary_keeps_its_junction() {
         let hook = HOOK.map(Vec2::from);
         let network = river(&straight((90.0, 112.0), (120.0, 112.0), 30), 1.0).with_arm(&hook, 5, 3);
