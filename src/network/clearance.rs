@@ -199,14 +199,24 @@ impl ClearanceGrid {
         (self.place(at.y, self.rows) * self.columns + self.place(at.x, self.columns)) as u32
     }
 
+    /// Returns half the greatest width that a circle around a height has within a row of cells, or a little more. The outer rows
+    /// also hold what lies beyond them.
+    fn half_chord(&self, y: f32, radius: f32, row: usize) -> f32 {
+        let (top, bottom) = (row as f32 * self.side, (row + 1) as f32 * self.side);
+        let is_outer = row == 0 || row + 1 == self.rows;
+        let off = if is_outer { 0.0 } else { fast_max(fast_max(top - y, y - bottom) - ROUNDING, 0.0) };
+        fast_max(radius * radius - off * off, 0.0).sqrt() + ROUNDING
+    }
+
     fn place(&self, x: f32, end: usize) -> usize {
         ((x / self.side) as usize).min(end - 1)
     }
 
     /// Iterates over the ranges of the entries in the cells within a radius of a point, row by row.
     fn runs(&self, at: Vec2, radius: f32) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
-        let (left, right) = (self.place(at.x - radius, self.columns), self.place(at.x + radius, self.columns));
         (self.place(at.y - radius, self.rows)..=self.place(at.y + radius, self.rows)).map(move |row| {
+            let half = self.half_chord(at.y, radius, row);
+            let (left, right) = (self.place(at.x - half, self.columns), self.place(at.x + half, self.columns));
             let row = row * self.columns;
             let run = self.starts[row + left] as usize..self.starts[row + right + 1] as usize;
             work::count(1 + run.len());
