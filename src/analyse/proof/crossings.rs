@@ -2,6 +2,7 @@
 
 use super::{Breach, Fault, Finding, Promise};
 use crate::base::geometry::{Segment, meet, meeting};
+use crate::base::sort;
 use crate::network::Network;
 
 /// The promise that no two rivers cross, and none crosses itself.
@@ -21,14 +22,13 @@ struct Piece {
 /// Finds the segments that meet another one without having an end in common with it; touching counts. Each pair is told
 /// once, at the river whose segment begins farther west.
 pub fn crossings(network: &Network) -> Finding {
-    let mut pieces = pieces(network);
-    pieces.sort_by(|a, b| a.west.total_cmp(&b.west));
+    let pieces = sort::sorted_by(&pieces(network), |piece| sort::key(piece.west));
     let mut breaches = Vec::new();
     for (i, piece) in pieces.iter().enumerate() {
         let beside = pieces[i + 1..].iter().take_while(|other| other.west <= piece.east);
         breaches.extend(beside.filter(|other| piece.meets(other)).map(|other| piece.breach(other)));
     }
-    breaches.sort_by_key(|breach| breach.river);
+    let breaches = sort::sorted_by(&breaches, |breach| breach.river);
     Finding { promise: CROSSINGS, looked_at: pieces.len(), breaches }
 }
 

@@ -2,6 +2,7 @@
 //! that map readers dislike. [`TABLE`] names them and gives the values of natural rivers.
 
 mod along_coast;
+mod areas;
 mod beside;
 mod courses;
 mod directions;
@@ -22,6 +23,7 @@ mod tests;
 mod umbrellas;
 
 pub use along_coast::along_coast;
+pub use areas::area_exponent;
 pub use beside::beside;
 pub use courses::{Angles, junction_angles, sinuosity, total_length, tributary_angle};
 pub use directions::Directions;
@@ -42,6 +44,7 @@ use crate::domain::parcel_spacing;
 use crate::land::CELL_SIZE;
 use crate::map::Map;
 use crate::recipe::{GrowthMethod, Sides};
+use crate::tree::Hydrology;
 
 /// The distance above a junction at which its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
@@ -81,6 +84,12 @@ pub struct Measures {
     pub tributary_angle: Option<f64>,
     /// Number of places where three rivers or more crowd without joining, per 1,000 spacings of river.
     pub knots: Option<f64>,
+    /// The share of headwater brooks that are fishhooks.
+    pub hooks: Option<f64>,
+    /// The share of the length of rivers that lies beside its valley instead of in it.
+    pub beside: Option<f64>,
+    /// The exponent of the areas that drain to places of the greatest basin.
+    pub area_exponent: Option<f64>,
     /// The looks of the map's pieces, drawn as densely as the world's maps.
     pub look: Look,
     /// The directions of the rivers.
@@ -112,6 +121,9 @@ impl Measures {
             along_coast: along_coast(network, spacing, |at| inland(map, map.recipe().sides(), at)),
             tributary_angle: tributary_angle(network, ANGLE_SPACINGS * spacing),
             knots: knots(network, spacing),
+            hooks: hooks(network, spacing),
+            beside: map.make_relief().ok().and_then(|relief| beside(network, &relief, None)),
+            area_exponent: area_exponent(map.tree(), &Hydrology::of(map.tree()).discharge),
             look: Look::typical(&Look::all(network, map.domain().size, density as f32)),
             directions: Directions::of(network, spacing),
         }

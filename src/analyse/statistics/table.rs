@@ -67,7 +67,7 @@ const fn pieces(median: f64, least: f64, most: f64) -> Option<Nature> {
 }
 
 /// All measures.
-pub static TABLE: [Measure; 27] = [
+pub static TABLE: [Measure; 30] = [
     Measure {
         name: "bifurcation-ratio",
         label: "Bifurcation ratio",
@@ -112,6 +112,15 @@ pub static TABLE: [Measure; 27] = [
         places: 2,
         nature: basins(0.67, 0.54, 0.69),
         value: |measures| measures.hack_exponent,
+    },
+    Measure {
+        name: "area-exponent",
+        label: "Exponent of areas",
+        help: "the power by which places of the greatest basin become rarer the more land drains to them",
+        unit: "",
+        places: 2,
+        nature: Some(Nature { median: None, least: 0.40, most: 0.46, source: "Rodriguez-Iturbe and others 1992" }),
+        value: |measures| measures.area_exponent,
     },
     Measure {
         name: "sinuosity",
@@ -261,6 +270,24 @@ pub static TABLE: [Measure; 27] = [
         places: 1,
         nature: None,
         value: |measures| measures.knots,
+    },
+    Measure {
+        name: "hooks",
+        label: "Hooks",
+        help: "the share of brooks of order 1 that turn by over 120 degrees within two and a half spacings",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.hooks,
+    },
+    Measure {
+        name: "beside",
+        label: "Beside the valley",
+        help: "the share of length whose bed lies above the ground beside it, by over 1 % of the summit",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.beside,
     },
     Measure {
         name: "grain",

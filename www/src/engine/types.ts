@@ -6,6 +6,7 @@ export type {
   LabelFacts,
   Lengths,
   Making,
+  MapPromise,
   Measure,
   Moment,
   NameFacts,

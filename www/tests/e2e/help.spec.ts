@@ -89,6 +89,7 @@ test("the panel tells how river-like the rivers are, and of the next ones as wel
   await expect(rows).toHaveCount(19);
   await expect(rows.first()).toContainText(/as in nature|than in nature/);
   await expect(page.locator(".measured")).toContainText("parcels unreached");
+  await expect(page.locator(".kept")).toContainText("Checked on this map: nothing runs uphill");
   const before = await rows.allTextContents();
   await page.keyboard.press("r");
   await expect.poll(() => rows.allTextContents()).not.toEqual(before);

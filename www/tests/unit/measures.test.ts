@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { asText, summed, told } from "../../src/apps/page/panel/measures.ts";
+import { asText, kept, summed, told } from "../../src/apps/page/panel/measures.ts";
 import type { Measure } from "../../src/engine/types.ts";
 import { engine } from "../core.ts";
 
@@ -48,12 +48,26 @@ test("a pattern is told by its name, and how far each is by the help", () => {
   expect(rows[0]?.help).toBe("radial 0.4, annular 2.0");
 });
 
+test("a sentence says that promises are kept, or which one is not", () => {
+  const apart = { says: "Nothing crosses", counted: "segments", count: 12_345, broken: 0 };
+  const joins = { says: "Every river arrives", counted: "rivers", count: 7, broken: 0 };
+  expect(kept([apart, joins])).toBe(
+    "Checked on this map: nothing crosses (12,345 segments), every river arrives (7 rivers).",
+  );
+  expect(kept([{ ...apart, broken: 2 }, joins])).toBe(
+    "This map breaks a promise. Nothing crosses: broken in 2 places.",
+  );
+});
+
 test("a finished map is measured", () => {
   const river = new engine.River("seed=kauri");
   while (river.advance(1000));
+  expect(kept(river.promises())).toMatch(
+    /^Checked on this map: nothing runs uphill \([\d,]+ steps from cell to cell\), nothing crosses \([\d,]+ segments\), every river arrives \(\d+ rivers\), discharge adds up \([\d,]+ vertices\)\.$/,
+  );
   const rows = told(river.measures());
-  expect(rows).toHaveLength(19);
-  expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(13);
+  expect(rows).toHaveLength(22);
+  expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(14);
   expect(asText(rows)).toMatch(/^Pattern: [a-z]+$/m);
   expect(asText(rows)).toMatch(
     /^Small streams for each larger one: \d\.\d\d; .*; nature: 3\.50 to 5\.20 \(11 river basins\)$/m,

@@ -1,10 +1,11 @@
-//! Measures of rivers, for a page that compares them with nature.
+//! Measures of rivers and the promises of their map, for a page that compares them with nature.
 
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::make::river::River;
 use crate::objects::{object, set};
+use riverseed::analyse::proof::{self, Finding};
 use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 use riverseed::scale::MapScale;
 
@@ -24,6 +25,17 @@ export interface Measure {
   /** None where rivers of the world cannot be compared with those of a map. */
   readonly nature?: { readonly median?: number; readonly least: number; readonly most: number; readonly source: string };
 }
+
+/** What was found of a promise that every map keeps. */
+export interface MapPromise {
+  /** Such as "Nothing crosses". */
+  readonly says: string;
+  /** What was looked at, in the plural, and how many of them. */
+  readonly counted: string;
+  readonly count: number;
+  /** In how many places it is broken: 0 if it is kept. */
+  readonly broken: number;
+}
 "#;
 
 #[wasm_bindgen]
@@ -35,6 +47,23 @@ impl River {
         let (measures, scale) = (Measures::of(&map), map.scale());
         Ok(TABLE.iter().map(|measure| row(measure, &measures, &scale)).chain([pattern(&measures)]).collect())
     }
+
+    /// Checks the promises of the finished rivers.
+    #[wasm_bindgen(unchecked_return_type = "MapPromise[]")]
+    pub fn promises(&self) -> Result<Array, JsValue> {
+        let findings = proof::findings(&self.map()?).map_err(|error| JsError::new(&error.to_string()))?;
+        Ok(findings.iter().map(promise).collect())
+    }
+}
+
+/// Makes the row of a promise.
+fn promise(finding: &Finding) -> Object {
+    object(&[
+        ("says", finding.promise.says.into()),
+        ("counted", finding.promise.counted.into()),
+        ("count", finding.looked_at.into()),
+        ("broken", finding.breaches.len().into()),
+    ])
 }
 
 /// Makes the row of the pattern of drainage: the nearest one, and how far the map is from each.

@@ -1,6 +1,5 @@
 /** The means by which the page's renderer makes rivers and answers questions about them. */
 
-import type { Measure } from "../../engine/types.ts";
 import type { WholeCore, WholeRiver } from "../../engine/whole.ts";
 import { fileOf } from "../../files/formats.ts";
 import type { Means } from "../../host/renderer.ts";
@@ -9,7 +8,7 @@ import { SharedClock } from "../../player/shared-clock.ts";
 import { finishedPicture, type Picture, type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
 import { Inspections } from "./inspections.ts";
 import { landBoundsOf } from "./land-bounds.ts";
-import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
+import type { Answer, Measured, Names, Question, QuestionAbout } from "./protocol.ts";
 import { Timelines } from "./timelines.ts";
 
 type Player = RiverPlayer<WholeRiver>;
@@ -88,8 +87,9 @@ function namesOn(player: Player | undefined, count: number): Names | undefined {
   return player && river && { link: player.link, names: river.greatest(count) };
 }
 
-function measuresOf(player: Player | undefined): readonly Measure[] | undefined {
-  return finishedOf(player)?.measures();
+function measuresOf(player: Player | undefined): Measured | undefined {
+  const river = finishedOf(player);
+  return river && { measures: river.measures(), promises: river.promises() };
 }
 
 /** Returns the river of a player if it is finished. */

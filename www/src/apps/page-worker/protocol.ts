@@ -4,6 +4,7 @@ import type { Kind } from "../../engine/mark.ts";
 import type {
   Making as Lengths,
   Lengths as MapLengths,
+  MapPromise,
   Measure,
   Moment,
   NameFacts,
@@ -124,7 +125,7 @@ interface Questions {
    * before it is made.
    */
   picture: { of: number | undefined; link: string; size: { width: number; height: number } };
-  /** Asks for the measures of a river's finished map; none while it is not finished. */
+  /** Asks for the measures of a river's finished map and what was found of its promises; none while it is not finished. */
   measures: { of: number | undefined };
   /** Asks for the river at a place of a finished map; none where there is none, and while it is not finished. */
   river: { of: number | undefined; place: RiverPlace };
@@ -143,6 +144,12 @@ interface Questions {
   now: { of: number };
 }
 
+/** What is measured of a map, and what was found of the promises that every map keeps. */
+export interface Measured {
+  measures: readonly Measure[];
+  promises: readonly MapPromise[];
+}
+
 export interface Answers {
   file: Blob;
   names: Names | undefined;
@@ -150,7 +157,7 @@ export interface Answers {
   renamed: string;
   thumbnails: readonly Thumbnail[] | undefined;
   picture: Picture | undefined;
-  measures: readonly Measure[] | undefined;
+  measures: Measured | undefined;
   river: PointedRiver | undefined;
   nameables: Nameables | undefined;
   overlay: Overlay | undefined;

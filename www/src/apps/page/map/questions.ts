@@ -1,10 +1,11 @@
 /** Asks the renderer about the map on show. An answer about another map than the one that was shown last is none. */
 
-import type { Measure, NameFacts } from "../../../engine/types.ts";
+import type { NameFacts } from "../../../engine/types.ts";
 import type { Format, RasterOrder } from "../../../files/format-names.ts";
 import type { Picture, Thumbnail } from "../../../player/thumbnails.ts";
 import type {
   Making,
+  Measured,
   Moment,
   NameablePlace,
   Nameables,
@@ -43,9 +44,9 @@ export class MapQuestions {
     return this.line.ask({ about: "picture", of: this.line.id, link, size });
   }
 
-  /** Measures the finished map on show. */
-  async measures(): Promise<readonly Measure[]> {
-    return (await this.line.ask({ about: "measures", of: this.line.id })) ?? [];
+  /** Measures the finished map on show, and checks its promises. */
+  measures(): Promise<Measured | undefined> {
+    return this.line.ask({ about: "measures", of: this.line.id });
   }
 
   /** Makes a file of a link's finished rivers, starting from the river on show. */

@@ -3,7 +3,8 @@
 import { el, setText } from "../../../browser/dom.ts";
 import type { Disclosures } from "../../../controls/disclosure.ts";
 import { named } from "../../../engine/errors.ts";
-import type { Measure } from "../../../engine/types.ts";
+import type { MapPromise, Measure } from "../../../engine/types.ts";
+import type { Measured } from "../../page-worker/protocol.ts";
 
 /** A measure in words for people who are not hydrologists. */
 interface Plain {
@@ -20,6 +21,7 @@ const PLAIN: readonly Plain[] = [
   { name: "tokunaga-t1", label: "Side branches just below its size", below: "fewer", above: "more" },
   { name: "tokunaga-c", label: "How many more the smaller they are", below: "fewer", above: "more" },
   { name: "hack-exponent", label: "How long basins are drawn out", below: "rounder", above: "longer" },
+  { name: "area-exponent", label: "How fast great valleys become rarer", below: "more slowly", above: "faster" },
   { name: "sinuosity", label: "How winding", below: "straighter", above: "more winding" },
   { name: "junction-angle", label: "The angle at which rivers meet", below: "sharper", above: "wider" },
   { name: "tributary-angle", label: "The angle at which the smallest join", below: "", above: "" },
@@ -30,6 +32,8 @@ const PLAIN: readonly Plain[] = [
   { name: "gap-variation", label: "How uneven the gaps between rivers", below: "more even", above: "less even" },
   { name: "anisotropy", label: "How far neighbours go one way", below: "less", above: "more" },
   { name: "knots", label: "Rivers that crowd without joining", below: "", above: "" },
+  { name: "hooks", label: "Brooks that are bent like fishhooks", below: "", above: "" },
+  { name: "beside", label: "Rivers beside their valleys", below: "", above: "" },
   { name: "pattern", label: "Pattern", below: "", above: "" },
   { name: "umbrellas", label: "Trunks that meet like ribs of an umbrella", below: "", above: "" },
   { name: "parallels", label: "Rivers that run side by side", below: "", above: "" },
@@ -89,6 +93,24 @@ export function summed(rows: readonly Told[]): string {
   return `As in nature, but for these: ${words.join("; ")}.`;
 }
 
+/** Says in one sentence which of the promises of every map this one keeps, and how much was looked at. */
+export function kept(promises: readonly MapPromise[]): string {
+  const broken = promises.filter(({ broken }) => broken > 0);
+  if (broken.length > 0) {
+    return `This map breaks a promise. ${broken.map(({ says, broken }) => `${says}: broken in ${counted(broken)} places.`).join(" ")}`;
+  }
+  const words = promises.map(({ says, counted: what, count }) => `${lowered(says)} (${counted(count)} ${what})`);
+  return `Checked on this map: ${words.join(", ")}.`;
+}
+
+function counted(count: number): string {
+  return count.toLocaleString("en");
+}
+
+function lowered(says: string): string {
+  return says.charAt(0).toLowerCase() + says.slice(1);
+}
+
 /** Writes the rows as lines of text. */
 export function asText(rows: readonly Told[]): string {
   const line = ({ label, value, verdict, nature }: Told): string =>
@@ -99,14 +121,15 @@ export function asText(rows: readonly Told[]): string {
 }
 
 export interface MeasuresEvents {
-  /** Returns the measures of the finished map on show; none while there is no such map. */
-  measures(): Promise<readonly Measure[]>;
+  /** Returns the measures of the finished map on show and what was found of its promises; none while there is no such map. */
+  measures(): Promise<Measured | undefined>;
   copy(text: string): Promise<void>;
 }
 
 export class MeasuresView {
   readonly element: HTMLDetailsElement;
   readonly #summary = el("p");
+  readonly #kept = el("p", { class: "kept" });
   readonly #rows = el("dl", { class: "measures" });
   readonly #rest = el("p", { class: "help" });
   readonly #copy = el("button", { type: "button" }, "Copy as text");
@@ -118,11 +141,11 @@ export class MeasuresView {
   ) {
     const heading = el("summary", {}, el("h2", {}, "How river-like?"));
     const study = el("p", {}, "Can you tell them apart? ", el("a", { href: "./real-or-grown.html" }, "Real or grown?"));
-    const all = el("div", { class: "measured" }, this.#summary, this.#rows, this.#rest, this.#copy, study);
+    const all = el("div", { class: "measured" }, this.#summary, this.#kept, this.#rows, this.#rest, this.#copy, study);
     this.element = disclosures.details("How river-like?", false, { class: "group" }, heading, all);
     this.element.addEventListener("toggle", () => void this.refresh());
-    this.#copy.addEventListener("click", () => void events.copy(asText(this.#told)));
-    this.#show([]);
+    this.#copy.addEventListener("click", () => void events.copy(this.#text()));
+    this.#show(undefined);
   }
 
   /** Measures the finished map again. Only while the view is open, since measuring takes time. */
@@ -130,15 +153,21 @@ export class MeasuresView {
     if (rest !== undefined) setText(this.#rest, rest);
     if (!this.element.open) return;
     try {
-      this.#show(told(await this.events.measures()));
+      this.#show(await this.events.measures());
     } catch (error) {
-      this.#show([]);
+      this.#show(undefined);
       setText(this.#summary, `Not measured: ${named(error).message}`);
     }
   }
 
-  #show(rows: readonly Told[]): void {
+  #text(): string {
+    return `${asText(this.#told)}\n${this.#kept.textContent}`;
+  }
+
+  #show(measured: Measured | undefined): void {
+    const rows = told(measured?.measures ?? []);
     this.#told = rows;
+    setText(this.#kept, measured ? kept(measured.promises) : "");
     this.#copy.disabled = rows.length === 0;
     setText(this.#summary, rows.length === 0 ? "Measured when the rivers are finished." : summed(rows));
     this.#rows.replaceChildren(...rows.map(rowOf));
