@@ -8,7 +8,7 @@ use glam::Vec2;
 
 use super::lattice::smoothed;
 use crate::annotate::divides::{CELL, Divide, Divides};
-use crate::base::geometry::{direction, distance};
+use crate::base::geometry::{direction, distance, fast_max};
 use crate::base::queue::Queue;
 use crate::base::sort;
 use crate::relief::Relief;
@@ -23,6 +23,8 @@ const MOST: f32 = 320.0;
 const STRAIGHT: f32 = 0.78;
 /// The greatest mean cost of the longest way, by the unit.
 const MOST_RATE: f32 = 3.0;
+/// The length in units that makes a way cost twice as much as a line.
+const SHORT: f32 = 150.0;
 /// The factor by which a way off divides costs more, and the weight of the share of height by which ground beside a way is higher.
 const OFF: f32 = 6.0;
 const LOW: f32 = 3.0;
@@ -56,23 +58,27 @@ const NO_WAY: Way = Way { cost: f32::INFINITY, length: 0.0, before: 0, is_best: 
 /// A search for lines on the cells of a map.
 pub(super) struct Crests<'a> {
     divides: &'a Divides,
-    relief: &'a Relief,
+    /// The height of each cell, and the greatest around it, in units.
+    heights: Vec<f32>,
+    highest: Vec<f32>,
     /// The cost of a way over each cell by the unit; NaN as long as nobody has asked.
     rates: Vec<f32>,
     ways: Vec<Way>,
 }
 
 impl<'a> Crests<'a> {
-    pub fn new(divides: &'a Divides, relief: &'a Relief) -> Self {
-        let cells = divides.columns * divides.rows;
-        Self { divides, relief, rates: vec![f32::NAN; cells], ways: vec![NO_WAY; cells] }
+    pub fn new(divides: &'a Divides, relief: &Relief) -> Self {
+        let (columns, cells) = (divides.columns, divides.columns * divides.rows);
+        let heights: Vec<f32> = (0..cells).map(|cell| relief.at(middle(cell, columns))).collect();
+        let highest = highest_near(&heights, columns);
+        Self { divides, heights, highest, rates: vec![f32::NAN; cells], ways: vec![NO_WAY; cells] }
     }
 
     /// Finds the best line near a place, from west to east, and keeps later ones away from it; `None` if there is none.
     pub fn line(&mut self, near: Vec2) -> Option<Vec<Vec2>> {
         let (mut least, mut best) = (f32::INFINITY, Vec::new());
         for start in self.starts(near) {
-            let reached = self.spread(start);
+            let reached = self.spread(start, most_cost(least));
             if let Some((cost, line)) = self.line_from(start, &reached)
                 && cost < least
             {
@@ -91,7 +97,7 @@ impl<'a> Crests<'a> {
 
     /// Returns the middle of a cell, in units.
     fn at(&self, cell: usize) -> Vec2 {
-        Vec2::new((cell % self.divides.columns) as f32 + 0.5, (cell / self.divides.columns) as f32 + 0.5) * CELL
+        middle(cell, self.divides.columns)
     }
 
     /// Returns the cells of the square that reaches some cells to each side of a place.
@@ -112,7 +118,7 @@ impl<'a> Crests<'a> {
     fn starts(&mut self, near: Vec2) -> Vec<usize> {
         let cells = self.around(near, (REACH / CELL) as usize);
         let mut starts: Vec<usize> = Vec::new();
-        for i in sort::argsort(cells.iter().map(|&cell| sort::key(-self.relief.at(self.at(cell))))) {
+        for i in sort::argsort(cells.iter().map(|&cell| sort::key(-self.heights[cell]))) {
             let (cell, at) = (cells[i], self.at(cells[i]));
             let is_apart = starts.iter().all(|&other| distance(self.at(other), at) >= APART);
             if is_apart && self.divides.at(at) != Divide::No && self.rate(cell) < f32::INFINITY {
@@ -128,21 +134,18 @@ impl<'a> Crests<'a> {
     /// Returns the cost of a way over a cell by the unit; infinite at sea, in rivers and beside lines that were found before.
     fn rate(&mut self, cell: usize) -> f32 {
         if self.rates[cell].is_nan() {
-            self.rates[cell] = self.rate_at(self.at(cell));
+            self.rates[cell] = self.rate_of(cell);
         }
         self.rates[cell]
     }
 
-    fn rate_at(&self, at: Vec2) -> f32 {
-        /// The distance within which other ground may be higher, in cells.
-        const BESIDE: usize = 4;
-        let height = self.relief.at(at);
+    fn rate_of(&self, cell: usize) -> f32 {
+        let (at, height) = (self.at(cell), self.heights[cell]);
         if height <= 0.0 || !self.is_dry(at, FROM_RIVERS) {
             return f32::INFINITY;
         }
-        let beside = self.around(at, BESIDE).into_iter().map(|cell| self.relief.at(self.at(cell)));
         let off = if self.divides.at(at) == Divide::No { OFF } else { 1.0 };
-        off * (1.0 + LOW * (1.0 - height / beside.fold(height, f32::max)))
+        off * (1.0 + LOW * (1.0 - height / self.highest[cell]))
     }
 
     /// Returns `true` if a place is so far from the nearest river, or by its head.
@@ -151,8 +154,10 @@ impl<'a> Crests<'a> {
         distance >= away || below <= HEAD
     }
 
-    /// Finds the cheapest ways from a cell, and returns the cells that they reach.
-    fn spread(&mut self, start: usize) -> Vec<usize> {
+    /// Finds the cheapest ways from a cell that cost at most so much, and returns the cells that they reach.
+    fn spread(&mut self, start: usize, most: f32) -> Vec<usize> {
+        let Divides { columns, rows, .. } = *self.divides;
+        let diagonal = distance(Vec2::ZERO, Vec2::splat(CELL));
         let (mut queue, mut reached) = (Queue::default(), vec![start]);
         self.ways[start] = Way { cost: 0.0, before: start, ..NO_WAY };
         queue.push(0.0, start as u32);
@@ -160,16 +165,22 @@ impl<'a> Crests<'a> {
             if std::mem::replace(&mut self.ways[cell].is_best, true) {
                 continue;
             }
-            let (way, at) = (self.ways[cell], self.at(cell));
-            for beside in self.around(at, 1) {
-                let (before, step) = (self.ways[beside].cost, distance(at, self.at(beside)));
-                let (cost, length) = (way.cost + step * self.rate(beside), way.length + step);
-                if cost < before && cost <= MOST_RATE * MOST && length <= MOST {
-                    if before == f32::INFINITY {
-                        reached.push(beside);
+            let (way, column, row) = (self.ways[cell], cell % columns, cell / columns);
+            for other in row.saturating_sub(1)..(row + 2).min(rows) {
+                for beside in other * columns + column.saturating_sub(1)..other * columns + (column + 2).min(columns) {
+                    if self.ways[beside].is_best {
+                        continue;
                     }
-                    self.ways[beside] = Way { cost, length, before: cell, is_best: false };
-                    queue.push(cost, beside as u32);
+                    let is_straight = other == row || beside % columns == column;
+                    let (before, step) = (self.ways[beside].cost, if is_straight { CELL } else { diagonal });
+                    let (cost, length) = (way.cost + step * self.rate(beside), way.length + step);
+                    if cost < before && cost <= most && length <= MOST {
+                        if before == f32::INFINITY {
+                            reached.push(beside);
+                        }
+                        self.ways[beside] = Way { cost, length, before: cell, is_best: false };
+                        queue.push(cost, beside as u32);
+                    }
                 }
             }
         }
@@ -204,8 +215,7 @@ impl<'a> Crests<'a> {
 
     /// Returns the cost of the way between two cells as a line for a name: by the unit, and more for a short or a steep one.
     fn cost(&self, start: usize, end: usize) -> f32 {
-        /// The length in units that makes a way cost twice as much, and the share by which one from south to north costs more.
-        const SHORT: f32 = 150.0;
+        /// The share by which a line from south to north costs more.
         const STEEP: f32 = 0.3;
         let Way { cost, length, .. } = self.ways[end];
         let climb = direction(self.at(end) - self.at(start)).y;
@@ -222,6 +232,35 @@ impl<'a> Crests<'a> {
         (0..3).for_each(|_| line = smoothed(&line));
         line
     }
+}
+
+/// Returns the greatest cost of a way that can be a better line than one that costs so much: the longest way is the cheapest by the unit.
+fn most_cost(least: f32) -> f32 {
+    /// What rounding may take away.
+    const ROUNDING: f32 = 1.001;
+    (ROUNDING * least * MOST / (1.0 + SHORT / MOST)).min(MOST_RATE * MOST)
+}
+
+/// Returns the middle of a cell, in units.
+fn middle(cell: usize, columns: usize) -> Vec2 {
+    Vec2::new((cell % columns) as f32 + 0.5, (cell / columns) as f32 + 0.5) * CELL
+}
+
+/// Returns for each cell the greatest height within some cells of it to each side: along rows, and then along columns.
+fn highest_near(heights: &[f32], columns: usize) -> Vec<f32> {
+    /// The distance within which other ground may be higher, in cells.
+    const BESIDE: usize = 4;
+    let greatest = |heights: &[f32]| heights.iter().copied().fold(f32::NEG_INFINITY, fast_max);
+    let along = |row: &[f32]| -> Vec<f32> {
+        (0..columns)
+            .map(|column| greatest(&row[column.saturating_sub(BESIDE)..(column + BESIDE + 1).min(columns)]))
+            .collect()
+    };
+    let rows: Vec<Vec<f32>> = heights.chunks(columns).map(along).collect();
+    let near = |row: usize| &rows[row.saturating_sub(BESIDE)..(row + BESIDE + 1).min(rows.len())];
+    (0..heights.len())
+        .map(|cell| near(cell / columns).iter().map(|row| row[cell % columns]).fold(f32::NEG_INFINITY, fast_max))
+        .collect()
 }
 
 /// Returns `true` if a line bends little enough for a name.

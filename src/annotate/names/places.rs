@@ -48,10 +48,11 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<Place> {
         main_land.found.line = axis;
     }
     add(&mut places, &scale, others);
-    for (rank, (found, height)) in (0..).zip(
-        map.shown_relief()
-            .map_or_else(Vec::new, |relief| ranges::found(&lattice, relief, &Divides::new(land.size(), map.network()))),
-    ) {
+    for (rank, (found, height)) in
+        (0..).zip(map.shown_relief().map_or_else(Vec::new, |relief| {
+            ranges::found(&lattice, relief, || Divides::new(land.size(), map.network()))
+        }))
+    {
         places.push(Place { found, region: Region::default(), rank, extent: height * scale.metres_up });
     }
     places

@@ -17,7 +17,7 @@ const LEAST_CELLS: usize = 12;
 const SHORTEST: f32 = 90.0;
 
 /// Finds the ranges of a map, the longest first, each with its height over the sea, in units.
-pub(super) fn found(lattice: &Lattice, relief: &Relief, divides: &Divides) -> Vec<(Found, f32)> {
+pub(super) fn found(lattice: &Lattice, relief: &Relief, divides: impl FnOnce() -> Divides) -> Vec<(Found, f32)> {
     let high = relief.quantile(LOWER);
     let heights: Vec<f32> = (0..lattice.lands.len()).map(|cell| relief.at(lattice.at(cell))).collect();
     let classes: Vec<u32> = heights.iter().map(|&height| u32::from(height > 0.0 && height >= high)).collect();
@@ -30,7 +30,11 @@ pub(super) fn found(lattice: &Lattice, relief: &Relief, divides: &Divides) -> Ve
             spines.push((at, size, peak));
         }
     }
-    let mut crests = Crests::new(divides, relief);
+    if spines.is_empty() {
+        return Vec::new();
+    }
+    let divides = divides();
+    let mut crests = Crests::new(&divides, relief);
     let mut ranges = Vec::new();
     for i in sort::argsort(spines.iter().map(|(_, size, _)| sort::key(-size))) {
         let (at, size, peak) = spines[i];
