@@ -5,8 +5,9 @@
 #[path = "../benches/bends.rs"]
 mod measured;
 
-use crate::common::tier::{one_in, pairs, tiers};
+use crate::common::tier::{Tier, one_in, pairs, tiers};
 use glam::Vec2;
+use riverseed::analyse::statistics::Measures;
 use riverseed::network::{Vertex, curvature};
 use riverseed::recipe::link;
 use riverseed::{Map, Session};
@@ -119,3 +120,37 @@ fn meander_mix_can_be_seen_over_its_whole_range() {
 }
 
 tiers!(meander_mix_can_be_seen_over_its_whole_range);
+
+/// Words that nothing was tuned for.
+const WORDS: [&str; 12] = [
+    "Thornwick",
+    "Oslund",
+    "Quillmere",
+    "Maribel",
+    "Brackenfell",
+    "Isolde",
+    "Pemberley",
+    "Zanzara",
+    "Aldermoor",
+    "dragon",
+    "Fjordheim",
+    "Gryphon",
+];
+
+/// Natural bends lean upstream: the water that bent above bends on. Bends by flow do so once they have grown.
+fn old_bends_lean_upstream() {
+    let words = if Tier::here() == Tier::First { &WORDS[..3] } else { &WORDS[..] };
+    for land in ["land=rectangle&sides=s", "land=island"] {
+        let lean = |word: &&str| {
+            let old = "meander=flow&meander-rounds=200&meander-strength=1";
+            let link = format!("country=usual&seed={word}&{land}&{old}");
+            let map = Session::new(link::read(&link).unwrap()).unwrap().finish().unwrap();
+            Measures::of(&map).bends.upstream.unwrap() as f32
+        };
+        let share = median(words.iter().map(lean));
+        println!("{land}: {share:.2} of strongly bent bends lean upstream");
+        assert!(share >= 0.55, "{land}: {share}");
+    }
+}
+
+tiers!(old_bends_lean_upstream);

@@ -116,7 +116,10 @@ mod tests {
     fn river_on_a_slope_comes_down_to_the_ground_below_it() {
         let (cells, heights, river) = slope();
         // Four cells down the slope, which are eight units.
-        assert_eq!(lowered(&cells, &heights, std::slice::from_ref(&river)), vec![(7, 9.0); river.len()]);
+        let back = river.iter().rev().copied().collect();
+        for river in [river, back] {
+            assert_eq!(lowered(&cells, &heights, std::slice::from_ref(&river)), vec![(7, 9.0); river.len()]);
+        }
     }
 
     #[test]

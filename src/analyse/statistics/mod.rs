@@ -3,6 +3,7 @@
 
 mod along_coast;
 mod areas;
+mod bends;
 mod beside;
 mod courses;
 mod directions;
@@ -24,6 +25,7 @@ mod umbrellas;
 
 pub use along_coast::along_coast;
 pub use areas::area_exponent;
+pub use bends::Bends;
 pub use beside::beside;
 pub use courses::{Angles, junction_angles, sinuosity, total_length, tributary_angle};
 pub use directions::Directions;
@@ -88,6 +90,8 @@ pub struct Measures {
     pub hooks: Option<f64>,
     /// The share of the length of rivers that lies beside its valley instead of in it.
     pub beside: Option<f64>,
+    /// The bends of the greatest rivers.
+    pub bends: Bends,
     /// The exponent of the areas that drain to places of the greatest basin.
     pub area_exponent: Option<f64>,
     /// The looks of the map's pieces, drawn as densely as the world's maps.
@@ -123,6 +127,7 @@ impl Measures {
             knots: knots(network, spacing),
             hooks: hooks(network, spacing),
             beside: map.make_relief().ok().and_then(|relief| beside(network, &relief, None)),
+            bends: Bends::of(network, spacing),
             area_exponent: area_exponent(map.tree(), &Hydrology::of(map.tree()).discharge),
             look: Look::typical(&Look::all(network, map.domain().size, density as f32)),
             directions: Directions::of(network, spacing),

@@ -67,7 +67,7 @@ const fn pieces(median: f64, least: f64, most: f64) -> Option<Nature> {
 }
 
 /// All measures.
-pub static TABLE: [Measure; 30] = [
+pub static TABLE: [Measure; 32] = [
     Measure {
         name: "bifurcation-ratio",
         label: "Bifurcation ratio",
@@ -130,6 +130,24 @@ pub static TABLE: [Measure; 30] = [
         places: 2,
         nature: basins(1.32, 1.21, 1.54),
         value: |measures| measures.sinuosity,
+    },
+    Measure {
+        name: "upstream-bends",
+        label: "Bends that lean upstream",
+        help: "the share of bends longer than 1.5 times their chord that curve most upstream of their middle",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.bends.upstream,
+    },
+    Measure {
+        name: "wavelength-spread",
+        label: "Spread of wavelengths",
+        help: "the standard deviation of the logarithm of the wavelengths of the greatest rivers' bends",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.bends.wavelength_spread,
     },
     Measure {
         name: "drainage-density",

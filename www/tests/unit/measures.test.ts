@@ -66,7 +66,7 @@ test("a finished map is measured", () => {
     /^Checked on this map: nothing runs uphill \([\d,]+ steps from cell to cell\), nothing crosses \([\d,]+ segments\), every river arrives \(\d+ rivers\), discharge adds up \([\d,]+ vertices\)\.$/,
   );
   const rows = told(river.measures());
-  expect(rows).toHaveLength(22);
+  expect(rows).toHaveLength(23);
   expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(14);
   expect(asText(rows)).toMatch(/^Pattern: [a-z]+$/m);
   expect(asText(rows)).toMatch(

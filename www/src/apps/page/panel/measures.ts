@@ -23,6 +23,7 @@ const PLAIN: readonly Plain[] = [
   { name: "hack-exponent", label: "How long basins are drawn out", below: "rounder", above: "longer" },
   { name: "area-exponent", label: "How fast great valleys become rarer", below: "more slowly", above: "faster" },
   { name: "sinuosity", label: "How winding", below: "straighter", above: "more winding" },
+  { name: "upstream-bends", label: "Bends that lean upstream", below: "", above: "" },
   { name: "junction-angle", label: "The angle at which rivers meet", below: "sharper", above: "wider" },
   { name: "tributary-angle", label: "The angle at which the smallest join", below: "", above: "" },
   { name: "junction-spacing", label: "How far from one junction to the next", below: "nearer", above: "farther" },
