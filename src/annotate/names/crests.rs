@@ -295,9 +295,14 @@ mod tests {
 
     /// Finds lines, one after the other, on a land that rises to a ridge from west to east through its middle.
     fn lines(network: &Network, near: &[Vec2]) -> Vec<Option<Vec<Vec2>>> {
+        lines_on(|y| 60.0 - 0.1 * (y - MIDDLE.y).abs(), network, near)
+    }
+
+    /// Finds lines, one after the other, on a land with a height for each y.
+    fn lines_on(height: impl Fn(f32) -> f32, network: &Network, near: &[Vec2]) -> Vec<Option<Vec<Vec2>>> {
         let domain = Domain::with_aspect(1.0);
-        let ridge = |cell: usize| 60.0 - 0.1 * ((cell / 500) as f32 * 2.0 + 1.0 - MIDDLE.y).abs();
-        let relief = Relief::of_heights(&domain, (0..250_000).map(ridge).collect()).unwrap();
+        let heights = (0..250_000).map(|cell| height((cell / 500) as f32 * 2.0 + 1.0));
+        let relief = Relief::of_heights(&domain, heights.collect()).unwrap();
         let divides = Divides::new(domain.size, network);
         let mut crests = Crests::new(&divides, &relief);
         near.iter().map(|&near| crests.line(near)).collect()
@@ -308,6 +313,14 @@ mod tests {
         let line = lines(&rivers(&[NORTH, SOUTH]), &[MIDDLE]).remove(0).unwrap();
         assert!(line.iter().all(|at| (at.y - MIDDLE.y).abs() <= 2.0 * CELL), "{line:?}");
         assert!(line[line.len() - 1].x - line[0].x >= LEAST - CELL, "{line:?}");
+    }
+
+    #[test]
+    fn a_line_keeps_to_a_slanting_divide_on_level_ground() {
+        let [one, other] = [[[0.0, 280.0], [1000.0, 480.0]], [[0.0, 440.0], [1000.0, 640.0]]];
+        let line = lines_on(|_| 60.0, &rivers(&[&one, &other]), &[MIDDLE]).remove(0).unwrap();
+        let divide = |x: f32| 360.0 + 0.2 * x;
+        assert!(line.iter().all(|at| (at.y - divide(at.x)).abs() <= 2.5 * CELL), "{line:?}");
     }
 
     #[test]
