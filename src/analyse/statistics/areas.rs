@@ -59,7 +59,7 @@ mod tests {
     /// Areas at the quantiles of a power law, the greatest first.
     fn areas(exponent: f64) -> Vec<u32> {
         const COUNT: u32 = 100_000;
-        let area = |i: u32| (f64::from(COUNT) / f64::from(i)).powf(1.0 / exponent).min(1e9) as u32;
+        let area = |i: u32| libm::pow(f64::from(COUNT) / f64::from(i), 1.0 / exponent).min(1e9) as u32;
         (1..=COUNT).map(area).collect()
     }
 

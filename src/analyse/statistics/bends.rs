@@ -98,7 +98,7 @@ fn bends(network: &Network, river: &River, spacing: f32) -> Vec<Bend> {
 fn bend(places: &[Vec2], curvature: &[f32], width: f32) -> Bend {
     let chord = distance(places[0], places[places.len() - 1]);
     let all: f32 = curvature.iter().map(|curvature| curvature.abs()).sum();
-    let middle: f32 = (0..).zip(curvature).map(|(i, curvature)| (f64::from(i) + 0.5) as f32 * curvature.abs()).sum();
+    let middle: f32 = curvature.iter().enumerate().map(|(i, curvature)| (i as f32 + 0.5) * curvature.abs()).sum();
     Bend {
         sinuosity: curvature.len() as f32 * STEP * width / fast_max(chord, STEP * width),
         wavelength: 2.0 * chord / width,
@@ -148,7 +148,7 @@ mod tests {
             .map(|i| {
                 let place: (f32, f32) = at.into();
                 let phase = std::f32::consts::TAU * i as f32 / 400.0;
-                let heading = OMEGA * libm::sinf(phase) + OMEGA.powi(3) * skew * libm::cosf(3.0 * phase);
+                let heading = OMEGA * libm::sinf(phase) + OMEGA * OMEGA * OMEGA * skew * libm::cosf(3.0 * phase);
                 at += Vec2::new(libm::cosf(heading), libm::sinf(heading)) * step;
                 place
             })
@@ -164,7 +164,7 @@ mod tests {
     fn bends_lean_one_way_and_the_other_way_when_turned_around() {
         let line = kinoshita(1.0 / 32.0, 20.0, 8);
         let reversed: Vec<_> = line.iter().rev().copied().collect();
-        let [one, other] = [&line, &reversed].map(|line| measured(&[line.clone()]).upstream.unwrap());
+        let [one, other] = [&line, &reversed].map(|line| measured(std::slice::from_ref(line)).upstream.unwrap());
         assert!(one + other == 1.0 && one.min(other) == 0.0, "{one}, {other}");
         let mirrored: Vec<_> = kinoshita(-1.0 / 32.0, 20.0, 8);
         assert_eq!(measured(&[mirrored]).upstream, Some(other));
@@ -176,7 +176,7 @@ mod tests {
         assert!(measured(std::slice::from_ref(&short)).wavelength_spread.unwrap() < 0.03);
         // Half of the bends are twice as long as the others.
         let both = measured(&[short, long]).wavelength_spread.unwrap();
-        assert!((both - 2f64.ln() / 2.0).abs() < 0.03, "{both}");
+        assert!((both - std::f64::consts::LN_2 / 2.0).abs() < 0.03, "{both}");
     }
 
     #[test]
