@@ -50,9 +50,12 @@ test("names are those of a finished map, and there are none before", async () =>
   expect(await ask({ about: "names", of: undefined, count: 5 }, one)).toBe(undefined);
 });
 
-test("measures are those of a finished map, and there are none before", async () => {
+test("measures and promises are those of a finished map, and there are none before", async () => {
   const one = river(100_000);
-  expect(await ask({ about: "measures", of: 1 }, one)).toEqual(one.measures());
+  expect(await ask({ about: "measures", of: 1 }, one)).toEqual({
+    measures: one.measures(),
+    promises: one.promises(),
+  });
   expect(await ask({ about: "measures", of: 1 }, river(3))).toBe(undefined);
 });
 
