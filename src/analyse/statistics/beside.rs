@@ -69,3 +69,37 @@ fn lowest_aside(relief: &Relief, place: &Place) -> Option<f32> {
     let ground = ASIDE.into_iter().flat_map(|far| [far, -far]).map(|far| relief.at(place.at + across * far));
     ground.min_by(f32::total_cmp).filter(|&lowest| lowest > 0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{network, to_sea};
+    use super::*;
+    use crate::domain::Domain;
+
+    /// Measures rivers that run from west to east, each at its y, on a land with a height for each y.
+    fn measured(rivers: &[f32], height: impl Fn(f32) -> f32, order: Option<u8>) -> Option<f64> {
+        let heights = (0..250_000).map(|cell| height((cell / 500) as f32 * 2.0 + 1.0));
+        let relief = Relief::of_heights(&Domain::with_aspect(1.0), heights.collect()).unwrap();
+        let lines: Vec<[(f32, f32); 2]> = rivers.iter().map(|&y| [(100.0, y), (900.0, y)]).collect();
+        beside(&network(&lines.iter().map(|line| to_sea(line)).collect::<Vec<_>>()), &relief, order)
+    }
+
+    fn valley(y: f32) -> f32 {
+        20.0 + 0.1 * (y - 500.0).abs()
+    }
+
+    #[test]
+    fn a_river_on_a_slope_lies_beside_its_valley_and_one_at_the_bottom_in_it() {
+        assert_eq!(measured(&[500.0], valley, None), Some(0.0));
+        assert_eq!(measured(&[560.0], valley, None), Some(1.0));
+        assert_eq!(measured(&[500.0, 560.0], valley, None), Some(0.5));
+        assert_eq!(measured(&[560.0], valley, Some(1)), None, "both are of order 2");
+    }
+
+    #[test]
+    fn places_near_another_river_or_the_sea_do_not_count() {
+        assert_eq!(measured(&[560.0, 572.0], valley, None), None);
+        assert_eq!(measured(&[560.0, 576.0], valley, None), Some(1.0));
+        assert_eq!(measured(&[505.0], |y| 0.1 * (y - 500.0), None), None);
+    }
+}
