@@ -6,6 +6,7 @@
 mod measured;
 
 use crate::common::tier::{Tier, one_in, pairs, tiers};
+use crate::common::words::WORDS;
 use glam::Vec2;
 use riverseed::analyse::statistics::Measures;
 use riverseed::network::{Vertex, curvature};
@@ -120,22 +121,6 @@ fn meander_mix_can_be_seen_over_its_whole_range() {
 }
 
 tiers!(meander_mix_can_be_seen_over_its_whole_range);
-
-/// Words that nothing was tuned for.
-const WORDS: [&str; 12] = [
-    "Thornwick",
-    "Oslund",
-    "Quillmere",
-    "Maribel",
-    "Brackenfell",
-    "Isolde",
-    "Pemberley",
-    "Zanzara",
-    "Aldermoor",
-    "dragon",
-    "Fjordheim",
-    "Gryphon",
-];
 
 /// Natural bends lean upstream: the water that bent above bends on. Bends by flow do so once they have grown.
 fn old_bends_lean_upstream() {

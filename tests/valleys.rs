@@ -2,26 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::tier::{one_in, tiers};
+use crate::common::words::WORDS;
 use riverseed::analyse::statistics::{Measures, beside, hooks};
 use riverseed::domain::parcel_spacing;
 use riverseed::recipe::link;
 use riverseed::session::Session;
-
-/// Words that nothing was tuned for.
-const WORDS: [&str; 12] = [
-    "Thornwick",
-    "Oslund",
-    "Quillmere",
-    "Maribel",
-    "Brackenfell",
-    "Isolde",
-    "Pemberley",
-    "Zanzara",
-    "Fenmarch",
-    "Oakhollow",
-    "Delphine",
-    "Cairnmoor",
-];
 
 /// What is promised of rivers on one map: the share of hooks among brooks; those of river, and of rivers of order 1, beside their
 /// valleys; and the sinuosity.

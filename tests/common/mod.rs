@@ -13,6 +13,7 @@ pub mod shape;
 pub mod svg_ids;
 pub mod tier;
 pub mod twin;
+pub mod words;
 
 use proptest::prelude::*;
 use riverseed::Session;

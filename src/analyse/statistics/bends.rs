@@ -138,8 +138,8 @@ mod tests {
     use super::super::samples::{Sample, network, to_sea};
     use super::*;
 
-    /// Returns a line whose direction at length s is ω sin φ + ω³ (j sin 3φ + k cos 3φ), with φ = 2π s / `wave`: Kinoshita's curve,
-    /// whose bends lean one way or the other by the sign of `skew`, the k.
+    /// Returns a line whose direction at length s is ω sin φ + ω³ k cos 3φ, with φ = 2π s / `wave`: Kinoshita's curve, whose bends lean
+    /// one way or the other by the sign of `skew`, the k.
     fn kinoshita(skew: f32, wave: f32, waves: u32) -> Vec<(f32, f32)> {
         const OMEGA: f32 = 1.6;
         let mut at = Vec2::new(0.0, 0.0);
@@ -168,6 +168,21 @@ mod tests {
         assert!(one + other == 1.0 && one.min(other) == 0.0, "{one}, {other}");
         let mirrored: Vec<_> = kinoshita(-1.0 / 32.0, 20.0, 8);
         assert_eq!(measured(&[mirrored]).upstream, Some(other));
+    }
+
+    #[test]
+    fn bends_that_are_sharp_at_their_upper_ends_lean_upstream() {
+        /// The number of steps of a bend, and the mean turn of a step, in radians.
+        const STEPS: usize = 100;
+        const TURN: f32 = 0.036;
+        let (mut at, mut heading) = (Vec2::ZERO, 0.0f32);
+        let line = (0..16 * STEPS).map(|i| {
+            let side = if (i / STEPS).is_multiple_of(2) { 1.0 } else { -1.0 };
+            heading += side * TURN * 2.0 * (1.0 - (i % STEPS) as f32 / STEPS as f32);
+            at += Vec2::new(libm::cosf(heading), libm::sinf(heading)) * 0.1;
+            at.into()
+        });
+        assert_eq!(measured(&[line.collect()]).upstream, Some(1.0));
     }
 
     #[test]

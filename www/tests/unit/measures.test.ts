@@ -54,9 +54,12 @@ test("a sentence says that promises are kept, or which one is not", () => {
   expect(kept([apart, joins])).toBe(
     "Checked on this map: nothing crosses (12,345 segments), every river arrives (7 rivers).",
   );
-  expect(kept([{ ...apart, broken: 2 }, joins])).toBe(
-    "This map breaks a promise. Nothing crosses: broken in 2 places.",
-  );
+  expect(
+    kept([
+      { ...apart, broken: 2 },
+      { ...joins, broken: 1 },
+    ]),
+  ).toBe("This map breaks a promise. Nothing crosses: broken in 2 places. Every river arrives: broken in 1 place.");
 });
 
 test("a finished map is measured", () => {

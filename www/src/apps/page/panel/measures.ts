@@ -98,7 +98,10 @@ export function summed(rows: readonly Told[]): string {
 export function kept(promises: readonly MapPromise[]): string {
   const broken = promises.filter(({ broken }) => broken > 0);
   if (broken.length > 0) {
-    return `This map breaks a promise. ${broken.map(({ says, broken }) => `${says}: broken in ${counted(broken)} places.`).join(" ")}`;
+    const words = broken.map(
+      ({ says, broken: places }) => `${says}: broken in ${counted(places)} ${places === 1 ? "place" : "places"}.`,
+    );
+    return `This map breaks a promise. ${words.join(" ")}`;
   }
   const words = promises.map(({ says, counted: what, count }) => `${lowered(says)} (${counted(count)} ${what})`);
   return `Checked on this map: ${words.join(", ")}.`;
