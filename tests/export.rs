@@ -46,7 +46,7 @@ fn check_svg(session: &Session) {
     let rivers = ids.iter().filter(|id| id.strip_prefix("river-").is_some_and(|id| id.parse::<u32>().is_ok())).count();
     assert_eq!(rivers, session.network().unwrap().rivers.len());
     for data in document.descendants().filter_map(|node| node.attribute("d")) {
-        assert!(data.bytes().all(|c| b"MHVqtlaz0123456789.- ".contains(&c)), "{data}");
+        assert!(data.bytes().all(|c| b"MHVqtTlaz0123456789.- ".contains(&c)), "{data}");
         // Lines that were cut off by a number that is none would end at 0 0, or at the end of all numbers.
         assert!(!data.contains("21474836"), "{data}");
     }

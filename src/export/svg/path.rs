@@ -7,7 +7,10 @@ use super::text::Text;
 /// A point in hundredths of a unit. Whole numbers add without error, and can be printed without tables.
 type Point = [i32; 2];
 
-/// A path's data while it is written. All points but the first are relative to the one before.
+/// The number of points in a row after which one is not relative: readers that add up rounded steps would drift off a long coast.
+const ANCHORED: usize = 64;
+
+/// A path's data while it is written. Most points are relative to the one before.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     data: Text,
@@ -133,13 +136,27 @@ impl Path {
     /// Draws further parabolas. Each control point is the mirror image of the one before, so it is left out. It lies in
     /// a corner, give or take the hundredth lost when the last middle was rounded.
     fn reflected<'a>(&mut self, mut control: Point, corners: impl Iterator<Item = &'a Vec2>) {
+        let mut is_relative = false;
         for (i, &corner) in corners.enumerate() {
-            if i == 0 {
-                self.command("t");
-            }
             control = [2 * self.at[0] - control[0], 2 * self.at[1] - control[1]];
-            self.go_to(middle(control, whole(corner)));
+            let to = middle(control, whole(corner));
+            let was_relative = std::mem::replace(&mut is_relative, i % ANCHORED != ANCHORED - 1);
+            match (was_relative, is_relative) {
+                (_, false) => self.anchor(to),
+                (true, true) => self.go_to(to),
+                (false, true) => {
+                    self.command("t");
+                    self.go_to(to);
+                }
+            }
         }
+    }
+
+    /// Draws a parabola with a mirrored control point to a place that is not relative to the one before.
+    fn anchor(&mut self, to: Point) {
+        self.command("T");
+        self.number_pair(to);
+        self.at = to;
     }
 
     fn command(&mut self, letter: &'static str) {
@@ -188,6 +205,17 @@ mod tests {
         path.start(points[0]);
         path.smooth(&points);
         assert_eq!(path.data(), "M0 0q0 0 2 0t4 2 2 5l0 3");
+    }
+
+    #[test]
+    fn a_long_line_has_a_place_that_is_not_relative_now_and_then() {
+        let points: Vec<Vec2> = (0..68u8).map(|i| Vec2::new(f32::from(i) * 2.0, 0.0)).collect();
+        let mut path = Path::default();
+        path.start(points[0]);
+        path.smooth(&points);
+        // The 63 middles after the first one are relative, the next is not.
+        let relative = format!("t{}", ["2 0"; 63].join(" "));
+        assert_eq!(path.data(), format!("M0 0q0 0 1 0{relative}T129 0t2 0 2 0l1 0"));
     }
 
     #[test]
