@@ -336,11 +336,46 @@ const SIDE: u32 = 1000;
 
 /// The SVG as a picture, a pixel a unit.
 fn drawn(session: &Session) -> tiny_skia::Pixmap {
-    let tree = usvg::Tree::from_str(&svg::svg(&session.map().unwrap()).unwrap(), &usvg::Options::default()).unwrap();
+    rendered(&svg::svg(&session.map().unwrap()).unwrap())
+}
+
+fn rendered(svg: &str) -> tiny_skia::Pixmap {
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).unwrap();
     let mut pixmap = tiny_skia::Pixmap::new(SIDE, SIDE).unwrap();
     resvg::render(&tree, tiny_skia::Transform::identity(), &mut pixmap.as_mut());
     pixmap
 }
+
+/// Whether two colours are told apart at a glance.
+fn differ((a, b): (&[u8], &[u8])) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60)
+}
+
+/// Draws maps with names, woods and hills as readers do that take masks by brightness, as SVG says, and as those that take them by opacity.
+fn masks_are_the_same_by_brightness_and_by_opacity() {
+    // In 1000ths of all pixels.
+    const MOST: usize = 1;
+    let styles = one_in(6, Style::ALL.iter().filter(|style| style.word().name != "skeleton"));
+    let wrong = styles.filter_map(|style| {
+        let style = style.word().name;
+        let link = "country=usual&seed=tui&aspect=1&land=island&attractors=2500&labels=many&cartouche=framed&woods=0.6&hills=0.6";
+        let text = svg::svg(&finished(&format!("{link}&style={style}")).map().unwrap()).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let masks: Vec<_> = document.descendants().filter(|node| node.has_tag_name("mask")).collect();
+        let painted = masks.iter().flat_map(|mask| mask.descendants()).flat_map(|node| node.attributes());
+        let is_paint = |name: &str| ["fill", "stroke", "color", "filter", "style"].contains(&name);
+        let not_white = painted.filter(|one| is_paint(one.name()) && one.value() != "#fff").count();
+        let by_opacity = rendered(&text.replace("<mask ", "<mask mask-type=\"alpha\" "));
+        let by_brightness = rendered(&text);
+        let pairs = by_brightness.data().chunks_exact(4).zip(by_opacity.data().chunks_exact(4));
+        let differing = pairs.filter(|&pair| differ(pair)).count();
+        let is_right = masks.len() == 1 && not_white == 0 && differing * 1000 <= MOST * (SIDE * SIDE) as usize;
+        (!is_right).then(|| format!("{style}: {} masks, {not_white} not white, {differing} pixels differ", masks.len()))
+    });
+    assert_eq!(wrong.collect::<Vec<_>>(), [""; 0]);
+}
+
+tiers!(masks_are_the_same_by_brightness_and_by_opacity);
 
 #[test]
 fn rivers_of_an_svg_end_at_the_coast() {
@@ -384,7 +419,6 @@ fn svg_looks_like_the_picture() {
     let wrong = one_in(6, links).filter_map(|(link, most)| {
         let session = finished(link);
         let (map, picture) = (drawn(&session), painted(&session));
-        let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60);
         let differing = map.data().chunks_exact(4).zip(picture.chunks_exact(4)).filter(|&pair| differ(pair)).count();
         (differing * 100 >= most * (SIDE * SIDE) as usize).then(|| format!("{link}: {differing} pixels differ"))
     });

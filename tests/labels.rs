@@ -406,10 +406,18 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let by_id = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
     let titles: Vec<&str> =
         by_id("labels").unwrap().children().filter_map(|label| label.first_child()?.text()).collect();
-    let names = place(&input, &Raster::new(&input)).into_iter().filter(|label| !label.kind.is_of_cartouche());
+    let all = place(&input, &Raster::new(&input));
+    let on_land = all.iter().filter(|label| !label.kind.is_afloat()).count();
+    let names = all.into_iter().filter(|label| !label.kind.is_of_cartouche());
     assert_eq!(titles, names.map(|label| label.text).collect::<Vec<_>>());
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
-    assert!(by_id("halo").unwrap().descendants().count() > titles.len());
+    let steps: Vec<usize> = by_id("halo")
+        .unwrap()
+        .descendants()
+        .filter_map(|path| Some(path.attribute("d")?.matches('M').count()))
+        .collect();
+    // The map, and a ring around each name on land at least; nearest to letters, one around each letter.
+    assert!(steps.len() == 3 && steps[0] > on_land && steps[2] > 2 * on_land, "{steps:?} for {on_land}");
     let titled = finished(
         "land=island&attractors=500&style=atlas&labels=none&country=usual&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed",
     );

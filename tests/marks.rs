@@ -422,8 +422,10 @@ fn svg_has_marks_a_legend_and_a_seal() {
     let (_, [text, _]) = svg("ink-wash");
     let document = roxmltree::Document::parse(&text).unwrap();
     let seal = document.descendants().find(|node| node.attribute("id") == Some("seal")).unwrap();
-    let square = seal.descendants().find(|node| node.has_tag_name("rect")).unwrap();
-    assert_eq!((square.attribute("mask"), square.attribute("fill")), (Some("url(#left-out)"), Some("#a8322a")));
+    let paths: Vec<_> = seal.descendants().filter(|node| node.has_tag_name("path")).collect();
+    // Around its letters, and along its edge.
+    assert_eq!([paths[0].attribute("fill"), paths[1].attribute("stroke")], [Some("#a8322a"); 2]);
+    assert_eq!((paths.len(), paths[0].attribute("fill-rule")), (2, Some("evenodd")));
     assert!(!text.contains("id=\"marks\"") && !text.contains("id=\"legend\""));
 }
 

@@ -421,7 +421,7 @@ fn scenery_does_not_depend_on_how_large_a_picture_is() {
 }
 
 #[test]
-fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() {
+fn svg_has_a_use_for_each_tree_and_hill_that_stands_apart_and_paths_for_what_is_left_of_others() {
     let svg = |more: &str| {
         without_number(&riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}")).map().unwrap()).unwrap())
     };
@@ -430,32 +430,46 @@ fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() 
     let (all, _) = placed(&map, session.domain().size.x);
     let text = without_number(&riverseed::export::svg::svg(&session.map().unwrap()).unwrap());
     let document = roxmltree::Document::parse(&text).unwrap();
-    let ids: BTreeMap<&str, roxmltree::Node<'_, '_>> =
-        document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
-    for (group, is_wood, is_leafy) in [("crowns", true, true), ("others", true, false), ("hills", false, false)] {
-        let expected: Vec<String> = all
-            .iter()
-            .filter(|one| one.is_plant() == is_wood && one.feature().is_leafy() == is_leafy)
-            .map(|one| format!("#{}-{}", if is_wood { "tree" } else { "hill" }, one.shape))
-            .collect();
-        assert!(expected.len() > 30, "{group}");
-        let uses: Vec<&str> = ids[group].children().filter_map(|node| node.attribute("href")).collect();
-        assert_eq!(uses, expected, "{group}");
-        assert!(uses.iter().all(|href| ids[&href[1..]].has_tag_name("symbol")), "{group}");
+    let symbols: Vec<&str> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("symbol"))
+        .filter_map(|node| node.attribute("id"))
+        .collect();
+    for (class, kind, is_wood) in [("woods", "tree", true), ("hills", "hill", false)] {
+        let group = document.descendants().find(|node| node.attribute("class") == Some(class)).unwrap();
+        let uses: Vec<(&str, &str)> =
+            group.children().filter_map(|node| Some((node.attribute("href")?, node.attribute("transform")?))).collect();
+        assert!(uses.iter().all(|(href, _)| symbols.contains(&&href[1..])), "{class}");
+        // As many as stand apart are there at least, and each of those.
+        let apart: Vec<&Standing> =
+            all.iter().filter(|one| one.is_plant() == is_wood && stands_apart(one, &all)).collect();
+        assert!(apart.len() > 10 && uses.len() >= apart.len(), "{class}: {} of {}", uses.len(), apart.len());
+        for one in apart {
+            let href = format!("#{kind}-{}", one.shape);
+            let [x, y] = one.foot.to_array().map(|x| f64::from((x * 100.0 + 0.5).floor()) / 100.0);
+            let begin = format!("translate({x} {y})scale(");
+            assert!(uses.iter().any(|(to, transform)| *to == href && transform.starts_with(&begin)), "{one:?}");
+        }
+        let count = all.iter().filter(|one| one.is_plant() == is_wood).count();
+        let paths = group.descendants().filter(|node| node.has_tag_name("path")).count();
+        assert!(uses.len() < count && (1..100).contains(&paths), "{class}: {} of {count}, {paths} paths", uses.len());
     }
-    // What crowns cover is emptied once all of their outlines are there; then come the others.
-    let woods: Vec<&str> =
-        ids["woods"].children().filter_map(|node| node.attribute("href").or(node.attribute("id"))).collect();
-    assert_eq!(woods, ["#crowns", "others"]);
-    assert_eq!(ids["crowns"].parent().and_then(|parent| parent.parent_element()), Some(ids["woods"]));
-    assert_eq!(ids["scenery"].attribute("mask"), Some("url(#strokes)"));
-    assert!(svg("woods=0.5&style=survey").contains("url(#bodies)") && !svg("woods=0.5&style=survey").contains("hill"));
+    let survey = svg("woods=0.5&style=survey");
+    assert!(survey.contains("class=\"bodies\"") && survey.contains("class=\"washes\"") && !survey.contains("hill"));
     assert!(!svg("style=ink&hills=0.5").contains("\"woods\""));
+    assert!(!svg("woods=0.5&hills=0.5&style=ink&labels=none").contains("<mask"), "woods and hills need none");
     let bare = svg("labels=none");
-    assert!(
-        !bare.contains("<use href=\"#tree")
-            && !bare.contains("<use href=\"#hill")
-            && !bare.contains("scenery")
-            && !bare.contains("<mask")
-    );
+    assert!(!bare.contains("<use href=\"#tree") && !bare.contains("<use href=\"#hill") && !bare.contains("scenery"));
+}
+
+/// Whether a tree or a hill is so far from all others that none hides any of it.
+fn stands_apart(one: &Standing, all: &[Standing]) -> bool {
+    let reach = |one: &Standing| {
+        let (silhouette, strokes) = shapes(one);
+        reach(one, &silhouette, &strokes)
+    };
+    let own = reach(one);
+    // No glyph reaches farther than two of its sizes.
+    let near = all.iter().filter(|other| one.foot.distance(other.foot) < own + 2.0 * other.size);
+    near.filter(|other| other != &one).all(|other| one.foot.distance(other.foot) > own + reach(other))
 }

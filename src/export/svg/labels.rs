@@ -1,68 +1,56 @@
 //! Labels as outlines, since no reader has our type and its kerning. Each has a group with its text as the title, and a
-//! halo that masks rivers.
+//! halo that rivers are left out of.
 
 use glam::Vec2;
 
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
+use super::traced;
 use super::{AnnotationText, file_number};
 use crate::annotate::glyph::{Face, Typeface};
 use crate::annotate::labels::labels;
 use crate::annotate::place::{Kind, Label, Placed, Stroke};
 use crate::base::geometry::distance;
+use crate::domain::Domain;
 use crate::map::Map;
-use crate::paint::letters::SPACE;
 use crate::paint::palette::Colour;
-use crate::paint::{LabelLook, Scheme, label_look, scenery_look};
+use crate::paint::{LabelLook, Scheme, label_look, letters, scenery_look};
 
 /// Makes the labels of a map as markup, with the halo that is cut out of its rivers.
 pub(super) fn annotation(map: &Map, is_text: bool) -> AnnotationText {
-    let size = map.domain().size;
-    let placed = labels(map, [Vec2::ZERO, size], 1.0);
+    let domain = map.domain();
+    let placed = labels(map, [Vec2::ZERO, domain.size], 1.0);
     let [mut halo, mut letters] = [Text::of(file_number(map)), Text::of(file_number(map))];
-    draw_halo(&mut halo, size, &placed);
+    draw_halo(&mut halo, &domain, &placed);
     let scheme = Scheme::of(map.recipe());
     if let Some(look) = scenery_look(scheme) {
-        scenery::draw(&mut letters, size, &crate::annotate::scenery::scenery(map, &placed), look);
+        scenery::draw(&mut letters, &domain, &crate::annotate::scenery::scenery(map, &placed), look);
     }
     draw(&mut letters, &placed, label_look(scheme), is_text);
     AnnotationText { halo: halo.into_string(), labels: letters.into_string() }
 }
 
-/// The width over which the halo fades around its edge, as the standard deviation of a blur, in units.
-const FEATHER: f32 = 1.0;
 /// The strength of the halo that every letter has; pictures lay it only where the ground asks for it.
 const EVERYWHERE: f32 = 0.5;
 
-/// Writes the mask that leaves rivers out around letters, fading outward.
-fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
-    if labels.is_empty() {
+/// Writes the mask that leaves rivers out around letters, fading outward in steps. It is white where rivers are seen, and nothing else.
+fn draw_halo(out: &mut Text, domain: &Domain, labels: &[Label]) {
+    /// The number of steps.
+    const STEPS: u32 = 3;
+    let Some(view) = traced::view(domain).filter(|_| !labels.is_empty()) else { return };
+    let clearing = letters::clearing(&view, labels);
+    if clearing.is_empty() {
         return;
     }
-    out.text("<mask id=\"").own("halo").text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
-    out.text(">\n<rect fill=\"#fff\"")
-        .sized(size)
-        .text("/>\n<filter id=\"")
-        .own("feather")
-        .text("\"><feGaussianBlur stdDeviation=\"");
-    out.units(FEATHER).text("\"/></filter>\n<g filter=\"").url("feather").text("\">\n");
-    for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
-        out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
-            .units(2.0 * label.kind.halo() * label.em);
-        out.text("\" d=\"").path(&outlines(label)).text("\"/>\n");
-    }
-    out.text("</g>\n<g stroke=\"#000\" stroke-linecap=\"round\">\n");
-    for label in labels.iter().filter(|label| !label.kind.is_block()) {
-        let mut path = Path::default();
-        label.spaces().for_each(|ends| path.line(&ends));
-        if !path.is_empty() {
-            out.text("<path stroke-width=\"").units(2.0 * SPACE * label.em);
-            out.text("\" d=\"").path(&path).text("\"/>\n");
-        }
-    }
-    for label in labels.iter().filter(|label| !label.cleared.is_empty()) {
-        draw_strokes(out, &label.cleared);
+    out.text("<mask id=\"").own("halo").text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(domain.size);
+    out.text(">\n<g fill=\"#fff\" fill-rule=\"evenodd\">\n");
+    for step in 0..STEPS {
+        let share = (step as f32 + 0.5) / STEPS as f32;
+        // Those with wider holes come first. Where n of them have holes the others leave (n / (n + 1)) · … · ((STEPS - 1) / STEPS), which
+        // is n / STEPS, uncovered.
+        out.text("<path fill-opacity=\"").units(1.0 / (step + 1) as f32).text("\" d=\"");
+        out.path(&traced::rest(&view, &clearing, share)).text("\"/>\n");
     }
     out.text("</g>\n</mask>\n");
 }
@@ -76,7 +64,7 @@ fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
     if !names.is_empty() {
         out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
         names.iter().for_each(|label| draw_lines(out, &label.strokes, look.ink));
-        draw_each(out, &names, look, is_text, "baseline");
+        draw_each(out, &names, look, is_text, "name");
         out.text("</g>\n");
     }
     draw_block(out, &of(&Kind::is_of_cartouche), look, is_text, ["cartouche", "title"]);
@@ -123,26 +111,30 @@ fn draw_marks(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool)
     out.text("</g>\n");
 }
 
-/// Draws a square with a mask that leaves out its letters.
+/// Draws a square with an edge of strokes, out of which its letters are left.
 fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
-    let ends = label.strokes.iter().flat_map(|stroke| stroke.ends.map(|end| [end - stroke.half, end + stroke.half]));
-    let Some([least, most]) = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else { return };
-    let square = |out: &mut Text| {
-        out.text(" x=\"").units(least.x).text("\" y=\"").units(least.y).text("\"").sized(most - least);
-    };
-    out.text("<mask id=\"").own("left-out").text("\" maskUnits=\"userSpaceOnUse\"");
-    square(out);
-    out.text(">\n");
-    draw_lines(out, &label.strokes, [0xff; 3]);
-    out.text("<path d=\"").path(&outlines(label)).text("\"/>\n</mask>\n<g id=\"seal\" role=\"img\"><title>");
-    out.escaped(&label.text)
-        .text("</title><rect mask=\"")
-        .url("left-out")
-        .text("\" fill=\"")
-        .colour(look.mark)
-        .text("\"");
-    square(out);
-    out.text("/></g>\n");
+    let mut edge: Vec<Vec2> = Vec::new();
+    for stroke in &label.strokes {
+        if edge.last().is_some_and(|last| *last != stroke.ends[0]) {
+            break;
+        }
+        edge.push(stroke.ends[1]);
+    }
+    let (mut around, mut inside) = (Path::default(), outlines(label));
+    for path in [&mut around, &mut inside] {
+        path.line(&edge);
+        path.close();
+    }
+    out.text("<g id=\"seal\" role=\"img\"><title>")
+        .escaped(&label.text)
+        .text("</title><path fill-rule=\"evenodd\" fill=\"");
+    out.colour(look.mark)
+        .text("\" d=\"")
+        .path(&inside)
+        .text("\"/><path fill=\"none\" stroke-linejoin=\"round\" stroke=\"");
+    out.colour(look.mark).text("\" stroke-width=\"");
+    out.units(label.strokes.first().map_or(0.0, |stroke| 2.0 * stroke.half));
+    out.text("\" d=\"").path(&around).text("\"/></g>\n");
 }
 
 /// Draws lines of a colour.
@@ -182,21 +174,35 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
             next += 1;
         }
         if lines.is_empty() {
-            out.text("<path");
-            halo(out, label, look);
-            out.text(" d=\"").path(&outlines(label)).text("\"/>");
+            draw_outlines(out, label, look, id, next);
+            next += 1;
         }
         out.text("</g>\n");
     }
 }
 
+/// Draws letters as outlines over their halo, which is the same path once more: not all readers know the attribute that
+/// would paint its stroke first.
+fn draw_outlines(out: &mut Text, label: &Label, look: LabelLook, id: &'static str, number: u32) {
+    if has_halo(label, look) {
+        out.text("<use href=\"#").own(id).text("-").whole(number).text("\" fill=\"none\"");
+        halo(out, label, look);
+        out.text("/>");
+    }
+    out.text("<path id=\"").own(id).text("-").whole(number);
+    out.text("\" d=\"").path(&outlines(label)).text("\"/>");
+}
+
+/// Returns `true` if letters have a halo.
+fn has_halo(label: &Label, look: LabelLook) -> bool {
+    look.halo.is_some() && !label.kind.is_afloat()
+}
+
 /// Writes the attributes of the halo around letters, if there is one.
 fn halo(out: &mut Text, label: &Label, look: LabelLook) {
-    if let Some((colour, strength)) = look.halo.filter(|_| !label.kind.is_afloat()) {
-        out.text(" paint-order=\"stroke\" stroke=\"")
-            .colour(colour)
-            .text("\" stroke-opacity=\"")
-            .units(EVERYWHERE * strength);
+    if let Some((colour, strength)) = look.halo.filter(|_| has_halo(label, look)) {
+        out.text(" paint-order=\"stroke\" stroke=\"").colour(colour);
+        out.text("\" stroke-opacity=\"").units(EVERYWHERE * strength);
         out.text("\" stroke-linejoin=\"round\" stroke-width=\"").units(2.0 * label.kind.halo() * label.em).text("\"");
     }
 }
@@ -252,5 +258,52 @@ fn contours(path: &mut Path, letter: &Placed, em: f32) {
             path.curve(curve.map(|at| letter.place(at, em)));
         }
         path.close();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Makes a label of one upright letter, at this x.
+    fn label(x: f32) -> Label {
+        let glyph = Typeface::of(Face::Roman).glyph('I'.into()).unwrap();
+        let letter = Placed { glyph, at: Vec2::new(x, 500.0), along: Vec2::X };
+        Label::new(Kind::Island, None, "I", 40.0, vec![letter])
+    }
+
+    /// Counts the rings around the holes of the halo's steps, the widest first.
+    fn holes(labels: &[Label]) -> Vec<usize> {
+        let mut out = Text::of(1);
+        draw_halo(&mut out, &Domain::with_aspect(1.0), labels);
+        out.as_str().split(" d=\"").skip(1).map(|data| data.matches('M').count() - 1).collect()
+    }
+
+    #[test]
+    fn labels_apart_are_holes_each_and_labels_that_overlap_are_one() {
+        assert_eq!(holes(&[label(300.0), label(600.0)]), [2; 3]);
+        assert_eq!(holes(&[label(300.0), label(303.0)]), [1; 3]);
+        assert_eq!(holes(&[label(300.0), label(300.0)]), [1; 3]);
+    }
+
+    #[test]
+    fn names_on_water_leave_nothing_out() {
+        let afloat = Label { kind: Kind::Water, ..label(300.0) };
+        assert_eq!((holes(&[afloat]), holes(&[])), (vec![], vec![]));
+    }
+
+    #[test]
+    fn a_seal_has_its_letters_as_holes_in_what_its_edge_encloses() {
+        let corners = [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)].map(Vec2::from);
+        let side = |ends: &[Vec2]| Stroke { ends: [ends[0], ends[1]], half: 1.0 };
+        let row = Stroke { ends: [Vec2::new(2.0, 5.0), Vec2::new(7.0, 5.0)], half: 1.0 };
+        let strokes = corners.windows(2).map(side).chain([row]).collect();
+        let seal = Label { kind: Kind::Seal, strokes, letters: Vec::new(), ..label(0.0) };
+        let mut out = Text::of(1);
+        draw_seal(&mut out, &seal, label_look(crate::recipe::Style::InkWash.into()));
+        let data: Vec<&str> =
+            out.as_str().split(" d=\"").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]).collect();
+        assert_eq!(data, ["M9 0l0 9-9 0 0-9z"; 2]);
+        assert!(out.as_str().contains("fill-rule=\"evenodd\"") && !out.as_str().contains("mask"));
     }
 }

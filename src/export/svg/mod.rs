@@ -10,14 +10,17 @@
 
 mod beds;
 mod ground;
+mod hidden;
 mod labels;
 mod light;
 mod mouths;
 mod neatline;
 pub mod overlay;
 mod path;
+mod pens;
 mod scenery;
 mod text;
+mod traced;
 
 use std::sync::Arc;
 

@@ -44,6 +44,13 @@ impl Path {
         self.go_to(whole(at));
     }
 
+    /// Begins a line, unless the last one ends there.
+    pub fn go_on(&mut self, at: Vec2) {
+        if self.is_empty() || self.at != whole(at) {
+            self.start(at);
+        }
+    }
+
     /// Draws a line from corner to corner.
     pub fn line(&mut self, points: &[Vec2]) {
         let [first, ..] = points else { return };
@@ -216,6 +223,16 @@ mod tests {
         // The 63 middles after the first one are relative, the next is not.
         let relative = format!("t{}", ["2 0"; 63].join(" "));
         assert_eq!(path.data(), format!("M0 0q0 0 1 0{relative}T129 0t2 0 2 0l1 0"));
+    }
+
+    #[test]
+    fn a_line_goes_on_where_the_last_one_ends_and_else_begins() {
+        let mut path = Path::default();
+        for x in [0.0, 1.0, 5.0] {
+            path.go_on(Vec2::new(x, 0.0));
+            path.curve([Vec2::new(x, 1.0), Vec2::new(x + 1.0, 0.0)]);
+        }
+        assert_eq!(path.data(), "M0 0q0 1 1 0q0 1 1 0M5 0q0 1 1 0");
     }
 
     #[test]

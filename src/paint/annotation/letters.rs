@@ -12,7 +12,7 @@ use crate::base::memory;
 
 /// The radius of the halo around the middle of a space between words, in ems. A river that showed there would look like
 /// a hyphen.
-pub(crate) const SPACE: f32 = 0.33;
+const SPACE: f32 = 0.33;
 
 /// The halo is full as far from outlines as this share of its radius, and fades to nothing at so many radii.
 pub(crate) const FULL: f32 = 0.45;
@@ -37,6 +37,15 @@ pub(crate) fn masks(view: &View, labels: &[LabelIn<'_>]) -> AnnotationMasks {
         marks: letters(view, labels.iter().filter(|label| label.kind.is_mark())),
         ..AnnotationMasks::default()
     }
+}
+
+/// Paints the mask of all that rivers give way to, letters and the ground of blocks; empty if there is not enough memory.
+pub(crate) fn clearing(view: &View, labels: &[LabelIn<'_>]) -> SparseMask {
+    if !memory::can_allocate(view.pixels()) {
+        return SparseMask::default();
+    }
+    let gives_way = |label: &&LabelIn<'_>| !label.kind.is_afloat() || label.kind.is_block();
+    halo(view, labels.iter().flat_map(|label| &label.cleared), labels.iter().filter(gives_way))
 }
 
 /// The greatest distance between the letters' outlines and those that the halo is drawn along, in pixels.

@@ -23,7 +23,7 @@ const SHADED_PX: f32 = 4.0;
 /// The strength of a wash as a share of that of faint strokes.
 pub(crate) const WASH: f32 = 0.26;
 /// The lit side of a wood: its own area moved by this, in units, lies in the light.
-pub(crate) const LIT: Vec2 = Vec2::new(-1.9, -2.5);
+const LIT: Vec2 = Vec2::new(-1.9, -2.5);
 
 /// The passes over all glyphs, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +51,8 @@ pub(crate) struct SceneryPainter {
     /// The inside of silhouettes, if the style covers it.
     bodies: Option<Coverage>,
     fill: Fill,
+    /// `true` if strokes are drawn, too, and not areas alone.
+    has_strokes: bool,
     /// The number of passes that are over.
     pass: usize,
     /// The number of glyphs that have been drawn or left out in this one.
@@ -68,7 +70,16 @@ impl SceneryPainter {
         }
         let mask = || Coverage::new(view.width, view.height);
         let bodies = look.body.and_then(|_| mask());
-        Some(Self { mask: mask()?, washed: mask()?, bodies, fill: Fill::default(), pass: 0, drawn: 0 })
+        let fill = Fill::default();
+        Some(Self { mask: mask()?, washed: mask()?, bodies, fill, has_strokes: true, pass: 0, drawn: 0 })
+    }
+
+    /// Paints areas alone, at once: the inside of silhouettes, if the style covers it, and the washes; none if there is not enough memory.
+    pub fn areas(view: &View, all: &[Standing], look: SceneryLook) -> [SparseMask; 2] {
+        let Some(painter) = Self::new(view, look) else { return Default::default() };
+        let mut painter = Self { has_strokes: false, ..painter };
+        while painter.advance(view, all, look) {}
+        painter.into_masks()
     }
 
     /// Draws as many glyphs as fit into a few milliseconds. Returns `true` if there are more.
@@ -139,6 +150,9 @@ impl SceneryPainter {
 
     /// Draws strokes whose widths run from their start to their end.
     fn strokes(&mut self, strokes: &[PenStroke], foot: Vec2, size: f32, strength: f32) {
+        if !self.has_strokes {
+            return;
+        }
         self.mask.set_strength(strength);
         for stroke in strokes {
             let [first, last] = stroke.halves;
