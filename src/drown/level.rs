@@ -1,5 +1,6 @@
 //! The level to which the sea rises: the one at which it covers the share of the map that the recipe asks for.
 
+use super::silt::{self, GreatRivers};
 use crate::base::memory::{Refused, ask};
 use crate::base::sort;
 use crate::base::work;
@@ -32,22 +33,25 @@ impl Level {
         /// Two entries, each of a key and a place, then a corner with its count, and the counts.
         const BYTES_A_CORNER: usize = 48;
         ask(heights.len() * BYTES_A_CORNER)?;
-        work::count(3 * heights.len());
-        let squares = low_stand.coast_distance().squares_around(&Domain { size: low_stand.size() });
-        let order = sort::argsort(heights.iter().map(|&height| sort::key(height)));
-        let sorted = order.into_iter().map(|corner| (corner as u32, squares[corner])).collect();
+        let sorted = sort_corners(low_stand, &heights);
         Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true })
     }
 
     /// Tries a level. Returns it, and the land above it, if the share of sea is right; the exact coast is traced only
-    /// once a level is nearly right.
-    pub fn advance(&mut self, low_stand: &Land) -> Option<(f32, Land)> {
+    /// once a level is nearly right, and rivers have silted up the inlets where they meet.
+    pub fn advance(&mut self, low_stand: &Land, rivers: &GreatRivers) -> Option<(f32, Land)> {
         // Below the low stand the sea would have to fall.
         let level = self.quantile(self.share).max(0.0);
+        if !self.is_rough {
+            silt::fill_ponds(low_stand.coast_distance().size().0, &mut self.heights, level);
+        }
         let sea = RisenSea::new(low_stand, &self.heights, level);
         let is_last = level == 0.0 || self.tries + 1 == TRIES;
         if self.is_rough && !is_last {
             self.is_rough = !self.is_right(sea.share());
+            if !self.is_rough && rivers.silt_up(low_stand.coast_distance(), &mut self.heights, level) {
+                self.sorted = sort_corners(low_stand, &self.heights);
+            }
             return None;
         }
         let land = sea.into_land();
@@ -85,4 +89,12 @@ impl Level {
         let found = self.sorted.iter().find(is_reached).or(self.sorted.last());
         found.map_or(0.0, |(corner, _)| self.heights[*corner as usize])
     }
+}
+
+/// Sorts the corners of a low stand by their heights, each with the number of squares around it in the domain.
+fn sort_corners(low_stand: &Land, heights: &[f32]) -> Vec<(u32, u32)> {
+    work::count(3 * heights.len());
+    let squares = low_stand.coast_distance().squares_around(&Domain { size: low_stand.size() });
+    let order = sort::argsort(heights.iter().map(|&height| sort::key(height)));
+    order.into_iter().map(|corner| (corner as u32, squares[corner])).collect()
 }

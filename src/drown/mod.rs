@@ -1,7 +1,7 @@
 //! Drowned coasts: the sea rises over land that rivers have cut.
 //!
 //! ```text
-//! low stand ─► drainage ─► valleys ─► coarse relief ─► waves ─► level ─► land
+//! low stand ─► drainage ─► valleys ─► coarse relief ─► waves ─► level ─► silt ─► land
 //! ```
 //!
 //! Rivers grow on the land of a low stand. Then a coarse relief gives each corner of its lattice a height, low along rivers and
@@ -10,6 +10,7 @@
 
 mod fjords;
 mod level;
+mod silt;
 #[cfg(test)]
 mod tests;
 mod transgression;
@@ -142,7 +143,7 @@ impl Drowning {
                     Part::Level(valleys, Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?)
                 }
             },
-            Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land) {
+            Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land, &valleys.rivers) {
                 None => Part::Level(valleys, level),
                 Some((reached, land)) => {
                     let drowned = Drowned { land: land.into(), valleys };

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::fjords::Trough;
+use super::silt::GreatRivers;
 use crate::base::memory::{Refused, lengthen};
 use crate::base::work;
 use crate::land::{CoastDistance, walk};
@@ -15,6 +16,8 @@ pub(crate) struct Valleys {
     /// The trough of the great valley nearest to each corner.
     troughs: Vec<Trough>,
     columns: usize,
+    /// The rivers that silt up the inlets where they meet.
+    pub(super) rivers: GreatRivers,
 }
 
 /// The drained area from which on slopes fall with more of it, in square units.
@@ -45,6 +48,7 @@ impl Valleys {
             areas: known.map(|(&area, &height)| if height > 0.0 { area } else { UNKNOWN }).collect(),
             troughs: self.troughs.clone(),
             columns: self.columns,
+            rivers: self.rivers.clone(),
         }
     }
 }
@@ -79,7 +83,8 @@ impl Marking {
             }
         }
         let parcel = parcel_spacing * parcel_spacing;
-        let valleys = Valleys { areas, troughs, columns };
+        let rivers = GreatRivers::of(tree, &discharge, parcel);
+        let valleys = Valleys { areas, troughs, columns, rivers };
         Ok(Self { valleys, discharge, parcel, rows, spacing: lattice.spacing(), next: 0 })
     }
 

@@ -21,6 +21,7 @@ mod invasion;
 mod lattice;
 mod outlets;
 mod parcels;
+mod rivals;
 mod round;
 mod settings;
 
@@ -39,6 +40,7 @@ use directions::{FlowDirections, NONE};
 use invasion::Invasion;
 use lattice::Lattice;
 use parcels::Parcels;
+use rivals::Found;
 use round::Round;
 
 /// The memory of drainage for each cell of its lattice. Most of it is needed at the start, for the triangulation: 250 bytes
@@ -56,6 +58,8 @@ pub struct Drainage {
     /// The area that each parcel drained in the rounds so far, 1 or more: the geometric mean of the last round and the
     /// mean before it.
     area: Vec<f32>,
+    /// `true` for outlets that are closed, since they are too near that of a greater river ([`rivals`]).
+    is_closed: Vec<bool>,
     stage: Stage,
     tree: Arc<Tree>,
     /// The node of each parcel that has one.
@@ -90,10 +94,13 @@ impl Drainage {
         }
         let parcels = Arc::new(Parcels::new(&settings));
         let area = vec![1.0; parcels.len()];
+        let is_closed = vec![false; parcels.outlets.len()];
         let stage = if settings.drainage.valleys > 0.0 {
             Stage::Invasion(Invasion::new(&settings, &parcels).map_err(|_| too_much())?.into())
         } else {
-            Stage::Round(Round::new(&parcels, &area, settings.drainage.concavity).map_err(|_| too_much())?.into())
+            Stage::Round(
+                Round::new(&parcels, &area, &is_closed, settings.drainage.concavity).map_err(|_| too_much())?.into(),
+            )
         };
         let node = vec![NONE; parcels.len()];
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
@@ -101,6 +108,7 @@ impl Drainage {
             settings,
             parcels,
             area,
+            is_closed,
             stage,
             tree: tree.into(),
             node,
@@ -154,7 +162,7 @@ impl Drainage {
     }
 
     fn begin_round(&mut self) -> Result<(), Refused> {
-        let round = Round::new(&self.parcels, &self.area, self.settings.drainage.concavity)?;
+        let round = Round::new(&self.parcels, &self.area, &self.is_closed, self.settings.drainage.concavity)?;
         self.stage = Stage::Round(round.into());
         Ok(())
     }
@@ -184,8 +192,18 @@ impl Drainage {
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);
         }
+        if !is_last {
+            self.part_rivals(&directions, &areas);
+        }
         self.captures.note(self.rounds - 1, directions)?;
         if is_last { Ok(()) } else { self.begin_round() }
+    }
+
+    /// Makes the ways of rivals dear in the next round: their outlets, and their last reaches.
+    fn part_rivals(&mut self, directions: &FlowDirections, areas: &[u32]) {
+        let found = Found { settings: &self.settings, parcels: &self.parcels, directions, areas };
+        found.rival_outlets().into_iter().for_each(|outlet| self.is_closed[outlet] = true);
+        found.rival_reaches().into_iter().for_each(|parcel| self.area[parcel] = 1.0);
     }
 
     /// Adds a node for each parcel that was settled since the last tick.

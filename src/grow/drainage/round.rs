@@ -8,6 +8,9 @@ use crate::base::memory::Refused;
 use crate::base::queue::Queue;
 use crate::base::work;
 
+/// The factor for the cost of leaving the land through a closed outlet.
+const CLOSED: f32 = 100.0;
+
 /// A round in progress.
 #[derive(Clone, Debug)]
 pub(super) struct Round {
@@ -38,8 +41,9 @@ pub(super) fn slope(area: f32, concavity: f32) -> f32 {
 }
 
 impl Round {
-    /// Begins at all outlets. `area` is the area that each parcel drained in the previous round, 1 or more.
-    pub fn new(parcels: &Parcels, area: &[f32], concavity: f32) -> Result<Self, Refused> {
+    /// Begins at all outlets. `area` is the area that each parcel drained in the previous round, 1 or more. Outlets that are
+    /// closed are for parcels without another.
+    pub fn new(parcels: &Parcels, area: &[f32], is_closed: &[bool], concavity: f32) -> Result<Self, Refused> {
         let count = parcels.len();
         work::count(count);
         let way = |&area: &f32| Way { cost: f32::INFINITY, slope: slope(area, concavity) };
@@ -49,9 +53,10 @@ impl Round {
             directions: FlowDirections::new(count),
         };
         this.queue.reserve(parcels.outlets.len())?;
-        for outlet in &parcels.outlets {
+        for (outlet, is_closed) in parcels.outlets.iter().zip(is_closed) {
             let parcel = outlet.parcel as usize;
-            let cost = parcels.cost_out(parcel) * this.ways[parcel].slope;
+            let toll = if *is_closed { CLOSED } else { 1.0 };
+            let cost = toll * parcels.cost_out(parcel) * this.ways[parcel].slope;
             (this.ways[parcel].cost, this.directions.to[parcel]) = (cost, FlowDirections::OUT);
             this.queue.push(cost, outlet.parcel);
         }

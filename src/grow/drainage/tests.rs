@@ -126,7 +126,8 @@ fn ways_of(growth: &Drainage) -> Vec<Option<u32>> {
 }
 
 fn whole_round(parcels: &Parcels, area: &[f32], concavity: f32) -> Round {
-    let mut round = Round::new(parcels, area, concavity).unwrap();
+    let is_closed = vec![false; parcels.outlets.len()];
+    let mut round = Round::new(parcels, area, &is_closed, concavity).unwrap();
     while round.advance(parcels, 7).unwrap() {}
     round
 }
