@@ -34,6 +34,7 @@ const GROUPS = {
   "Labels of a map at 1024², from the link to the finished picture": labels,
   "Woods and hills of a map at 1024², from the link to the finished picture": woods,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
+  "Rivers of twelve words on the usual land; medians beside nature's ranges": nature,
   "Whole maps with their files, natively: islands of which nothing is trimmed, with their relief": whole,
   "A picture of 2048² as PNG, natively": png,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
@@ -200,6 +201,25 @@ async function bends() {
       }
       guide(`${model}: ${measure}, quartiles ${quartiles.join(", ")}; median`, quartiles[1], unit);
     }
+  }
+}
+
+/** What is asked of measures for which nature's figures are not known. */
+const ASKED = { hooks: 0.12, beside: 0.07 };
+
+/** The measures of which nature's range is known. */
+const KNOWN = `bifurcation-ratio length-ratio tokunaga-t1 tokunaga-c hack-exponent area-exponent sinuosity junction-spacing nearest-line
+  turn-kurtosis turn-autocorrelation gap-variation anisotropy`.split(/\s+/);
+
+async function nature() {
+  const figure = async (measure, which) => ((await native.run(`nature ${measure} ${which}`)).result | 0) / 10_000;
+  for (const [measure, most] of Object.entries(ASKED)) {
+    row(measure, await figure(measure, "median"), "", atMost(1.25 * most, most));
+  }
+  for (const measure of KNOWN) {
+    const values = [];
+    for (const which of ["median", "least", "most"]) values.push(await figure(measure, which));
+    guide(`${measure}, in nature ${values[1]} to ${values[2]}`, values[0], "");
   }
 }
 

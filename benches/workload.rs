@@ -18,6 +18,7 @@ mod labels;
 #[path = "../tests/common/literal.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod literal;
+mod nature;
 mod network;
 #[path = "../tests/common/pairs.rs"]
 mod pairs;
@@ -27,6 +28,8 @@ mod plain;
 mod relief;
 #[path = "../tests/common/twin.rs"]
 mod twin;
+#[path = "../tests/common/words.rs"]
+mod words;
 
 /// The side of every picture, in pixels.
 const SIDE: u32 = 1024;
@@ -74,6 +77,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["round", maps] => network::round(maps.parse().ok()?),
         ["pairs"] => network::all_pairs(),
         ["bends", model, measure, percent] => network::bends_of(model, measure, percent.parse().ok()?),
+        ["nature", measure, which] => nature::figure(measure, which),
         ["late", key, one, other] => pictures::late(&format!("{key}={one}"), &format!("{key}={other}")),
         #[cfg(feature = "png")]
         ["whole" | "file" | "png" | "balanced-png", ..] => files::repetition(&words),

@@ -19,6 +19,7 @@ mod files;
 mod fixed_seeds;
 mod framing;
 mod golden;
+mod great_mouths;
 mod grown;
 mod growth;
 mod hypsometry;
@@ -55,6 +56,7 @@ mod statistics;
 mod steady;
 mod timeline;
 mod trimming;
+mod uphill;
 mod valleys;
 mod work;
 

@@ -43,7 +43,7 @@ impl Level {
         // Below the low stand the sea would have to fall.
         let level = self.quantile(self.share).max(0.0);
         if !self.is_rough {
-            silt::fill_ponds(low_stand.coast_distance().size().0, &mut self.heights, level);
+            silt::fill_ponds(low_stand.coast_distance(), &mut self.heights, level);
         }
         let sea = RisenSea::new(low_stand, &self.heights, level);
         let is_last = level == 0.0 || self.tries + 1 == TRIES;

@@ -30,9 +30,6 @@ const BY_AREA: f32 = 0.04;
 /// The length for which a plain goes on below a confluence, as a share of half its width.
 const BEYOND: f32 = 1.5;
 
-/// The greatest size of a landlocked water that silts up, in corners.
-const POND: usize = 80;
-
 /// The great rivers of a tree, from their beginnings to the sea.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct GreatRivers {
@@ -176,9 +173,9 @@ impl Fill {
     }
 }
 
-/// Raises landlocked waters of a sea at some level that are too small to be lakes: the ends of drowned valleys that are cut off.
-pub(super) fn fill_ponds(columns: usize, heights: &mut [f32], level: f32) {
-    let corners = heights.len();
+/// Raises the waters that plains have cut off from the sea of the low stand, so that the sea is in one piece.
+pub(super) fn fill_ponds(lattice: &CoastDistance, heights: &mut [f32], level: f32) {
+    let (columns, corners) = (lattice.size().0, heights.len());
     let mut is_seen: Vec<bool> = heights.iter().map(|&height| height > level).collect();
     work::count(corners);
     for start in 0..corners {
@@ -193,9 +190,7 @@ pub(super) fn fill_ponds(columns: usize, heights: &mut [f32], level: f32) {
                 left.extend(around(corner, columns, corners));
             }
         }
-        // Waters at the border go on beyond it.
-        let is_inside = |corner: &usize| around(*corner, columns, corners).count() == 4;
-        if water.len() <= POND && water.iter().all(is_inside) {
+        if water.iter().all(|&corner| lattice.heights()[corner] > 0.0) {
             water.into_iter().for_each(|corner| heights[corner] = level + HEIGHT);
         }
     }
@@ -223,8 +218,12 @@ mod tests {
     fn lattice(shore: f32) -> (CoastDistance, Vec<f32>) {
         let heights: Vec<f32> =
             (0..COLUMNS * COLUMNS).map(|i| if (i / COLUMNS) as f32 * 4.0 > shore { -10.0 } else { 10.0 }).collect();
-        #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-        (CoastDistance::of_heights(Vec2::splat(200.0), 4.0, vec![10.0; COLUMNS * COLUMNS]).unwrap(), heights)
+        (of_heights(vec![10.0; COLUMNS * COLUMNS]), heights)
+    }
+
+    #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+    fn of_heights(heights: Vec<f32>) -> CoastDistance {
+        CoastDistance::of_heights(Vec2::splat(200.0), 4.0, heights).unwrap()
     }
 
     /// Two rivers of 100 parcels from the north, 20 units apart, that meet at y = `meet` and end at y = 200.
@@ -281,16 +280,15 @@ mod tests {
     }
 
     #[test]
-    fn ponds_are_filled_and_lakes_and_seas_are_not() {
-        let mut heights = vec![5.0; COLUMNS * COLUMNS];
-        // A pond of two corners, a lake of ten by ten, and the end of a sea beyond the border.
-        let lake = (0..100).map(|i| (10 + i / 10) * COLUMNS + 10 + i % 10);
-        let pond = [3 * COLUMNS + 3, 3 * COLUMNS + 4];
-        let sea = [20 * COLUMNS, 20 * COLUMNS + 1];
-        lake.clone().chain(pond).chain(sea).for_each(|corner| heights[corner] = -1.0);
-        fill_ponds(COLUMNS, &mut heights, 0.0);
-        assert!(pond.iter().all(|&corner| heights[corner] > 0.0));
-        assert!(lake.chain(sea).all(|corner| heights[corner] == -1.0));
-        assert_eq!(heights.iter().filter(|height| **height < 0.0).count(), 102);
+    fn waters_that_are_cut_off_are_filled_and_those_of_the_low_stand_are_not() {
+        let (corner, [pond, sea, lake]) = (|x: usize, y: usize| y * COLUMNS + x, [3, 20, 30]);
+        let of = |x: usize| [corner(x, 10), corner(x + 1, 10), corner(x + 1, 11)];
+        let (mut low, mut heights) = (vec![10.0; COLUMNS * COLUMNS], vec![5.0; COLUMNS * COLUMNS]);
+        [pond, sea, lake].into_iter().flat_map(of).for_each(|corner| heights[corner] = -1.0);
+        low[of(sea)[2]] = -3.0;
+        of(lake).into_iter().for_each(|corner| low[corner] = -3.0);
+        fill_ponds(&of_heights(low), &mut heights, 0.0);
+        assert!(of(pond).into_iter().all(|corner| heights[corner] > 0.0));
+        assert!([sea, lake].into_iter().flat_map(of).all(|corner| heights[corner] == -1.0));
     }
 }
