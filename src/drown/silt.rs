@@ -196,16 +196,15 @@ pub(super) fn fill_ponds(lattice: &CoastDistance, heights: &mut [f32], level: f3
     }
 }
 
-/// Iterates over the corners beside a corner, in its row and its column.
-fn around(corner: usize, columns: usize, corners: usize) -> impl Iterator<Item = usize> {
-    let column = corner % columns;
-    let beside = [
-        (column > 0).then(|| corner - 1),
-        (column + 1 < columns).then_some(corner + 1),
-        corner.checked_sub(columns),
-        Some(corner + columns).filter(|below| *below < corners),
-    ];
-    beside.into_iter().flatten()
+/// Returns the corners beside a corner, in its row and its column; itself where there is none.
+fn around(corner: usize, columns: usize, corners: usize) -> [usize; 4] {
+    let (column, below) = (corner % columns, corner + columns);
+    [
+        corner - usize::from(column > 0),
+        corner + usize::from(column + 1 < columns),
+        corner.checked_sub(columns).unwrap_or(corner),
+        if below < corners { below } else { corner },
+    ]
 }
 
 #[cfg(test)]

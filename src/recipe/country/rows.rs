@@ -8,10 +8,10 @@ use crate::recipe::Style;
 pub(in crate::recipe) const COUNT: usize = 34;
 
 /// Draws of every country, unless its row says otherwise. `fall` is 0.2 at least: below that, neighbouring rivers run side by side without
-/// joining.
+/// joining. Few points are removed, so that courses keep their small turns, as rivers on maps do.
 pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35>0.2 \
-    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 rills~0.15";
+    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 simplify=10 rills~0.15";
 
 /// Draws about the usual values, for land that is in no row: the rectangle, and what somebody has drawn.
 pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
