@@ -52,7 +52,7 @@ export const READERS: readonly Reader[] = [
     map: {
       link: "seed=pencil&country=usual&aspect=1.4&land=rectangle&mouths=1&attractors=900&channel-area=6&trim=40&width=24&meander-rounds=40&style=ink&labels=none",
       aspect: "1.4",
-      sentence: "One river in ink, and all that joins it: 25 springs, few enough to number by hand.",
+      sentence: "One river in ink, and all that joins it: 22 springs, few enough to number by hand.",
     },
   },
   {
