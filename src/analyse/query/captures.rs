@@ -91,16 +91,18 @@ mod tests {
         let parcel = |at: Vec2| growth.scattered().iter().position(|&place| place == at).unwrap() as u32;
         let mut last = u32::MAX;
         for way in &ways {
-            let (source, before, end) = (node(way[0]), node(way[1]), node(way[way.len() - 1]));
+            let (source, before) = (node(way[0]), node(way[1]));
             assert!(discharge[source] >= session.trim().heads.channel_area && discharge[source] <= last);
             last = discharge[source];
             assert_ne!(tree.parent_of(source), Some(before), "it drains another way now");
             let capture = growth.captures().iter().rfind(|capture| capture.parcel == parcel(way[0])).unwrap();
             assert_eq!(capture.from, parcel(way[1]));
-            assert!(discharge[end] >= session.trim().heads.channel_area || tree.parent_of(end).is_none());
-            for pair in way[1..].windows(2) {
-                assert_eq!(tree.parent_of(node(pair[0])), Some(node(pair[1])));
+            let mut end = before;
+            for &place in &way[2..] {
+                end = tree.parent_of(end).unwrap();
+                assert_eq!(tree.at[end], place);
             }
+            assert!(discharge[end] >= session.trim().heads.channel_area || tree.parent_of(end).is_none());
         }
     }
 
