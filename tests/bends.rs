@@ -130,9 +130,12 @@ fn old_bends_lean_upstream() {
             let old = "meander=flow&meander-rounds=200&meander-strength=1";
             let link = format!("country=usual&seed={word}&{land}&{old}");
             let map = Session::new(link::read(&link).unwrap()).unwrap().finish().unwrap();
-            Measures::of(&map).bends.upstream.unwrap() as f32
+            Measures::of(&map).bends.upstream.map(|share| share as f32)
         };
-        let share = median(words.iter().map(lean));
+        // A map of small rivers has too few such bends to tell.
+        let shares: Vec<f32> = words.iter().filter_map(lean).collect();
+        assert!(shares.len() * 4 >= words.len() * 3, "{land}: {} of {} maps", shares.len(), words.len());
+        let share = median(shares.into_iter());
         println!("{land}: {share:.2} of strongly bent bends lean upstream");
         assert!(share >= 0.55, "{land}: {share}");
     }
