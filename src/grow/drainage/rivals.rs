@@ -68,16 +68,18 @@ impl Found<'_> {
     /// Lists the parcels in the last reaches of great rivers that meet a greater one close above its outlet.
     pub fn rival_reaches(&self) -> Vec<usize> {
         let Self { parcels, directions, areas, .. } = self;
+        let great: Vec<usize> =
+            directions.order.iter().map(|&here| here as usize).filter(|&here| self.is_great(here)).collect();
+        work::count(2 * great.len());
         let mut greatest = vec![0; parcels.len()];
-        for &here in &directions.order {
-            if let Some(most) = greatest.get_mut(directions.to[here as usize] as usize) {
-                *most = areas[here as usize].max(*most);
+        for &here in &great {
+            if let Some(most) = greatest.get_mut(directions.to[here] as usize) {
+                *most = areas[here].max(*most);
             }
         }
-        work::count(2 * parcels.len());
         let mut ways: Vec<Option<Way>> = vec![None; parcels.len()];
         let mut rivals = Vec::new();
-        for here in directions.order.iter().map(|&here| here as usize).filter(|&here| self.is_great(here)) {
+        for here in great {
             ways[here] = match directions.to[here] {
                 FlowDirections::OUT => Some(self.begin(here)),
                 below => ways[below as usize].and_then(|way| {
