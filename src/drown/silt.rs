@@ -8,11 +8,9 @@ use glam::Vec2;
 
 use crate::base::geometry::{distance, nearest};
 use crate::base::work;
+use crate::grow::DrainageSettings;
 use crate::land::CoastDistance;
 use crate::tree::Tree;
-
-/// The drained area from which on a river fills inlets, in square units.
-const GREAT: f32 = 4000.0;
 
 /// The greatest length of water between a river's end and the place where it met another, along its old course, in units:
 /// that of a small river, and what is added as a share of the root of the area that it drains.
@@ -83,7 +81,7 @@ impl GreatRivers {
         let mut nodes: Vec<Node> = Vec::new();
         let mut number = vec![usize::MAX; tree.len()];
         // Nodes below come first in a tree, so that of each river is known.
-        let great = (0..tree.len()).filter(|&node| discharge[node] as f32 * parcel >= GREAT);
+        let great = (0..tree.len()).filter(|&node| discharge[node] as f32 * parcel >= DrainageSettings::GREAT);
         for node in great {
             number[node] = nodes.len();
             let below = tree.parent_of(node).map_or(nodes.len(), |parent| number[parent]);

@@ -3,13 +3,11 @@
 
 use super::directions::FlowDirections;
 use super::parcels::Parcels;
+use super::settings::DrainageSettings;
 use crate::base::geometry::distance;
 use crate::base::sort;
 use crate::base::work;
 use crate::grow::GrowthSettings;
-
-/// The drained area from which on a river is a rival, in square units.
-const GREAT: f32 = 4000.0;
 
 /// The distance between outlets up to which great rivers are rivals, in units.
 const APART: f32 = 24.0;
@@ -100,7 +98,7 @@ impl Found<'_> {
     }
 
     fn is_great(&self, parcel: usize) -> bool {
-        self.areas[parcel] as f32 * self.of_a_parcel() >= GREAT
+        self.areas[parcel] as f32 * self.of_a_parcel() >= DrainageSettings::GREAT
     }
 
     /// Returns the area of a parcel, in square units.

@@ -44,6 +44,9 @@ pub struct DrainageSettings {
 }
 
 impl DrainageSettings {
+    /// The drained area from which on a river is great, in square units: it meets other great ones inland.
+    pub(crate) const GREAT: f32 = 4000.0;
+
     /// Resolves a recipe.
     pub fn new(recipe: &Recipe) -> Self {
         let spacing = parcel_spacing(recipe);
