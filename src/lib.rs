@@ -66,6 +66,7 @@ pub mod export;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
+pub mod lakes;
 pub mod land;
 #[cfg(test)]
 #[path = "../tests/common/lands.rs"]

@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::domain::Domain;
 use crate::grow::{DrainageSettings, Grown};
+use crate::lakes::Lakes;
 use crate::land::{CoastDistance, Land};
 use crate::network::{Network, NetworkSettings, PastCourses, Reach};
 use crate::prune::{self, Pruned, Trim};
@@ -44,6 +45,7 @@ pub struct Map {
     pub(crate) rounds: u32,
     pub(crate) past: Arc<PastCourses>,
     pub(crate) relief: Option<Arc<Relief>>,
+    pub(crate) lakes: Arc<Lakes>,
 }
 
 /// The number of pixels on a side of a cell of a relief for pictures.
@@ -145,6 +147,11 @@ impl Map {
     /// Returns the former courses of great rivers.
     pub fn past(&self) -> &PastCourses {
         &self.past
+    }
+
+    /// Returns the lakes along rivers.
+    pub fn lakes(&self) -> &Arc<Lakes> {
+        &self.lakes
     }
 
     /// Returns the relief, if it has been made, in any style. A style that shows it always has it.

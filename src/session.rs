@@ -19,6 +19,7 @@ use crate::base::random::Seed;
 use crate::domain::Domain;
 use crate::drown::Transgression;
 use crate::grow::{GrowError, Growth, GrowthSettings};
+use crate::lakes::{LakeMaker, Lakes};
 use crate::land::Land;
 use crate::map::{Map, MapId, relief_settings};
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
@@ -179,6 +180,7 @@ impl Session {
     /// Fails like [`Session::new`] and [`Session::on_land`]; the session is then unchanged.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
+        let keeps_relief = self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
             let coasts = match (stage, self.coasts.planted()) {
                 (_, Some(land)) if self.coasts.are_given => {
@@ -192,7 +194,9 @@ impl Session {
             self.coasts = coasts;
         }
         self.recipe = recipe;
-        if stage.is_some_and(|stage| stage < Stage::Name) {
+        if keeps_relief {
+            self.relief.forget_lakes();
+        } else if stage.is_some_and(|stage| stage < Stage::Name) {
             self.relief = ReliefStage::Waiting;
         }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
@@ -305,6 +309,7 @@ impl Session {
             rounds: meander.rounds(),
             past: meander.past().clone(),
             relief: self.relief.relief().cloned(),
+            lakes: self.lakes().cloned().unwrap_or_default(),
         })
     }
 
@@ -327,7 +332,7 @@ impl Session {
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
             Some(shaping) if shaping.is_finished() => {
-                if self.shows_relief() {
+                if self.needs_relief() {
                     self.raise_relief()?;
                 }
             }
@@ -357,9 +362,14 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.land().cloned(), self.network_settings())
     }
 
-    /// Returns `true` if the style shows a relief that has not been made yet.
+    /// Returns `true` if the style shows a relief, or lakes on one, that has not been made yet.
     fn wants_relief(&self) -> bool {
-        self.shows_relief() && self.relief().is_none()
+        self.needs_relief() && self.relief.lakes().is_none()
+    }
+
+    /// Returns `true` if the style shows a relief, or if there are lakes, which lie on one.
+    fn needs_relief(&self) -> bool {
+        self.shows_relief() || self.recipe.number(NumberKey::Lakes) > 0.0
     }
 
     fn shows_relief(&self) -> bool {
@@ -372,14 +382,19 @@ impl Session {
     /// # Errors
     /// Fails if there is not enough memory. The next call tries the same step again.
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
-        let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
+        let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.lakes().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
         let (recipe, coasts, growth, trim) = (&self.recipe, &self.coasts, &self.growth, self.trim());
         let settings = || {
             let coasts = (coasts.land(), coasts.low_stand());
             relief_settings(recipe, coasts, (growth.tree(), trim), growth.total_discharge())
         };
-        self.relief.step(shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn()), settings)?;
+        let lakes = || {
+            let share = recipe.number(NumberKey::Lakes);
+            (share > 0.0).then(|| LakeMaker::new(share, Seed::from_text(recipe.seed())))
+        };
+        let rivers = shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn());
+        self.relief.step(rivers, settings, lakes)?;
         Ok(true)
     }
 
@@ -392,6 +407,11 @@ impl Session {
     /// style that shows it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.relief().filter(|_| self.shows_relief())
+    }
+
+    /// Returns the lakes along rivers; `None` until they are made.
+    pub fn lakes(&self) -> Option<&Arc<Lakes>> {
+        self.relief.lakes()
     }
 
     /// Returns `true` if no step is left.

@@ -49,6 +49,8 @@ pub enum Purpose {
     CoastDetail = 13,
     /// The kind of country, and its values.
     Kind = 14,
+    /// Places of lakes.
+    Lakes = 15,
 }
 
 impl Seed {

@@ -68,6 +68,7 @@ impl Given<'_> {
             Key::MeanderStrength | Key::Neck | Key::Oxbows | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
+            Key::Lakes => self.no_lakes(),
             Key::Rills => self.heights_only_in_files().or_else(|| self.no_hillsides()),
             Key::Shade => self.no_relief(),
             Key::Warmth | Key::Rain => self.no_weather(),
@@ -200,6 +201,11 @@ impl Given<'_> {
 
     fn heights_only_in_files(&self) -> Reason {
         self.no_relief().map(|_| "this style shows no relief, though files of heights have it")
+    }
+
+    fn no_lakes(&self) -> Reason {
+        let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
+        is_skeleton.then_some("the skeleton shows rivers alone, though files have lakes")
     }
 
     /// Explains why rills have no effect: only drainage and what trimming removes reach beyond the drawn rivers.

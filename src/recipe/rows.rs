@@ -172,6 +172,8 @@ macro_rules! rows {
                 Plains = "plains", "Plains": Relief, Number(0.0 to 400.0 by 5.0, default 100.0), in "units";
                 /// How deeply brooks too small to draw carve the hillsides into spurs and valleys.
                 Rills = "rills", "Rills": Relief, Number(0.0 to 1.0 by 0.05, default 0.6);
+                /// Share of the land that is under lakes along rivers: an eighth of it at 1. Rivers run through them.
+                Lakes = "lakes", "Lakes": Relief, Number(0.0 to 1.0 by 0.05, default 0.0);
                 /// Exaggeration of slopes in shading.
                 Shade = "shade", "Shade": Paint, Number(0.0 to 1.0 by 0.05, default 0.45);
             }

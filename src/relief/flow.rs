@@ -42,15 +42,22 @@ impl Flow {
     /// # Errors
     /// If there is not enough memory.
     pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
-        /// All lists of cells together, and paths where rivers have few vertices.
-        const BYTES_A_CELL: usize = 80;
-        const BYTES_A_VERTEX: usize = 40;
-        let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
-        let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
-        ask(bytes).map_err(refused)?;
-        let cells = Cells::new(settings).map_err(refused)?;
-        let channels = walked(&cells, network).map_err(refused)?;
-        Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
+        let (field, channels) = Field::of(relief, network, settings)?;
+        Ok(Self::on(&field, &channels, network))
+    }
+
+    /// Finds the cell that the water of each cell of a relief runs to, on its own grid; [`NONE`] at sea and where water leaves the map.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub(crate) fn ways(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Vec<u32>, ReliefError> {
+        let (field, channels) = Field::of(relief, network, settings)?;
+        let downstream = field.downstream(&channels, network);
+        let way = |cell: usize| match downstream[cell] {
+            to if to == cell || !field.cells.is_land(cell) || !field.cells.is_land(to) => NONE,
+            to => field.cells.without_rim(to) as u32,
+        };
+        Ok(field.inside().map(way).collect())
     }
 
     /// Returns the cell that the water of a cell runs to, on the grid of this flow; `None` if it leaves the map, and at sea.
@@ -129,6 +136,19 @@ fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
 }
 
 impl Field {
+    /// Reads a relief that was made of these rivers with these settings, and walks the rivers over it.
+    fn of(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<(Self, Channels), ReliefError> {
+        /// All lists of cells together, and paths where rivers have few vertices.
+        const BYTES_A_CELL: usize = 80;
+        const BYTES_A_VERTEX: usize = 40;
+        let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
+        let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
+        ask(bytes).map_err(refused)?;
+        let cells = Cells::new(settings).map_err(refused)?;
+        let channels = walked(&cells, network).map_err(refused)?;
+        Ok((Self { heights: heights_with_rim(&cells, relief), cells }, channels))
+    }
+
     /// Iterates over the map's cells, without the rim, row by row.
     fn inside(&self) -> impl Iterator<Item = usize> + '_ {
         let Cells { columns, rows, .. } = self.cells;

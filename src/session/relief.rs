@@ -1,8 +1,9 @@
-//! The relief of a session's rivers. It is made once a style shows it or a file needs it, and kept until the rivers
-//! change.
+//! The relief of a session's rivers, and the lakes on it. It is made once a style shows it, lakes lie on it or a file needs it, and
+//! kept until the rivers change.
 
 use std::sync::Arc;
 
+use crate::lakes::{LakeMaker, Lakes};
 use crate::network::Network;
 use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 
@@ -13,29 +14,59 @@ pub(super) enum ReliefStage {
     #[default]
     Waiting,
     Solving(Box<ReliefSolver>),
-    Solved(Arc<Relief>),
+    Solved(Arc<Relief>, LakeStage),
+}
+
+/// The state of the lakes on a relief.
+#[derive(Clone, Debug, Default)]
+pub(super) enum LakeStage {
+    #[default]
+    Waiting,
+    Making(Box<LakeMaker>),
+    Made(Arc<Lakes>),
 }
 
 impl ReliefStage {
-    /// Makes a step. If there is not enough memory, the next call tries it again.
-    pub fn step(&mut self, network: &Network, settings: impl FnOnce() -> ReliefSettings) -> Result<(), ReliefError> {
+    /// Makes a step. If there is not enough memory, the next call tries it again. `lakes` begins those that the recipe asks for;
+    /// `None` if it asks for none.
+    pub fn step(
+        &mut self,
+        network: &Network,
+        settings: impl FnOnce() -> ReliefSettings,
+        lakes: impl FnOnce() -> Option<LakeMaker>,
+    ) -> Result<(), ReliefError> {
         match self {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
             Self::Solving(solver) => {
                 if let Some(relief) = solver.step(network)? {
-                    *self = Self::Solved(relief.into());
+                    *self = Self::Solved(relief.into(), LakeStage::begin(lakes()));
                 }
             }
-            Self::Solved(_) => {}
+            Self::Solved(relief, stage) => stage.step(relief, network, settings, lakes)?,
         }
         Ok(())
+    }
+
+    /// Drops the lakes, which are made again on the same relief.
+    pub fn forget_lakes(&mut self) {
+        if let Self::Solved(_, lakes) = self {
+            *lakes = LakeStage::Waiting;
+        }
     }
 
     /// Returns the relief, or `None` until it is solved.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         match self {
-            Self::Solved(relief) => Some(relief),
+            Self::Solved(relief, _) => Some(relief),
             Self::Waiting | Self::Solving(_) => None,
+        }
+    }
+
+    /// Returns the lakes, or `None` until they are made.
+    pub fn lakes(&self) -> Option<&Arc<Lakes>> {
+        match self {
+            Self::Solved(_, LakeStage::Made(lakes)) => Some(lakes),
+            _ => None,
         }
     }
 
@@ -44,7 +75,7 @@ impl ReliefStage {
         match self {
             Self::Waiting => 0.0,
             Self::Solving(solver) => solver.progress(),
-            Self::Solved(_) => 1.0,
+            Self::Solved(..) => 1.0,
         }
     }
 
@@ -52,7 +83,32 @@ impl ReliefStage {
     pub fn bytes(&self) -> usize {
         match self {
             Self::Solving(solver) => solver.bytes(),
-            Self::Waiting | Self::Solved(_) => 0,
+            Self::Waiting | Self::Solved(..) => 0,
         }
+    }
+}
+
+impl LakeStage {
+    fn begin(lakes: Option<LakeMaker>) -> Self {
+        lakes.map_or_else(|| Self::Made(Arc::default()), |lakes| Self::Making(lakes.into()))
+    }
+
+    fn step(
+        &mut self,
+        relief: &Relief,
+        network: &Network,
+        settings: impl FnOnce() -> ReliefSettings,
+        lakes: impl FnOnce() -> Option<LakeMaker>,
+    ) -> Result<(), ReliefError> {
+        match self {
+            Self::Waiting => *self = Self::begin(lakes()),
+            Self::Making(maker) => {
+                if let Some(made) = maker.step(relief, network, settings)? {
+                    *self = Self::Made(made.into());
+                }
+            }
+            Self::Made(_) => {}
+        }
+        Ok(())
     }
 }

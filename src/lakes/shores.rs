@@ -1,0 +1,97 @@
+//! The shores of a lake: the line of its level on the ground.
+
+use glam::Vec2;
+
+use super::flood::{Flooded, Ground};
+use crate::base::sort;
+use crate::base::work;
+use crate::land::trace;
+use crate::relief::Grid;
+
+/// The least area of an island, in square units.
+const ISLAND: f32 = 16.0;
+
+/// The height, in units, over which a shore moves from the middle of one cell to that of the next.
+const BLEND: f32 = 3.0;
+
+/// The least share of that by which a cell counts as water or as land.
+const LEAST: f32 = 0.1;
+
+impl Ground<'_> {
+    /// Adds cells to a lake where others touch only at a corner, so that no shore is tied off there.
+    pub fn widen(&self, flooded: &mut Flooded, dam: usize) {
+        let Grid { columns, .. } = self.relief.grid();
+        let first = flooded.cells.len();
+        let wet = sort::sorted_by(&flooded.cells, |cell| *cell as u32);
+        for i in 0..first {
+            let (cell, below) = (flooded.cells[i], self.upstream.to[flooded.cells[i]] as usize);
+            if cell == dam || cell % columns == below % columns || cell / columns == below / columns {
+                continue;
+            }
+            let corners = [cell / columns * columns + below % columns, below / columns * columns + cell % columns];
+            let is_wet = |corner: &usize| wet.binary_search(corner).is_ok() || flooded.cells[first..].contains(corner);
+            if corners.iter().any(is_wet) {
+                continue;
+            }
+            let heights = self.relief.heights();
+            let may_be = |corner: &usize| !self.is_taken[*corner] && self.upstream.is_above(*corner, dam);
+            let lower = corners.into_iter().filter(may_be).min_by(|a, b| heights[*a].total_cmp(&heights[*b]));
+            flooded.cells.extend(lower);
+        }
+    }
+
+    /// Traces the shores of a lake, in units: the outer one first, then those of islands.
+    pub fn shores(&self, flooded: &Flooded, dam: usize) -> Vec<Vec<Vec2>> {
+        let Grid { cell_size, columns, rows } = self.relief.grid();
+        let across = || flooded.cells.iter().map(|cell| cell % columns);
+        let down = || flooded.cells.iter().map(|cell| cell / columns);
+        let (left, right) = (across().min().unwrap_or(0).saturating_sub(1), (across().max().unwrap_or(0) + 1).min(columns - 1));
+        let (top, bottom) = (down().min().unwrap_or(0).saturating_sub(1), (down().max().unwrap_or(0) + 1).min(rows - 1));
+        let (width, height) = (right - left + 1, bottom - top + 1);
+        work::count(width * height);
+        let mut water: Vec<f32> = (top..=bottom)
+            .flat_map(|row| (left..=right).map(move |column| row * columns + column))
+            .map(|cell| 0.5 - self.over_water(cell, flooded.level, dam).max(LEAST))
+            .collect();
+        for &cell in &flooded.cells {
+            let over = self.over_water(cell, flooded.level, dam);
+            water[(cell / columns - top) * width + cell % columns - left] = 0.5 - over.min(-LEAST);
+        }
+        let size = Vec2::new(width as f32, height as f32);
+        let speck = ISLAND / (size.x * size.y * cell_size * cell_size);
+        let corner = Vec2::new(left as f32, top as f32);
+        let place = |at: Vec2| (at * size + corner) * cell_size;
+        let rings = trace::rings(width, water, speck);
+        let mut shores: Vec<Vec<Vec2>> =
+            rings.iter().map(|ring| smoothed(&smoothed(&ring.iter().map(|at| place(*at)).collect::<Vec<_>>()))).collect();
+        let greatest = (0..shores.len()).max_by(|a, b| area(&shores[*a]).abs().total_cmp(&area(&shores[*b]).abs()));
+        greatest.into_iter().for_each(|outer| shores.swap(0, outer));
+        shores
+    }
+
+    /// Returns how far a cell lies over the water, as a share of what moves a shore by a cell, at most a half either way.
+    fn over_water(&self, cell: usize, level: f32, dam: usize) -> f32 {
+        /// The height of a moraine over the water, in units.
+        const MORAINE: f32 = 1.5;
+        let height = self.relief.heights()[cell];
+        let is_dam = height < level && !self.upstream.is_above(cell, dam);
+        let over = if is_dam { MORAINE } else { height - level };
+        (over / (2.0 * BLEND)).clamp(-0.5, 0.5)
+    }
+}
+
+/// Cuts the corners of a ring (Chaikin 1974).
+fn smoothed(ring: &[Vec2]) -> Vec<Vec2> {
+    let mut cut = Vec::with_capacity(2 * ring.len());
+    for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+        cut.extend([a.lerp(*b, 0.25), a.lerp(*b, 0.75)]);
+    }
+    cut
+}
+
+/// Returns the area within a ring, in square units; negative if it runs the other way round.
+pub(super) fn area(ring: &[Vec2]) -> f32 {
+    let origin = ring.first().copied().unwrap_or_default();
+    let edges = ring.iter().zip(ring.iter().skip(1));
+    edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>() / 2.0
+}
