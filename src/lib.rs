@@ -59,6 +59,7 @@ extern crate self as riverseed;
 pub mod analyse;
 pub mod annotate;
 pub mod base;
+pub mod deltas;
 pub mod digest;
 pub mod domain;
 mod drown;

@@ -10,6 +10,7 @@ use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use crate::deltas::Deltas;
 use crate::domain::Domain;
 use crate::grow::{DrainageSettings, Grown};
 use crate::lakes::Lakes;
@@ -46,6 +47,9 @@ pub struct Map {
     pub(crate) past: Arc<PastCourses>,
     pub(crate) relief: Option<Arc<Relief>>,
     pub(crate) lakes: Arc<Lakes>,
+    pub(crate) deltas: Arc<Deltas>,
+    /// The distance into flat ground that rivers have laid; `None` if there is none.
+    pub(crate) flats: Option<Arc<CoastDistance>>,
 }
 
 /// The number of pixels on a side of a cell of a relief for pictures.
@@ -54,11 +58,11 @@ const PIXELS_A_CELL: u32 = 2;
 /// The cell size, as a share of that of the map's own relief, from which another one is worth solving.
 const FINER: f32 = 0.5;
 
-/// Returns the settings of the relief on some land, with the low stand before it if the sea has risen, and of the
-/// rivers that trimming makes of a tree.
+/// Returns the settings of the relief on some land, with the low stand before it if the sea has risen and the ground that rivers have
+/// laid, and of the rivers that trimming makes of a tree.
 pub(crate) fn relief_settings(
     recipe: &Recipe,
-    (land, low_stand): (Option<&Arc<Land>>, Option<&Arc<CoastDistance>>),
+    (land, low_stand, flats): (Option<&Arc<Land>>, Option<&Arc<CoastDistance>>, Option<&Arc<CoastDistance>>),
     (tree, trim): (&Tree, Trim),
     total_discharge: u32,
 ) -> ReliefSettings {
@@ -66,6 +70,7 @@ pub(crate) fn relief_settings(
     let drainage = grows_on_rock.then(|| DrainageSettings::new(recipe));
     ReliefSettings::new(recipe, land.cloned(), total_discharge)
         .with_low_stand(low_stand.cloned())
+        .with_flats(flats.cloned())
         .with_rock(drainage.map(|drainage| (drainage.hardness_scale, drainage.hardness)))
         .with_rills(|| Rills::of(tree, trim, total_discharge))
 }
@@ -154,6 +159,11 @@ impl Map {
         &self.lakes
     }
 
+    /// Returns the deltas of rivers.
+    pub fn deltas(&self) -> &Arc<Deltas> {
+        &self.deltas
+    }
+
     /// Returns the relief, if it has been made, in any style. A style that shows it always has it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.as_ref()
@@ -209,7 +219,7 @@ impl Map {
 
     /// Returns the settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
-        let coasts = (self.land.as_ref(), self.low_stand.as_ref());
+        let coasts = (self.land.as_ref(), self.low_stand.as_ref(), self.flats.as_ref());
         relief_settings(&self.recipe, coasts, (&self.tree, self.trim), self.grown.total_discharge)
     }
 }

@@ -142,6 +142,7 @@ impl Picture {
         let relief = self.finer_or(map.id(), map.shown_relief().cloned());
         self.paint_rivers(Rivers {
             network: map.network(),
+            distributaries: &map.deltas().distributaries,
             past: map.past(),
             rounds: map.rounds(),
             finished: true,
@@ -323,6 +324,7 @@ impl Picture {
 fn rivers_of(session: &Session) -> Option<Rivers<'_>> {
     Some(Rivers {
         network: session.network()?,
+        distributaries: session.deltas().map_or(&[], |deltas| &deltas.distributaries),
         past: session.past()?,
         rounds: session.rounds()?,
         finished: false,

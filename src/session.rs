@@ -1,6 +1,7 @@
 //! A session. It holds one recipe and the result of each stage; after a change it runs again only the stages affected.
 
 mod coasts;
+mod deltas;
 mod drafts;
 mod error;
 mod moments;
@@ -13,9 +14,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use self::coasts::Coasts;
+use self::deltas::DeltaStage;
 use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
+use crate::deltas::{DeltaSettings, Deltas, Sediment};
 use crate::domain::Domain;
 use crate::drown::Transgression;
 use crate::grow::{GrowError, Growth, GrowthSettings};
@@ -54,6 +57,8 @@ pub struct Session {
     ticks: u32,
     /// `None` until growth has ended.
     shaping: Option<Shaping>,
+    /// The deltas of the finished rivers, if the recipe asks for any.
+    deltas: DeltaStage,
     /// The relief of the finished rivers, made on demand.
     relief: ReliefStage,
     generation: Generation,
@@ -76,7 +81,7 @@ pub enum Phase {
     Shaping,
     /// A round of meandering.
     Meandering,
-    /// Part of the relief of the finished rivers.
+    /// Part of the deltas or the relief of the finished rivers.
     Relief,
     /// No step is left.
     Finished,
@@ -126,6 +131,7 @@ impl Session {
             growth,
             ticks: 0,
             shaping: None,
+            deltas: DeltaStage::Waiting,
             relief: ReliefStage::Waiting,
             generation: Generation::next(),
             map_id: MapId::next(),
@@ -144,7 +150,7 @@ impl Session {
         const BYTES: usize = 96;
         const BYTES_OF_CELLS: usize = 6_000_000;
         let items = self.tree().len() + self.growth.attractors() as usize;
-        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes() + self.coasts.bytes();
+        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes() + self.deltas.bytes() + self.coasts.bytes();
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
@@ -167,9 +173,10 @@ impl Session {
     }
 
     /// Returns the land, either given or shaped by the recipe; `None` if all of the domain is land. Where the sea drowns
-    /// valleys, it is the land before that until [`Phase::Drowning`] has ended.
+    /// valleys, it is the land before that until [`Phase::Drowning`] has ended; where rivers build deltas, it is the land
+    /// without them until the rivers are finished.
     pub fn land(&self) -> Option<&Arc<Land>> {
-        self.coasts.land()
+        self.deltas.land().or(self.coasts.land())
     }
 
     /// Changes to another recipe. Returns the earliest stage that has to run again, or `None` if nothing is different.
@@ -180,6 +187,10 @@ impl Session {
     /// Fails like [`Session::new`] and [`Session::on_land`]; the session is then unchanged.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
+        let keeps_rivers = self.recipe.differs_in(&recipe, &[NumberKey::Deltas.into(), NumberKey::Waves.into()]);
+        // What fills valleys decides where the sea ends, to which the tree is cut.
+        let has_other_sediment = self.recipe.number(NumberKey::Deltas) != recipe.number(NumberKey::Deltas)
+            && stage.is_some_and(|stage| stage > Stage::Grow);
         let keeps_relief = self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
             let coasts = match (stage, self.coasts.planted()) {
@@ -199,10 +210,17 @@ impl Session {
         } else if stage.is_some_and(|stage| stage < Stage::Name) {
             self.relief = ReliefStage::Waiting;
         }
+        if stage.is_some_and(|stage| stage <= Stage::Shape) {
+            self.deltas = DeltaStage::Waiting;
+        }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
             self.discard_rivers();
         }
-        if stage == Some(Stage::Shape) && self.shaping.is_some() {
+        if has_other_sediment && self.coasts.undo_rise() {
+            self.growth.heal();
+            self.discard_rivers();
+        }
+        if stage == Some(Stage::Shape) && !keeps_rivers && self.shaping.is_some() {
             let settings = self.network_settings();
             self.shaping.iter_mut().for_each(|shaping| shaping.change(settings.clone()));
         }
@@ -240,6 +258,7 @@ impl Session {
 
     fn discard_rivers(&mut self) {
         self.shaping = None;
+        self.deltas = DeltaStage::Waiting;
         self.relief = ReliefStage::Waiting;
         self.tree_generation = Generation::next();
     }
@@ -310,6 +329,8 @@ impl Session {
             past: meander.past().clone(),
             relief: self.relief.relief().cloned(),
             lakes: self.lakes().cloned().unwrap_or_default(),
+            deltas: self.deltas().cloned().unwrap_or_default(),
+            flats: self.deltas.flats().cloned(),
         })
     }
 
@@ -332,7 +353,7 @@ impl Session {
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
             Some(shaping) if shaping.is_finished() => {
-                if self.needs_relief() {
+                if self.needs_relief() || self.lacks_deltas() {
                     self.raise_relief()?;
                 }
             }
@@ -362,6 +383,35 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.land().cloned(), self.network_settings())
     }
 
+    /// Returns `true` if rivers build deltas that have not been made yet.
+    fn lacks_deltas(&self) -> bool {
+        self.has_deltas() && !self.deltas.is_made()
+    }
+
+    /// Returns `true` if rivers build deltas: there is a coast, and they carry sediment.
+    fn has_deltas(&self) -> bool {
+        self.recipe.number(NumberKey::Deltas) > 0.0 && self.coasts.land().is_some()
+    }
+
+    /// Makes a step of the deltas of finished rivers.
+    fn build_deltas(&mut self) -> Result<(), SessionError> {
+        let Some(land) = self.coasts.land() else { return Ok(()) };
+        let (recipe, coasts, growth) = (&self.recipe, &self.coasts, &self.growth);
+        let settings = || {
+            let silted = coasts.silted();
+            Some(DeltaSettings {
+                sediment: Sediment::of(recipe)?,
+                waves: recipe.number(NumberKey::Waves),
+                total_discharge: growth.total_discharge(),
+                loads: silted.map(|silted| silted.loads.clone()),
+                plains: silted.map(|silted| silted.plains.clone()).unwrap_or_default(),
+            })
+        };
+        let rivers = self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
+        self.deltas.step(rivers, land, settings)?;
+        Ok(())
+    }
+
     /// Returns `true` if the style shows a relief, or lakes on one, that has not been made yet.
     fn wants_relief(&self) -> bool {
         self.needs_relief() && self.relief.lakes().is_none()
@@ -376,17 +426,22 @@ impl Session {
         self.recipe.get::<Style>().has_relief()
     }
 
-    /// Makes a step of the relief of finished rivers, even if the style shows none. Files use this relief as it is.
-    /// Returns `true` if a step was left to make.
+    /// Makes a step of the relief of finished rivers, even if the style shows none, or of the deltas before it. Files use this
+    /// relief as it is. Returns `true` if a step was left to make.
     ///
     /// # Errors
     /// Fails if there is not enough memory. The next call tries the same step again.
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
         let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.lakes().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
+        if self.lacks_deltas() {
+            return self.build_deltas().map(|()| true);
+        }
+        let land = self.land().cloned();
         let (recipe, coasts, growth, trim) = (&self.recipe, &self.coasts, &self.growth, self.trim());
+        let deltas = &self.deltas;
         let settings = || {
-            let coasts = (coasts.land(), coasts.low_stand());
+            let coasts = (land.as_ref(), coasts.low_stand(), deltas.flats());
             relief_settings(recipe, coasts, (growth.tree(), trim), growth.total_discharge())
         };
         let lakes = || {
@@ -414,6 +469,11 @@ impl Session {
         self.relief.lakes()
     }
 
+    /// Returns the deltas of rivers; `None` until they are made.
+    pub fn deltas(&self) -> Option<&Arc<Deltas>> {
+        self.deltas.deltas()
+    }
+
     /// Returns `true` if no step is left.
     pub fn is_finished(&self) -> bool {
         self.phase() == Phase::Finished
@@ -422,7 +482,7 @@ impl Session {
     /// Returns the kind of the next step.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
-            Some(shaping) if shaping.is_finished() && self.wants_relief() => Phase::Relief,
+            Some(shaping) if shaping.is_finished() && (self.lacks_deltas() || self.wants_relief()) => Phase::Relief,
             Some(shaping) if shaping.is_finished() => Phase::Finished,
             Some(shaping) if shaping.network().is_some() => Phase::Meandering,
             Some(_) => Phase::Shaping,

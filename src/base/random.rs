@@ -51,6 +51,8 @@ pub enum Purpose {
     Kind = 14,
     /// Places of lakes.
     Lakes = 15,
+    /// Sediment of rivers, and the branches of their deltas.
+    Deltas = 16,
 }
 
 impl Seed {

@@ -1,9 +1,11 @@
 //! The level to which the sea rises: the one at which it covers the share of the map that the recipe asks for.
 
+use super::rias::{self, Silted};
 use super::silt::{self, GreatRivers};
 use crate::base::memory::{Refused, ask};
 use crate::base::sort;
 use crate::base::work;
+use crate::deltas::{Sediment, expected_area};
 use crate::domain::Domain;
 use crate::land::{Land, RisenSea};
 
@@ -19,6 +21,10 @@ pub(super) struct Level {
     tries: u32,
     /// `true` until a level is nearly right.
     is_rough: bool,
+    /// The sediment with which rivers fill their rias; `None` if they carry none.
+    sediment: Option<Sediment>,
+    /// What has been filled.
+    silted: Silted,
 }
 
 /// The greatest difference from the share of sea asked for that is near enough.
@@ -34,12 +40,22 @@ impl Level {
         const BYTES_A_CORNER: usize = 48;
         ask(heights.len() * BYTES_A_CORNER)?;
         let sorted = sort_corners(low_stand, &heights);
-        Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true })
+        let silted = Silted::default();
+        Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true, sediment: None, silted })
+    }
+
+    /// Lets great rivers fill their rias with sediment.
+    #[must_use]
+    pub fn with_sediment(self, sediment: Option<Sediment>) -> Self {
+        Self { sediment, ..self }
     }
 
     /// Tries a level. Returns it, and the land above it, if the share of sea is right; the exact coast is traced only
     /// once a level is nearly right, and rivers have silted up the inlets where they meet.
-    pub fn advance(&mut self, low_stand: &Land, rivers: &GreatRivers) -> Option<(f32, Land)> {
+    ///
+    /// # Errors
+    /// If there is not enough memory to fill rias.
+    pub fn advance(&mut self, low_stand: &Land, rivers: &GreatRivers) -> Result<Option<(f32, Land)>, Refused> {
         // Below the low stand the sea would have to fall.
         let level = self.quantile(self.share).max(0.0);
         if !self.is_rough {
@@ -49,13 +65,30 @@ impl Level {
         let is_last = level == 0.0 || self.tries + 1 == TRIES;
         if self.is_rough && !is_last {
             self.is_rough = !self.is_right(sea.share());
-            if !self.is_rough && rivers.silt_up(low_stand.coast_distance(), &mut self.heights, level) {
-                self.sorted = sort_corners(low_stand, &self.heights);
+            if !self.is_rough {
+                let has_silt = rivers.silt_up(low_stand.coast_distance(), &mut self.heights, level);
+                let has_plains = self.fill_rias(low_stand, rivers, level)?;
+                if has_silt || has_plains {
+                    self.sorted = sort_corners(low_stand, &self.heights);
+                }
             }
-            return None;
+            return Ok(None);
         }
         let land = sea.into_land();
-        (self.is_right(land.share_of_sea()) || is_last).then_some((level, land))
+        Ok((self.is_right(land.share_of_sea()) || is_last).then_some((level, land)))
+    }
+
+    /// Fills rias at a level that is nearly right, and leaves room for deltas. Returns `true` if heights may have changed.
+    fn fill_rias(&mut self, low_stand: &Land, rivers: &GreatRivers, level: f32) -> Result<bool, Refused> {
+        let Some(sediment) = &self.sediment else { return Ok(false) };
+        self.silted = rias::fill(rivers, sediment, low_stand.coast_distance(), &mut self.heights, level)?;
+        self.sea += expected_area(&self.silted.loads) / (low_stand.size().x * low_stand.size().y);
+        Ok(true)
+    }
+
+    /// Takes what rivers have filled.
+    pub fn take_silted(&mut self) -> Silted {
+        std::mem::take(&mut self.silted)
     }
 
     /// Returns `true` if a share of sea is near enough to what is asked for. Prepares the next try, which is nearer.

@@ -1,7 +1,7 @@
 //! Drowned coasts: the sea rises over land that rivers have cut.
 //!
 //! ```text
-//! low stand ─► drainage ─► valleys ─► coarse relief ─► waves ─► level ─► silt ─► land
+//! low stand ─► drainage ─► valleys ─► coarse relief ─► waves ─► level ─► silt ─► rias ─► land
 //! ```
 //!
 //! Rivers grow on the land of a low stand. Then a coarse relief gives each corner of its lattice a height, low along rivers and
@@ -10,6 +10,7 @@
 
 mod fjords;
 mod level;
+mod rias;
 mod silt;
 #[cfg(test)]
 mod tests;
@@ -23,6 +24,7 @@ use crate::base::geometry::smooth_step;
 use crate::base::memory::{Refused, ask};
 use crate::base::random::DEVIATION;
 use crate::base::work;
+use crate::deltas::Sediment;
 use crate::grow::DrainageSettings;
 use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::Recipe;
@@ -32,6 +34,7 @@ use level::Level;
 use valleys::Marking;
 use waves::Waves;
 
+pub(crate) use rias::Silted;
 pub(crate) use transgression::Transgression;
 pub(crate) use valleys::Valleys;
 
@@ -67,6 +70,7 @@ enum Part {
 pub(crate) struct Drowned {
     pub land: Arc<Land>,
     pub valleys: Arc<Valleys>,
+    pub silted: Arc<Silted>,
 }
 
 impl Drowning {
@@ -140,13 +144,14 @@ impl Drowning {
             Part::Waves(valleys, mut waves) => match waves.advance() {
                 true => Part::Waves(valleys, waves),
                 false => {
-                    Part::Level(valleys, Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?)
+                    let level = Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?;
+                    Part::Level(valleys, level.with_sediment(Sediment::of(&self.recipe)))
                 }
             },
-            Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land, &valleys.rivers) {
+            Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land, &valleys.rivers)? {
                 None => Part::Level(valleys, level),
                 Some((reached, land)) => {
-                    let drowned = Drowned { land: land.into(), valleys };
+                    let drowned = Drowned { land: land.into(), valleys, silted: level.take_silted().into() };
                     let transgression =
                         Transgression::new(self.low_stand.clone(), level.into_heights(), reached, drowned);
                     return Ok((Part::Between, Some(transgression)));

@@ -32,16 +32,20 @@ const BEYOND: f32 = 1.5;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct GreatRivers {
     /// Nodes, each after those above it.
-    nodes: Vec<Node>,
+    pub nodes: Vec<Node>,
+    /// The area that drains to the sea in all rivers, in square units.
+    pub area: f32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Node {
-    at: Vec2,
+pub(super) struct Node {
+    pub at: Vec2,
     /// The area that drains there, in square units.
-    area: f32,
+    pub area: f32,
     /// The node below; itself at the end of a river.
-    below: usize,
+    pub below: usize,
+    /// The identity of the first node of its greatest river.
+    pub identity: u32,
 }
 
 /// A piece of an old course that becomes land, with half the width of its plain, in units.
@@ -85,12 +89,14 @@ impl GreatRivers {
         for node in great {
             number[node] = nodes.len();
             let below = tree.parent_of(node).map_or(nodes.len(), |parent| number[parent]);
-            nodes.push(Node { at: tree.at[node], area: discharge[node] as f32 * parcel, below });
+            let identity = tree.identity_of(node);
+            nodes.push(Node { at: tree.at[node], area: discharge[node] as f32 * parcel, below, identity });
         }
         let last = nodes.len().wrapping_sub(1);
         nodes.reverse();
         nodes.iter_mut().for_each(|node| node.below = last - node.below);
-        Self { nodes }
+        hand_down_identities(&mut nodes);
+        Self { nodes, area: tree.drained.iter().map(|&drained| drained as f32).sum::<f32>() * parcel }
     }
 
     /// Raises the heights at the corners of a lattice where a sea at some level divides great rivers close above their
@@ -167,6 +173,17 @@ impl Fill {
                 let plain = level + (HEIGHT * (1.0 - away * away)).min(lattice.heights()[corner]);
                 heights[corner] = heights[corner].max(plain);
             }
+        }
+    }
+}
+
+/// Gives each node the identity of the first node of the greatest river that comes to it, which stays wherever the sea ends.
+fn hand_down_identities(nodes: &mut [Node]) {
+    let mut greatest = vec![0.0; nodes.len()];
+    for i in 0..nodes.len() {
+        let Node { area, below, identity, .. } = nodes[i];
+        if below != i && area > greatest[below] {
+            (greatest[below], nodes[below].identity) = (area, identity);
         }
     }
 }

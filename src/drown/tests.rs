@@ -55,7 +55,7 @@ fn assert_lies_in(land: &Land, before: &Land, what: &str) {
 fn at(low_stand: &LowStand, heights: &[f32], sea: f32) -> Land {
     let mut level = Level::new(&low_stand.land, heights.to_vec(), sea).unwrap();
     loop {
-        if let Some((_, land)) = level.advance(&low_stand.land, &silt::GreatRivers::default()) {
+        if let Some((_, land)) = level.advance(&low_stand.land, &silt::GreatRivers::default()).unwrap() {
             return land;
         }
     }

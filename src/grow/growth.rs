@@ -60,6 +60,13 @@ impl Growth {
         }
     }
 
+    /// Undoes the cut, for another rise of the sea.
+    pub(crate) fn heal(&mut self) {
+        if let Grower::Drainage(growth) = &mut self.grower {
+            growth.heal();
+        }
+    }
+
     /// Returns the tree so far.
     pub fn tree(&self) -> &Arc<Tree> {
         match &self.grower {

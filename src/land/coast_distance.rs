@@ -78,9 +78,14 @@ impl CoastDistance {
 
     /// Makes the land where heights at the corners of the same lattice, row by row, are above 0. They stand for
     /// distances until the land is [settled](Self::settled).
-    pub(super) fn with_heights_of(&self, heights: &[f32]) -> Self {
+    pub(crate) fn with_heights_of(&self, heights: &[f32]) -> Self {
         let &Self { columns, rows, spacing, .. } = self;
         Self { heights: heights.to_vec(), columns, rows, spacing }
+    }
+
+    /// Replaces the height of each corner by a function of it and of the corner's index.
+    pub(super) fn replace(&mut self, height: impl Fn(f32, usize) -> f32) {
+        self.heights.iter_mut().enumerate().for_each(|(corner, here)| *here = height(*here, corner));
     }
 
     /// Deepens the corners of water to at least a depth, in units, so that water is connected as its corners are, however narrow it is.

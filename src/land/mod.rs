@@ -27,6 +27,7 @@ mod low_stand;
 mod margin;
 mod obstacles;
 mod outline;
+mod plains;
 mod queries;
 mod regions;
 mod risen;

@@ -94,6 +94,11 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
+    /// Takes over the drawn rivers of another land.
+    pub(super) fn with_rivers_of(self, other: &Self) -> Self {
+        Self { rivers: other.rivers.clone(), ..self }
+    }
+
     /// Returns the share of the domain that is sea, by cells.
     pub(crate) fn share_of_sea(&self) -> f32 {
         1.0 - self.grid.share_of_land()

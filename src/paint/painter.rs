@@ -24,6 +24,7 @@ use super::styles::{Scheme, palette};
 use super::view::{Framing, PaintError, View};
 use super::{ink, skeleton};
 use crate::base::memory;
+use crate::deltas::Distributary;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::network::{Network, PastCourses};
@@ -259,7 +260,12 @@ impl Painter {
     /// Paints rivers at once as a preview: `times` as wide as they are, without an annotation, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
-    pub fn paint_draft(&mut self, network: &Network, settings: &PaintSettings, times: f32) -> Option<Rect> {
+    pub fn paint_draft(
+        &mut self,
+        (network, distributaries): (&Network, &[Distributary]),
+        settings: &PaintSettings,
+        times: f32,
+    ) -> Option<Rect> {
         let PaintSettings { scheme, courses, .. } = *settings;
         if !self.ground.is_ready_for_draft(&self.view, scheme) {
             return None;
@@ -268,7 +274,8 @@ impl Painter {
         self.is_finished = true;
         self.coverage.clear();
         let widening = Widening { times, ..Widening::NONE };
-        draw_network(&mut self.coverage, &self.view, network, courses, palette(scheme).lines, widening);
+        let lines = palette(scheme).lines;
+        draw_network(&mut self.coverage, &self.view, (network, distributaries), courses, lines, widening);
         self.coverage.touch_all();
         let changed = self.compose(scheme);
         self.open_mouths(network, None, settings, times);
@@ -305,7 +312,8 @@ impl Painter {
         if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
             self.coverage.clear();
             let courses = rivers.settings.courses;
-            draw_network(&mut self.coverage, &self.view, rivers.network, courses, lines, Widening::NONE);
+            let drawn = (rivers.network, rivers.distributaries);
+            draw_network(&mut self.coverage, &self.view, drawn, courses, lines, Widening::NONE);
             self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
         }
     }

@@ -87,7 +87,8 @@ impl RaisedGround {
         let mut mask = Coverage::new(view.width, view.height)?;
         if look.minds_rivers() {
             let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
-            draw_network(&mut mask, view, rivers.network, rivers.settings.courses, palette.lines, cased);
+            let drawn = (rivers.network, rivers.distributaries);
+            draw_network(&mut mask, view, drawn, rivers.settings.courses, palette.lines, cased);
         }
         let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: mask, inks: None });
         let (relief, pixels) = (relief.clone(), Vec::with_capacity(view.pixels()));

@@ -12,6 +12,7 @@ use super::settings::PaintSettings;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
+use crate::deltas::Distributary;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::CourseShape;
@@ -22,6 +23,8 @@ use crate::relief::Relief;
 pub struct Rivers<'a> {
     /// The network. Between two calls, only rounds of meandering may have changed it.
     pub network: &'a Network,
+    /// The branches of rivers in deltas.
+    pub distributaries: &'a [Distributary],
     /// The former courses of great rivers.
     pub past: &'a PastCourses,
     /// The number of rounds of meandering so far.
@@ -57,7 +60,7 @@ impl Widening {
 pub(super) fn draw_network(
     coverage: &mut Coverage,
     view: &View,
-    network: &Network,
+    (network, distributaries): (&Network, &[Distributary]),
     courses: CourseShape,
     lines: Lines,
     Widening { times, margin }: Widening,
@@ -67,11 +70,14 @@ pub(super) fn draw_network(
         // Unchanged courses: widths and varying banks make no difference in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
+        let in_pixels = |place: &Place| (view.pixel(place.at), skeleton::WIDTH_PX * 0.5);
+        distributaries.iter().for_each(|branch| draw_line(coverage, branch.line.iter().map(in_pixels).collect()));
     } else {
         let share = lines.share() * times;
         let in_pixels = |place: &Place| (view.pixel(place.at), (place.half * share + margin) * view.scale + VISIBLE_PX);
         let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
         network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
+        distributaries.iter().for_each(|branch| draw_line(coverage, in_pixels(branch.line.clone())));
         let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
         for oxbow in lakes {
             coverage.set_strength(1.0 - oxbow.silt);

@@ -52,10 +52,11 @@ impl Picture {
     /// rivers. `None`, and nothing changes, if there are no rivers, or if the ground belongs to another land.
     fn paint_width_draft(&mut self, session: &Session, times: f32) -> Option<Painted> {
         let network = session.network()?;
+        let distributaries = session.deltas().map_or(&[][..], |deltas| &deltas.distributaries);
         if !self.is_on_land_of(session) {
             return None;
         }
-        let changed = self.painter.paint_draft(network, &PaintSettings::of(session.recipe()), times)?;
+        let changed = self.painter.paint_draft((network, distributaries), &PaintSettings::of(session.recipe()), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(Painted::Whole(Some(changed)))
     }

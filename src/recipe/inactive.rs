@@ -62,6 +62,8 @@ impl Given<'_> {
             Key::Trim | Key::TributarySpacing | Key::Courses => None,
             Key::Simplify | Key::Meander => self.as_grown(),
             Key::Width | Key::BankVariation => self.no_widths(),
+            Key::Deltas => self.no_coast(),
+            Key::Waves => self.no_coast().or_else(|| self.no_deltas()),
             Key::MeanderRounds => self.no_meandering(),
             Key::MeanderElsewhere | Key::GreatRivers => self.no_rounds(),
             Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
@@ -197,6 +199,10 @@ impl Given<'_> {
     fn no_widths(&self) -> Reason {
         let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
+    }
+
+    fn no_deltas(&self) -> Reason {
+        self.is_zero(Key::Deltas).then_some("rivers carry no sediment")
     }
 
     fn heights_only_in_files(&self) -> Reason {

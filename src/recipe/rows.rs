@@ -139,6 +139,11 @@ macro_rules! rows {
                 Width = "width", "Width": Shape, Number(1.0 to 40.0 by 0.5, default 16.0, logarithmic), in "units";
                 /// Variation of the width along a river, as a share of the width. The two banks vary independently.
                 BankVariation = "bank-variation", "Uneven banks": Shape, Number(0.0 to 0.5 by 0.01, default 0.15);
+                /// Sediment that great rivers carry. It fills drowned valleys from their heads on, then builds deltas into the
+                /// sea. 0: none; each half more is ten times as much.
+                Deltas = "deltas", "Deltas": Shape, Number(0.0 to 1.0 by 0.02, default 0.0);
+                /// Strength of waves at the mouths of rivers. 0: deltas like a bird's foot, 1: with a smooth front.
+                Waves = "waves", "Waves": Shape, Number(0.0 to 1.0 by 0.05, default 0.4);
             }
             "Meanders" {
                 /// Model of meandering: each bend moves by its own curvature, by the curvature upstream as well, or not at all.

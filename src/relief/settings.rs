@@ -26,6 +26,8 @@ pub struct ReliefSettings {
     pub land: Option<Arc<Land>>,
     /// The distances from the coast of the low stand, if the sea has risen since the rivers began; hillsides go by them.
     pub low_stand: Option<Arc<CoastDistance>>,
+    /// The distance into flat ground that rivers have laid, in units, negative elsewhere; `None` if there is none.
+    pub(crate) flats: Option<Arc<CoastDistance>>,
     /// The sides beyond which lies the sea, where all of the domain is land.
     pub sides: Sides,
     /// The discharge of a river that would drain the whole map.
@@ -57,6 +59,7 @@ impl ReliefSettings {
             grid: Grid::of(&domain),
             land,
             low_stand: None,
+            flats: None,
             sides: recipe.open_sides(),
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(NumberKey::Mountains),
@@ -73,6 +76,12 @@ impl ReliefSettings {
     #[must_use]
     pub(crate) fn with_low_stand(self, low_stand: Option<Arc<CoastDistance>>) -> Self {
         Self { low_stand, ..self }
+    }
+
+    /// Replaces the flat ground that rivers have laid; `None` if there is none.
+    #[must_use]
+    pub(crate) fn with_flats(self, flats: Option<Arc<CoastDistance>>) -> Self {
+        Self { flats, ..self }
     }
 
     /// Replaces hillsides by those of a low stand, and mountains and plains by the usual ones, whatever the recipe asks for.

@@ -39,12 +39,13 @@ impl Steepness {
         lengthen(&mut this.rises, cells.inland.len(), settings.hillsides.at_the_coast * cells.size)?;
         work::count(cells.inland.len());
         let border = Border::new(settings);
+        let flatness = |at: Vec2| settings.flats.as_deref().map_or(1.0, |flats| of_flat(flats.height(at)));
         for_each_row(&mut this.rises, cells.columns, settings.threads, |row, rises| {
             let first = row * cells.columns;
             for (cell, rise) in (first..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
                 // `Cells::point` would divide for each cell.
                 let at = Vec2::new(cells.coordinate(cell - first), cells.coordinate(row));
-                *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at);
+                *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at) * flatness(at);
             }
         });
         Ok(this)
@@ -141,6 +142,13 @@ pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
     let way = (inland / settings.plains.max(1.0)).clamp(0.0, 1.0);
     let least = fast_min(settings.hillsides.at_the_coast, settings.mountains);
     least + (settings.mountains - least) * way * way * (3.0 - 2.0 * way)
+}
+
+/// Returns the factor for the steepness at a distance into flat ground, in units.
+fn of_flat(within: f32) -> f32 {
+    const LEAST: f32 = 0.03;
+    const BLEND: f32 = 4.0;
+    1.0 + (LEAST - 1.0) * smooth_step(within / BLEND + 0.5)
 }
 
 /// The sides of the map at which land runs on. The land beyond is unknown, so all water runs inward there, and with

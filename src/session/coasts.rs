@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::base::memory::Refused;
-use crate::drown::{Drowned, Drowning, Transgression};
+use crate::drown::{Drowned, Drowning, Silted, Transgression};
 use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::Recipe;
 use crate::relief::ReliefError;
@@ -58,6 +58,18 @@ impl Coasts {
             return Self { planted, are_given: self.are_given, low_stand, rising: None, drowned: None };
         }
         Self::of(recipe)
+    }
+
+    /// Undoes the rise of the sea, for another one over the same tree. Returns `false` if it has not risen.
+    pub fn undo_rise(&mut self) -> bool {
+        let has_risen = self.drowned.is_some() || self.rising.is_some();
+        (self.drowned, self.rising) = (None, None);
+        has_risen
+    }
+
+    /// Returns what rivers have filled of the valleys that the sea rose into; `None` if it has not risen.
+    pub fn silted(&self) -> Option<&Silted> {
+        self.drowned.as_ref().map(|risen| &*risen.drowned.silted)
     }
 
     /// Returns the land that the tree is planted on; `None` if all of the domain is land.

@@ -55,7 +55,7 @@ impl Timeline {
         const MOST_COPIES: usize = 16;
         let rounds = session.rounds().filter(|_| session.is_finished())?;
         // Without a relief to follow, the last round is the end.
-        let rounds = if session.needs_relief() { rounds } else { rounds.saturating_sub(1) };
+        let rounds = if session.needs_relief() || session.has_deltas() { rounds } else { rounds.saturating_sub(1) };
         let items = session.tree().len() + session.growth().attractors() as usize;
         let copies = (MOST_BYTES / (items * BYTES_AN_ITEM + 1)).min(MOST_COPIES) as u32;
         let stride = (session.ticks + rounds).checked_div(copies).map_or(u32::MAX, |stride| stride + 1);

@@ -32,9 +32,9 @@ use self::text::Text;
 use super::banks::{Width, without_loops};
 use super::{ExportError, rivers};
 use crate::base::hash::Fnv1a;
+use crate::deltas::Distributary;
 use crate::map::Map;
-use crate::network::Banks;
-use crate::network::{NONE, Network, River};
+use crate::network::{Banks, NONE, Network, Place, River};
 use crate::paint::ground::COAST_WIDTH;
 use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette, Tints};
@@ -110,6 +110,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     cut(&mut out, has_shore, has_halo);
     out.text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
+    draw_distributaries(&mut out, &map.deltas().distributaries, width(palette.lines), courses);
     if let Some((past, look)) = past {
         out.text("</g>\n<g id=\"great");
         cut(&mut out, has_shore, has_halo);
@@ -204,6 +205,21 @@ fn draw_rivers(out: &mut Text, network: &Network, basins: Option<&InBasins>, wid
             shape(out, &Banks::of_river(network, river, width, courses), courses);
         }
         out.text("</g>\n");
+    }
+}
+
+/// Draws the branches of rivers in deltas, from bank to bank.
+fn draw_distributaries(out: &mut Text, distributaries: &[Distributary], width: Width, courses: CourseShape) {
+    for branch in distributaries {
+        out.text("<path id=\"distributary-").whole(branch.id).text("\" data-river=\"").whole(branch.river);
+        if let Some(parent) = branch.parent {
+            out.text("\" data-parent=\"").whole(parent);
+        }
+        let wide = |place: &Place| match width {
+            Width::Own { share, more } => Place { half: place.half * share + more, ..*place },
+            Width::Even { half } => Place { half, ..*place },
+        };
+        shape(out, &Banks::along(&branch.line.iter().map(wide).collect::<Vec<_>>(), courses), courses);
     }
 }
 

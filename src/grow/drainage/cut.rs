@@ -1,5 +1,7 @@
 //! The tree after the sea has risen: drowned parts are cut off, and their branches are rivers of their own.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::directions::NONE;
@@ -8,6 +10,15 @@ use crate::base::memory::{Refused, ask, reserve};
 use crate::base::work;
 use crate::land::{Cell, Land};
 use crate::tree::{Hydrology, NO_PARENT, Tree};
+
+/// What a tree was before it was cut, in case the sea rises otherwise.
+#[derive(Debug)]
+pub(super) struct Whole {
+    tree: Arc<Tree>,
+    node: Vec<u32>,
+    mouths: u32,
+    largest_basin: Option<u32>,
+}
 
 /// The parcels that the risen sea has left.
 #[derive(Clone, Debug)]
@@ -23,6 +34,8 @@ impl Drainage {
     /// sea are removed. Every edge that crosses the coast gets a mouth there. Places and discharge stay.
     pub(in crate::grow) fn cut(&mut self, land: &Land) -> Result<(), Refused> {
         let Cut { tree, node, .. } = Cut::of(&self.tree, land)?;
+        let (mouths, largest_basin) = (self.mouths, self.largest_basin);
+        self.whole = Some(Whole { tree: self.tree.clone(), node: self.node.clone(), mouths, largest_basin }.into());
         let (mut reached, mut unreached) = (0, Vec::new());
         for (parcel, of) in (0..).zip(&mut self.node) {
             let had_none = std::mem::replace(of, node.get(*of as usize).copied().unwrap_or(NONE)) == NONE;
@@ -36,8 +49,17 @@ impl Drainage {
         self.tree = tree.into();
         self.left = Some(Left { parcels: reached + unreached.len() as u32, unreached });
         let middle = self.settings.domain.size / 2.0;
-        identities::assign(std::sync::Arc::make_mut(&mut self.tree), &self.parcels, &self.node, middle);
+        identities::assign(Arc::make_mut(&mut self.tree), &self.parcels, &self.node, middle);
         Ok(())
+    }
+
+    /// Undoes the cut.
+    pub(in crate::grow) fn heal(&mut self) {
+        if let Some(whole) = self.whole.take() {
+            let Whole { tree, node, mouths, largest_basin } = &*whole;
+            (self.tree, self.node, self.mouths) = (tree.clone(), node.clone(), *mouths);
+            (self.largest_basin, self.left) = (*largest_basin, None);
+        }
     }
 }
 

@@ -35,7 +35,7 @@ use super::{Ending, GrowError, GrowthSettings, front};
 use crate::base::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use captures::Captures;
-use cut::Left;
+use cut::{Left, Whole};
 use directions::{FlowDirections, NONE};
 use invasion::Invasion;
 use lattice::Lattice;
@@ -73,6 +73,8 @@ pub struct Drainage {
     ending: Option<Ending>,
     /// The land that the risen sea has left; `None` if it has not risen.
     left: Option<Left>,
+    /// What the tree was before that.
+    whole: Option<Arc<Whole>>,
 }
 
 #[derive(Clone, Debug)]
@@ -118,6 +120,7 @@ impl Drainage {
             largest_basin: None,
             ending: None,
             left: None,
+            whole: None,
         })
     }
 

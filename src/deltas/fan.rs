@@ -1,0 +1,246 @@
+//! The branches of a delta: each splits in two at its tip, until too little water or sediment is left.
+
+use glam::Vec2;
+
+use crate::base::geometry::{direction, distance, fast_max, fast_min};
+use crate::base::queue::Queue;
+use crate::base::random::ItemHash;
+use crate::base::trigonometry::sine_and_cosine;
+use crate::base::work;
+use crate::domain::Domain;
+use crate::land::CoastDistance;
+
+/// The angle between two branches, in radians: 72° (Coffey and Rothman 2017), and the least and greatest multiple of it.
+const ANGLE: f32 = 1.256_637;
+const ANGLES: (f32, f32) = (0.82, 1.15);
+
+/// The greater share of water at a split: the least, the growth with a deviate, and the most.
+const SHARES: (f32, f32, f32) = (0.5, 0.14, 0.8);
+
+/// The share of the trunk's water below which a branch does not split, and the least that a branch has.
+const LEAST_SPLIT: f32 = 0.09;
+const LEAST: f32 = 0.03;
+
+/// The length of a branch, in widths, and the least and greatest multiple of it.
+const WIDTHS: f32 = 7.0;
+const LENGTHS: (f32, f32) = (0.75, 1.25);
+
+/// The share of its length that a branch must reach.
+const ENOUGH: f32 = 0.55;
+
+/// The distance between two places of a branch, in units.
+const STEP: f32 = 2.0;
+
+/// The deviation of the turn of a step, in radians, and the share of all turns that is taken back.
+const TURN: f32 = 0.07;
+const PULL: f32 = 0.08;
+
+/// The distance that branches keep from the frame of the map, in units.
+const OFF_FRAME: f32 = 14.0;
+
+/// The greatest number of branches of a delta.
+const MOST: usize = 60;
+
+/// A branch.
+#[derive(Clone, Debug)]
+pub(super) struct Link {
+    pub parent: Option<usize>,
+    /// The two arms that it splits into.
+    pub arms: Option<[usize; 2]>,
+    /// The share of the trunk's water, and the width, in units.
+    pub share: f32,
+    pub width: f32,
+    pub line: Vec<Vec2>,
+}
+
+impl Link {
+    /// Returns the length, in units.
+    pub fn length(&self) -> f32 {
+        self.line.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+    }
+
+    /// Returns the direction at the tip.
+    pub fn heading(&self) -> Vec2 {
+        let [.., from, to] = self.line[..] else { return Vec2::ZERO };
+        direction(to - from)
+    }
+
+    pub fn tip(&self) -> Vec2 {
+        self.line.last().copied().unwrap_or_default()
+    }
+}
+
+/// The place in which a delta grows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Site<'a> {
+    pub domain: Domain,
+    pub coast: &'a CoastDistance,
+    /// The mouth, the direction of the river there, and its width, in units.
+    pub apex: Vec2,
+    pub heading: Vec2,
+    pub width: f32,
+    /// What branches keep clear of: places with a distance, in units.
+    pub kept: &'a [(Vec2, f32)],
+    pub identity: u32,
+    pub chance: ItemHash,
+}
+
+/// The branches of a delta in the making.
+pub(super) struct Fan<'a> {
+    site: Site<'a>,
+    pub links: Vec<Link>,
+    /// The sediment that is left, in cubic units.
+    pub left: f32,
+}
+
+/// A branch to grow: where it begins, which way it is to run, and the branch that it is an arm of.
+#[derive(Clone, Copy)]
+struct Arm {
+    from: Vec2,
+    way: Vec2,
+    share: f32,
+    parent: Option<usize>,
+    /// The number by which chance knows it.
+    number: u32,
+}
+
+impl<'a> Fan<'a> {
+    /// Grows the branches of a delta out of a volume of sediment.
+    pub fn grow(site: Site<'a>, volume: f32) -> Self {
+        let mut this = Self { site, links: Vec::new(), left: volume };
+        let mut queue = Queue::default();
+        let seaward = -direction(site.coast.slope(site.apex));
+        let way = direction(0.6 * seaward + 0.4 * site.heading);
+        // Where the coast is in the way, the river turns aside.
+        for aside in [0.0, 0.35, -0.35, 0.7, -0.7] {
+            if this.split(None, turned(way, aside), &mut queue) {
+                break;
+            }
+        }
+        while let Some(link) = queue.pop() {
+            let link = link as usize;
+            if this.links[link].share >= LEAST_SPLIT && this.links.len() + 2 <= MOST && this.left > 0.0 {
+                this.split(Some(link), this.links[link].heading(), &mut queue);
+            }
+        }
+        this
+    }
+
+    /// Splits a branch, or the river itself, at its tip. Returns `false` if there is no room for both arms.
+    fn split(&mut self, parent: Option<usize>, way: Vec2, queue: &mut Queue) -> bool {
+        let Site { apex, identity, chance, .. } = self.site;
+        let number = parent.map_or(0, |parent| parent as u32 + 1);
+        let (from, share) = parent.map_or((apex, 1.0), |parent| (self.links[parent].tip(), self.links[parent].share));
+        let (least, growth, most) = SHARES;
+        let greater = fast_min(most, least + growth * chance.normal([identity, number, 1]).abs());
+        let angle = ANGLE * (ANGLES.0 + (ANGLES.1 - ANGLES.0) * chance.unit([identity, number, 2]));
+        let side = if chance.unit([identity, number, 3]) < 0.5 { 1.0 } else { -1.0 };
+        if share * (1.0 - greater) < LEAST {
+            return false;
+        }
+        let arm = |share: f32, turn: f32, arm: u32| Arm {
+            from,
+            way: turned(way, turn),
+            share,
+            parent,
+            number: 2 * number + arm,
+        };
+        let before = (self.links.len(), self.left);
+        // The greater arm turns less.
+        let arms = [
+            arm(share * greater, side * angle * (1.0 - greater), 0),
+            arm(share * (1.0 - greater), -side * angle * greater, 1),
+        ];
+        let is_open = arms.map(|arm| self.grow_arm(arm));
+        let [Some(one), Some(other)] = is_open else {
+            self.links.truncate(before.0);
+            self.left = before.1;
+            return false;
+        };
+        for (i, is_open) in [(before.0, one), (before.0 + 1, other)] {
+            if is_open {
+                queue.push(-self.links[i].share, i as u32);
+            }
+        }
+        if let Some(parent) = parent {
+            self.links[parent].arms = Some([before.0, before.0 + 1]);
+        }
+        true
+    }
+
+    /// Grows an arm. Returns `true` if it may split, `false` if it has met something on its way; `None` if there is no room for it.
+    fn grow_arm(&mut self, arm: Arm) -> Option<bool> {
+        let Site { identity, chance, width, .. } = self.site;
+        let width = width * arm.share.sqrt();
+        let chosen = chance.unit([identity, arm.number, 4]);
+        let mut whole = WIDTHS * width * (LENGTHS.0 + (LENGTHS.1 - LENGTHS.0) * chosen);
+        if let Some(parent) = arm.parent {
+            whole = fast_min(whole, self.links[parent].length());
+        }
+        let count = (whole / STEP).ceil().max(4.0);
+        let step = whole / count;
+        let mut line = vec![arm.from];
+        let (mut at, mut turn, mut is_open) = (arm.from, 0.0, true);
+        for i in 0..count as u32 {
+            // The first step keeps the angle of the split.
+            if i > 0 {
+                turn += TURN * chance.normal([identity, arm.number, 16 + i]) - PULL * turn;
+            }
+            let next = at + turned(arm.way, turn) * step;
+            let depth = depth(self.site.coast.height(next));
+            let cost = COST * width * (SHOAL + depth / DEEP) * step;
+            if cost > self.left || !self.has_room(next, i as f32 * step, width, arm.parent) {
+                is_open = false;
+                break;
+            }
+            self.left -= cost;
+            line.push(next);
+            at = next;
+        }
+        if (line.len() - 1) as f32 * step < ENOUGH * whole {
+            return None;
+        }
+        self.links.push(Link { parent: arm.parent, arms: None, share: arm.share, width, line });
+        Some(is_open)
+    }
+
+    /// Returns `true` if a branch can run on to a place, some way from where it begins.
+    fn has_room(&self, at: Vec2, way: f32, width: f32, parent: Option<usize>) -> bool {
+        let Site { domain, coast, apex, width: trunk, kept, .. } = self.site;
+        let off_frame = domain.sides(at).into_iter().map(|(_, far)| far).fold(f32::INFINITY, fast_min);
+        let is_near_apex = parent.is_none() && distance(at, apex) < 2.0 * trunk + 8.0;
+        if off_frame < OFF_FRAME || (!is_near_apex && coast.height(at) > -(0.5 * width + 1.5)) {
+            return false;
+        }
+        let clear = 2.2 * width + 3.0;
+        work::count(kept.len());
+        if kept.iter().any(|&(place, far)| distance(at, place) < far + 0.5 * width + 1.0) {
+            return false;
+        }
+        // Its parent and the other arm begin where it does.
+        let is_related = |i: usize, link: &Link| Some(i) == parent || link.parent == parent;
+        self.links.iter().enumerate().all(|(i, link)| {
+            work::count(link.line.len());
+            let clear = fast_max(clear, 1.1 * (width + link.width) * 0.5 + 2.0);
+            (is_related(i, link) && way < 2.0 * clear) || link.line.iter().all(|place| distance(at, *place) >= clear)
+        })
+    }
+}
+
+/// The sediment of a branch: by its width, and by its depth in units, more than on a shoal.
+const COST: f32 = 6.0;
+const SHOAL: f32 = 0.5;
+const DEEP: f32 = 4.0;
+
+/// Returns the depth of the sea at a distance from the coast that is negative there, both in units.
+pub(super) fn depth(coast: f32) -> f32 {
+    const DEEPEST: f32 = 12.0;
+    const FAR: f32 = 80.0;
+    DEEPEST * (1.0 - libm::expf(fast_min(coast, 0.0) / FAR))
+}
+
+/// Turns a direction by an angle.
+pub(super) fn turned(way: Vec2, angle: f32) -> Vec2 {
+    let (sine, cosine) = sine_and_cosine(angle);
+    Vec2::new(way.x * cosine - way.y * sine, way.x * sine + way.y * cosine)
+}

@@ -1,0 +1,260 @@
+//! The deltas of a map in the making: no step keeps a page waiting for long.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use super::fan::{Fan, Link, Site};
+use super::plain::{Closing, Plain};
+use super::sediment::{LEAST, Load, RIVERS, Sediment, expected_area};
+use super::{Delta, Deltas, Distributary, tips};
+use crate::base::geometry::{direction, distance, fast_max, fast_min};
+use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::sort::argsort;
+use crate::base::work;
+use crate::domain::Domain;
+use crate::land::{CoastDistance, Land, SmoothedDistance};
+use crate::network::{NONE, Network, Place};
+
+/// The settings of deltas.
+#[derive(Clone, Debug)]
+pub(crate) struct DeltaSettings {
+    pub sediment: Sediment,
+    /// The strength of waves, from 0 to 1.
+    pub waves: f32,
+    /// The discharge of a river that would drain the whole map.
+    pub total_discharge: u32,
+    /// The mouths of great rivers with what they have left after filling their rias; `None` if no sea has risen.
+    pub loads: Option<Vec<Load>>,
+    /// The corners of the plains in rias, each with its distance from their edge, in units.
+    pub plains: Vec<(u32, f32)>,
+}
+
+/// A land with deltas.
+#[derive(Clone, Debug)]
+pub(crate) struct Shore {
+    pub deltas: Arc<Deltas>,
+    pub land: Arc<Land>,
+    /// The distance into flat ground that rivers have laid, in units, negative elsewhere; `None` if there is none.
+    pub flats: Option<Arc<CoastDistance>>,
+}
+
+/// The deltas of a map, as far as they are made.
+#[derive(Clone, Debug)]
+pub(crate) struct DeltaMaker {
+    settings: DeltaSettings,
+    land: Arc<Land>,
+    /// The distances from the coast, as deltas have changed it so far, and those into flat ground.
+    heights: Vec<f32>,
+    flats: Vec<f32>,
+    /// The rivers that are left, the greatest last, with their sediment.
+    rivers: Vec<(u32, f32)>,
+    /// The area that new land may still have, in square units.
+    area: f32,
+    made: Deltas,
+    has_begun: bool,
+}
+
+/// The greatest share of the map that deltas take from the sea, besides the area that was left for them.
+const MOST: f32 = 0.008;
+
+/// The least number of branches that reach the sea: fewer look like a broken finger.
+const TIPS: usize = 3;
+
+impl DeltaMaker {
+    /// The approximate memory of the work, in megabytes.
+    pub const MEGABYTES: u32 = 8;
+
+    /// Begins the deltas of a land.
+    pub fn new(settings: DeltaSettings, land: Arc<Land>) -> Self {
+        let size = land.size();
+        let area = MOST * size.x * size.y + settings.loads.as_deref().map_or(0.0, expected_area);
+        Self {
+            settings,
+            land,
+            heights: Vec::new(),
+            flats: Vec::new(),
+            rivers: Vec::new(),
+            area,
+            made: Deltas::default(),
+            has_begun: false,
+        }
+    }
+
+    /// Makes a delta, if a river has one. Returns the land once all are made.
+    ///
+    /// # Errors
+    /// If there is not enough memory. A further call tries the same step again.
+    pub fn step(&mut self, network: &Network) -> Result<Option<Shore>, Refused> {
+        if !std::mem::replace(&mut self.has_begun, true) {
+            self.begin(network).inspect_err(|_| self.has_begun = false)?;
+            return Ok(None);
+        }
+        let Some((river, volume)) = self.rivers.pop() else { return self.shore().map(Some) };
+        if volume >= LEAST {
+            self.build(network, river, volume);
+        }
+        Ok(None)
+    }
+
+    fn begin(&mut self, network: &Network) -> Result<(), Refused> {
+        ask(Self::MEGABYTES as usize * 1_000_000)?;
+        let heights = self.land.coast_distance().heights();
+        self.heights = heights.to_vec();
+        self.flats.clear();
+        lengthen(&mut self.flats, heights.len(), -FLAT)?;
+        work::count(2 * heights.len());
+        for &(corner, within) in &self.settings.plains {
+            self.flats[corner as usize] = fast_max(self.flats[corner as usize], within);
+        }
+        self.rivers = self.great_rivers(network);
+        Ok(())
+    }
+
+    /// Lists the rivers that may have a delta with their sediment, the greatest last.
+    fn great_rivers(&self, network: &Network) -> Vec<(u32, f32)> {
+        let mouths = network.mouths();
+        let discharge = |river: u32| network.discharge(&network.rivers[river as usize]);
+        let order = argsort(mouths.iter().map(|&river| !discharge(river)));
+        let great = order.into_iter().take(RIVERS).map(|i| mouths[i]);
+        let mut rivers: Vec<(u32, f32)> = great.map(|river| (river, self.sediment_of(network, river))).collect();
+        rivers.reverse();
+        rivers
+    }
+
+    /// Returns the sediment that a river has left at its mouth, in cubic units.
+    fn sediment_of(&self, network: &Network, river: u32) -> f32 {
+        /// The farthest that a mouth lies from where its plain was to end, in units.
+        const FAR: f32 = 40.0;
+        let river = &network.rivers[river as usize];
+        let Some(mouth) = network.vertices[river.vertex_range()].last() else { return 0.0 };
+        let Some(loads) = &self.settings.loads else {
+            let share = mouth.discharge as f32 / self.settings.total_discharge.max(1) as f32;
+            return self.settings.sediment.of_river(share, river.identity);
+        };
+        let away = |load: &&Load| distance(load.at, mouth.at);
+        let near = loads.iter().filter(|load| away(load) < FAR).min_by(|a, b| away(a).total_cmp(&away(b)));
+        near.map_or(0.0, |load| load.left)
+    }
+
+    /// Builds the delta of a river, if there is room for one.
+    fn build(&mut self, network: &Network, river: u32, volume: f32) {
+        let course = network.middle(&network.rivers[river as usize]);
+        let [.., above, mouth, _] = course[..] else { return };
+        let coast = self.land.coast_distance();
+        let (kept, lanes) = self.surroundings(network, river, mouth);
+        let site = Site {
+            domain: Domain { size: self.land.size() },
+            coast,
+            apex: mouth.at,
+            heading: direction(mouth.at - above.at),
+            width: 2.0 * mouth.half,
+            kept: &kept,
+            identity: network.rivers[river as usize].identity,
+            chance: self.settings.sediment.chance(),
+        };
+        let Fan { links, left, .. } = Fan::grow(site, volume);
+        if links.iter().filter(|link| link.arms.is_none()).count() < TIPS {
+            return;
+        }
+        let closing = Closing { waves: self.settings.waves, volume: volume + left, area: self.area };
+        let Some(plain) = Plain::build(coast, &self.heights, &links, &lanes, closing) else { return };
+        let Some(links) = tips::carry(links, &plain, &kept, TIPS) else { return };
+        self.take(river, mouth.at, &plain, &links);
+    }
+
+    /// Lists the places that the branches of a river keep clear of: those of all other rivers nearby and of its own above, and the
+    /// water before their mouths; and the lanes of that water.
+    fn surroundings(&self, network: &Network, river: u32, apex: Place) -> (Vec<(Vec2, f32)>, Vec<Vec<Vec2>>) {
+        /// The farthest that a delta reaches, in widths and in units.
+        const WIDTHS: f32 = 32.0;
+        const FAR: f32 = 40.0;
+        let far = WIDTHS * 2.0 * apex.half + FAR;
+        let own = 2.5 * 2.0 * apex.half + 6.0;
+        let (mut kept, mut lanes) = (Vec::new(), Vec::new());
+        for (id, other) in (0..).zip(&network.rivers) {
+            work::count(other.vertex_range().len());
+            let mut end = None;
+            for vertex in &network.vertices[other.vertex_range()] {
+                let away = distance(vertex.at, apex.at);
+                end = (other.parent == NONE && away < far).then_some(vertex);
+                if away < far && (id != river || away > own) {
+                    kept.push((vertex.at, 0.5 * vertex.width() + 1.5));
+                }
+            }
+            if let Some(end) = end.filter(|_| id != river) {
+                let lane = self.lane(end.at);
+                kept.extend(lane.iter().map(|&at| (at, 4.0)));
+                lanes.push(lane);
+            }
+        }
+        for branch in self.made.distributaries.iter().flat_map(|branch| &branch.line) {
+            if distance(branch.at, apex.at) < far {
+                kept.push((branch.at, branch.half + 3.0));
+            }
+        }
+        (kept, lanes)
+    }
+
+    /// Returns the way of water from a mouth out into the sea.
+    fn lane(&self, mouth: Vec2) -> Vec<Vec2> {
+        const STEP: f32 = 3.0;
+        const STEPS: usize = 14;
+        let coast = self.land.coast_distance();
+        let mut lane = vec![mouth];
+        let mut at = mouth;
+        for _ in 0..STEPS {
+            at -= direction(coast.slope(at)) * STEP;
+            lane.push(at);
+        }
+        lane
+    }
+
+    /// Takes over a delta.
+    fn take(&mut self, river: u32, apex: Vec2, plain: &Plain, links: &[Link]) {
+        let coast = self.land.coast_distance();
+        let mut new = vec![-coast.spacing(); self.heights.len()];
+        work::count(new.len());
+        for (corner, height) in plain.changes(coast.size().0) {
+            let before = coast.heights()[corner];
+            new[corner] = fast_min(height, -before);
+            self.heights[corner] = height;
+            self.flats[corner] = fast_max(self.flats[corner], fast_min(height, FLAT));
+        }
+        let rings = SmoothedDistance::of(&coast.with_heights_of(&new)).rings_above(0.0);
+        let area = plain.area();
+        self.area -= area;
+        self.made.list.push(Delta { river, apex, waves: self.settings.waves, area, rings });
+        let first = self.made.distributaries.len();
+        for (i, link) in links.iter().enumerate() {
+            self.made.distributaries.push(Distributary {
+                id: (first + i) as u32,
+                river,
+                parent: link.parent.map(|parent| (first + parent) as u32),
+                share: link.share,
+                line: link.line.iter().map(|&at| Place { at, half: 0.5 * link.width }).collect(),
+                reaches_sea: link.arms.is_none(),
+            });
+        }
+    }
+
+    /// Makes the land with all deltas.
+    fn shore(&mut self) -> Result<Shore, Refused> {
+        ask(Self::MEGABYTES as usize * 1_000_000)?;
+        let land = match self.made.is_empty() {
+            true => self.land.clone(),
+            false => self.land.with_plains(&self.heights).into(),
+        };
+        let is_flat = self.flats.iter().any(|flat| *flat > 0.0);
+        let flats = is_flat.then(|| self.land.coast_distance().with_heights_of(&self.flats).into());
+        Ok(Shore { deltas: std::mem::take(&mut self.made).into(), land, flats })
+    }
+
+    /// Returns the approximate memory of a copy, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.heights[..]) + size_of_val(&self.flats[..])
+    }
+}
+
+/// The distance into flat ground that is told, and the other way, in units.
+const FLAT: f32 = 8.0;
