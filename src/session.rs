@@ -323,7 +323,7 @@ impl Session {
             grown: self.growth.grown()?,
             tree: self.growth.tree().clone(),
             trim: self.trim(),
-            network: meander.drawn().clone(),
+            network: self.deltas.network().unwrap_or(meander.drawn()).clone(),
             reaches: meander.reaches().clone(),
             rounds: meander.rounds(),
             past: meander.past().clone(),
@@ -448,7 +448,7 @@ impl Session {
             let share = recipe.number(NumberKey::Lakes);
             (share > 0.0).then(|| LakeMaker::new(share, Seed::from_text(recipe.seed())))
         };
-        let rivers = shaping.meander().map_or(Network::EMPTY, |meander| &**meander.drawn());
+        let rivers = deltas.network().or(shaping.meander().map(Meander::drawn)).map_or(Network::EMPTY, |rivers| rivers);
         self.relief.step(rivers, settings, lakes)?;
         Ok(true)
     }
@@ -508,7 +508,7 @@ impl Session {
 
     /// Returns the rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
-        self.meander().map(|meander| &**meander.drawn())
+        self.deltas.network().or(self.meander().map(Meander::drawn)).map(|network| &**network)
     }
 
     fn meander(&self) -> Option<&Meander> {

@@ -2,7 +2,8 @@
 
 use glam::Vec2;
 
-use crate::base::geometry::{direction, distance, fast_max, fast_min};
+use super::sediment::reach;
+use crate::base::geometry::{direction, distance, fast_min};
 use crate::base::queue::Queue;
 use crate::base::random::ItemHash;
 use crate::base::trigonometry::sine_and_cosine;
@@ -18,15 +19,16 @@ const ANGLES: (f32, f32) = (0.82, 1.15);
 const SHARES: (f32, f32, f32) = (0.5, 0.14, 0.8);
 
 /// The share of the trunk's water below which a branch does not split, and the least that a branch has.
-const LEAST_SPLIT: f32 = 0.09;
+const LEAST_SPLIT: f32 = 0.15;
 const LEAST: f32 = 0.03;
 
-/// The length of a branch, in widths, and the least and greatest multiple of it.
-const WIDTHS: f32 = 7.0;
+/// The least and greatest multiple of the usual length of a branch, and the greatest share of that of the branch before it: what is
+/// left takes it on to the sea.
+const SHORTER: f32 = 0.72;
 const LENGTHS: (f32, f32) = (0.75, 1.25);
 
-/// The share of its length that a branch must reach.
-const ENOUGH: f32 = 0.55;
+/// The room that a branch finds ahead of its tip, in units and in widths, so that it can go on to the sea over its own land.
+const AHEAD: (f32, f32) = (5.0, 1.0);
 
 /// The distance between two places of a branch, in units.
 const STEP: f32 = 2.0;
@@ -51,6 +53,8 @@ pub(super) struct Link {
     pub share: f32,
     pub width: f32,
     pub line: Vec<Vec2>,
+    /// The place up to which there is room ahead of the tip.
+    pub ahead: Vec2,
 }
 
 impl Link {
@@ -91,6 +95,8 @@ pub(super) struct Fan<'a> {
     pub links: Vec<Link>,
     /// The sediment that is left, in cubic units.
     pub left: f32,
+    /// The usual length of a branch of all the water, in units.
+    pub reach: f32,
 }
 
 /// A branch to grow: where it begins, which way it is to run, and the branch that it is an arm of.
@@ -105,14 +111,36 @@ struct Arm {
 }
 
 impl<'a> Fan<'a> {
-    /// Grows the branches of a delta out of a volume of sediment.
+    /// Grows the branches of a delta out of a volume of sediment: as long as there is room for, so that many reach the sea.
     pub fn grow(site: Site<'a>, volume: f32) -> Self {
-        let mut this = Self { site, links: Vec::new(), left: volume };
+        const SCALES: [f32; 4] = [1.0, 0.8, 0.65, 0.5];
+        const MANY: usize = 5;
+        let reach = reach(site.width, volume);
+        let mut best = Self::of_reach(site, volume, SCALES[0] * reach);
+        for scale in &SCALES[1..] {
+            if best.tips() >= MANY {
+                break;
+            }
+            let next = Self::of_reach(site, volume, scale * reach);
+            if next.tips() > best.tips() {
+                best = next;
+            }
+        }
+        best
+    }
+
+    /// Counts the branches that do not split.
+    pub fn tips(&self) -> usize {
+        self.links.iter().filter(|link| link.arms.is_none()).count()
+    }
+
+    fn of_reach(site: Site<'a>, volume: f32, reach: f32) -> Self {
+        let mut this = Self { site, links: Vec::new(), left: volume, reach };
         let mut queue = Queue::default();
         let seaward = -direction(site.coast.slope(site.apex));
         let way = direction(0.6 * seaward + 0.4 * site.heading);
         // Where the coast is in the way, the river turns aside.
-        for aside in [0.0, 0.35, -0.35, 0.7, -0.7] {
+        for aside in [0.0, 0.35, -0.35, 0.7, -0.7, 1.05, -1.05] {
             if this.split(None, turned(way, aside), &mut queue) {
                 break;
             }
@@ -151,16 +179,13 @@ impl<'a> Fan<'a> {
             arm(share * greater, side * angle * (1.0 - greater), 0),
             arm(share * (1.0 - greater), -side * angle * greater, 1),
         ];
-        let is_open = arms.map(|arm| self.grow_arm(arm));
-        let [Some(one), Some(other)] = is_open else {
+        if !arms.into_iter().all(|arm| self.grow_arm(arm)) {
             self.links.truncate(before.0);
             self.left = before.1;
             return false;
-        };
-        for (i, is_open) in [(before.0, one), (before.0 + 1, other)] {
-            if is_open {
-                queue.push(-self.links[i].share, i as u32);
-            }
+        }
+        for i in before.0..before.0 + 2 {
+            queue.push(-self.links[i].share, i as u32);
         }
         if let Some(parent) = parent {
             self.links[parent].arms = Some([before.0, before.0 + 1]);
@@ -168,40 +193,39 @@ impl<'a> Fan<'a> {
         true
     }
 
-    /// Grows an arm. Returns `true` if it may split, `false` if it has met something on its way; `None` if there is no room for it.
-    fn grow_arm(&mut self, arm: Arm) -> Option<bool> {
+    /// Grows an arm. Returns `false` if there is no room for it, or sediment is spent.
+    fn grow_arm(&mut self, arm: Arm) -> bool {
         let Site { identity, chance, width, .. } = self.site;
         let width = width * arm.share.sqrt();
         let chosen = chance.unit([identity, arm.number, 4]);
-        let mut whole = WIDTHS * width * (LENGTHS.0 + (LENGTHS.1 - LENGTHS.0) * chosen);
+        let usual = self.reach * arm.share.sqrt();
+        let mut whole = usual * (LENGTHS.0 + (LENGTHS.1 - LENGTHS.0) * chosen);
         if let Some(parent) = arm.parent {
-            whole = fast_min(whole, self.links[parent].length());
+            whole = fast_min(whole, SHORTER * self.links[parent].length());
         }
         let count = (whole / STEP).ceil().max(4.0);
         let step = whole / count;
         let mut line = vec![arm.from];
-        let (mut at, mut turn, mut is_open) = (arm.from, 0.0, true);
+        let (mut at, mut turn) = (arm.from, 0.0);
         for i in 0..count as u32 {
             // The first step keeps the angle of the split.
             if i > 0 {
                 turn += TURN * chance.normal([identity, arm.number, 16 + i]) - PULL * turn;
             }
-            let next = at + turned(arm.way, turn) * step;
-            let depth = depth(self.site.coast.height(next));
-            let cost = COST * width * (SHOAL + depth / DEEP) * step;
-            if cost > self.left || !self.has_room(next, i as f32 * step, width, arm.parent) {
-                is_open = false;
-                break;
+            at += turned(arm.way, turn) * step;
+            let cost = COST * width * (SHOAL + depth(self.site.coast.height(at)) / DEEP) * step;
+            if cost > self.left || !self.has_room(at, i as f32 * step, width, arm.parent) {
+                return false;
             }
             self.left -= cost;
-            line.push(next);
-            at = next;
+            line.push(at);
         }
-        if (line.len() - 1) as f32 * step < ENOUGH * whole {
-            return None;
+        let ahead = at + turned(arm.way, turn) * (AHEAD.0 + AHEAD.1 * width);
+        if ![0.5, 1.0].into_iter().all(|share| self.has_room(at.lerp(ahead, share), whole, width, arm.parent)) {
+            return false;
         }
-        self.links.push(Link { parent: arm.parent, arms: None, share: arm.share, width, line });
-        Some(is_open)
+        self.links.push(Link { parent: arm.parent, arms: None, share: arm.share, width, line, ahead });
+        true
     }
 
     /// Returns `true` if a branch can run on to a place, some way from where it begins.
@@ -212,7 +236,6 @@ impl<'a> Fan<'a> {
         if off_frame < OFF_FRAME || (!is_near_apex && coast.height(at) > -(0.5 * width + 1.5)) {
             return false;
         }
-        let clear = 2.2 * width + 3.0;
         work::count(kept.len());
         if kept.iter().any(|&(place, far)| distance(at, place) < far + 0.5 * width + 1.0) {
             return false;
@@ -221,8 +244,11 @@ impl<'a> Fan<'a> {
         let is_related = |i: usize, link: &Link| Some(i) == parent || link.parent == parent;
         self.links.iter().enumerate().all(|(i, link)| {
             work::count(link.line.len());
-            let clear = fast_max(clear, 1.1 * (width + link.width) * 0.5 + 2.0);
-            (is_related(i, link) && way < 2.0 * clear) || link.line.iter().all(|place| distance(at, *place) >= clear)
+            let clear = 0.8 * (width + link.width) + 3.0;
+            // Ahead of a tip there is to be room as well.
+            let ahead = link.arms.is_none().then(|| [link.ahead, link.tip().midpoint(link.ahead)]);
+            let mut places = link.line.iter().copied().chain(ahead.into_iter().flatten());
+            (is_related(i, link) && way < 2.0 * clear) || Some(i) == parent || places.all(|at_it| distance(at, at_it) >= clear)
         })
     }
 }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::fan::{Fan, Link, Site};
-use super::plain::{Closing, Plain};
+use super::plain::{Most, Plain, radii};
 use super::sediment::{LEAST, Load, RIVERS, Sediment, expected_area};
+use super::ends::extended;
 use super::{Delta, Deltas, Distributary, tips};
 use crate::base::geometry::{direction, distance, fast_max, fast_min};
 use crate::base::memory::{Refused, ask, lengthen};
@@ -14,7 +15,7 @@ use crate::base::sort::argsort;
 use crate::base::work;
 use crate::domain::Domain;
 use crate::land::{CoastDistance, Land, SmoothedDistance};
-use crate::network::{NONE, Network, Place};
+use crate::network::{Network, Place};
 
 /// The settings of deltas.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub(crate) struct Shore {
     pub land: Arc<Land>,
     /// The distance into flat ground that rivers have laid, in units, negative elsewhere; `None` if there is none.
     pub flats: Option<Arc<CoastDistance>>,
+    /// The rivers, if some of them run on over new land; `None` if they are as before.
+    pub network: Option<Arc<Network>>,
 }
 
 /// The deltas of a map, as far as they are made.
@@ -52,6 +55,8 @@ pub(crate) struct DeltaMaker {
     /// The area that new land may still have, in square units.
     area: f32,
     made: Deltas,
+    /// The ways on which rivers run on to the sea from mouths that lie in new land now.
+    ends: Vec<(u32, Vec<Vec2>)>,
     has_begun: bool,
 }
 
@@ -77,6 +82,7 @@ impl DeltaMaker {
             rivers: Vec::new(),
             area,
             made: Deltas::default(),
+            ends: Vec::new(),
             has_begun: false,
         }
     }
@@ -90,7 +96,7 @@ impl DeltaMaker {
             self.begin(network).inspect_err(|_| self.has_begun = false)?;
             return Ok(None);
         }
-        let Some((river, volume)) = self.rivers.pop() else { return self.shore().map(Some) };
+        let Some((river, volume)) = self.rivers.pop() else { return self.shore(network).map(Some) };
         if volume >= LEAST {
             self.build(network, river, volume);
         }
@@ -117,24 +123,30 @@ impl DeltaMaker {
         let discharge = |river: u32| network.discharge(&network.rivers[river as usize]);
         let order = argsort(mouths.iter().map(|&river| !discharge(river)));
         let great = order.into_iter().take(RIVERS).map(|i| mouths[i]);
-        let mut rivers: Vec<(u32, f32)> = great.map(|river| (river, self.sediment_of(network, river))).collect();
+        let mut loads = self.settings.loads.clone();
+        let mut rivers: Vec<(u32, f32)> =
+            great.map(|river| (river, self.sediment_of(network, river, loads.as_mut()))).collect();
+        let w = |r: u32| network.vertices[network.rivers[r as usize].end as usize - 1].width();
+        let widest = rivers.iter().map(|r| w(r.0)).fold(0.0, f32::max);
+        eprintln!("DBG wide {} of 12", rivers.iter().filter(|r| w(r.0) > widest / 12.0).count());
         rivers.reverse();
         rivers
     }
 
-    /// Returns the sediment that a river has left at its mouth, in cubic units.
-    fn sediment_of(&self, network: &Network, river: u32) -> f32 {
+    /// Returns the sediment that a river has left at its mouth, in cubic units. Takes it from the loads, if there are any.
+    fn sediment_of(&self, network: &Network, river: u32, loads: Option<&mut Vec<Load>>) -> f32 {
         /// The farthest that a mouth lies from where its plain was to end, in units.
         const FAR: f32 = 40.0;
         let river = &network.rivers[river as usize];
         let Some(mouth) = network.vertices[river.vertex_range()].last() else { return 0.0 };
-        let Some(loads) = &self.settings.loads else {
+        let Some(loads) = loads else {
             let share = mouth.discharge as f32 / self.settings.total_discharge.max(1) as f32;
             return self.settings.sediment.of_river(share, river.identity);
         };
-        let away = |load: &&Load| distance(load.at, mouth.at);
-        let near = loads.iter().filter(|load| away(load) < FAR).min_by(|a, b| away(a).total_cmp(&away(b)));
-        near.map_or(0.0, |load| load.left)
+        let away = |load: &Load| distance(load.at, mouth.at);
+        let near = (0..loads.len()).filter(|&i| away(&loads[i]) < FAR);
+        let nearest = near.min_by(|&a, &b| away(&loads[a]).total_cmp(&away(&loads[b])));
+        nearest.map_or(0.0, |i| loads.remove(i).left)
     }
 
     /// Builds the delta of a river, if there is room for one.
@@ -142,7 +154,7 @@ impl DeltaMaker {
         let course = network.middle(&network.rivers[river as usize]);
         let [.., above, mouth, _] = course[..] else { return };
         let coast = self.land.coast_distance();
-        let (kept, lanes) = self.surroundings(network, river, mouth);
+        let kept = self.surroundings(network, river, mouth);
         let site = Site {
             domain: Domain { size: self.land.size() },
             coast,
@@ -153,61 +165,87 @@ impl DeltaMaker {
             identity: network.rivers[river as usize].identity,
             chance: self.settings.sediment.chance(),
         };
-        let Fan { links, left, .. } = Fan::grow(site, volume);
-        if links.iter().filter(|link| link.arms.is_none()).count() < TIPS {
+        let fan = Fan::grow(site, volume);
+        eprintln!("  DBG river {river} {} w {:.1} volume {volume:.0} fan {} reach {:.0} links left {:.0}", mouth.at, site.width, fan.links.len(), fan.reach, fan.left);
+        if fan.tips() < TIPS {
             return;
         }
-        let closing = Closing { waves: self.settings.waves, volume: volume + left, area: self.area };
-        let Some(plain) = Plain::build(coast, &self.heights, &links, &lanes, closing) else { return };
-        let Some(links) = tips::carry(links, &plain, &kept, TIPS) else { return };
-        self.take(river, mouth.at, &plain, &links);
+        let most = Most { volume: volume + fan.left, area: self.area };
+        for radius in radii(self.settings.waves, fan.reach) {
+            // A smaller plain is better than one that hardly a branch crosses.
+            let least = if radius > 0.0 { TIPS.max(fan.tips().div_ceil(2)) } else { TIPS };
+            let Some((plain, links)) = self.settled(fan.links.clone(), &kept, (radius, most), least) else { continue };
+            if let Some(ends) = self.lead_on(network, river, &plain, &links) {
+                self.ends.extend(ends);
+                self.take(river, mouth.at, &plain, &links);
+                return;
+            }
+            eprintln!("  DBG no way");
+        }
     }
 
-    /// Lists the places that the branches of a river keep clear of: those of all other rivers nearby and of its own above, and the
-    /// water before their mouths; and the lanes of that water.
-    fn surroundings(&self, network: &Network, river: u32, apex: Place) -> (Vec<(Vec2, f32)>, Vec<Vec<Vec2>>) {
+    /// Builds the plain of some branches and brings them to the sea, without those that cannot reach it. `None` if fewer than so many
+    /// do, or if the plain is too large.
+    fn settled(
+        &self,
+        mut links: Vec<Link>,
+        kept: &[(Vec2, f32)],
+        (radius, most): (f32, Most),
+        least: usize,
+    ) -> Option<(Plain, Vec<Link>)> {
+        let tips = |links: &[Link]| links.iter().filter(|link| link.arms.is_none()).count();
+        while tips(&links) >= least {
+            let mut plain = Plain::along(self.land.coast_distance(), &self.heights, &links);
+            if !plain.close(radius, most) {
+                eprintln!("  DBG radius {radius} too much {}", plain.area());
+                return None;
+            }
+            match tips::carry(&links, &plain, kept) {
+                Ok(links) => return Some((plain, links)),
+                Err(fewer) => { eprintln!("  DBG radius {radius} {} to {}", links.len(), fewer.len()); links = fewer },
+            }
+        }
+        None
+    }
+
+    /// Lists the places that the branches of a river keep clear of: those of all other rivers nearby and of its own above.
+    fn surroundings(&self, network: &Network, river: u32, apex: Place) -> Vec<(Vec2, f32)> {
         /// The farthest that a delta reaches, in widths and in units.
-        const WIDTHS: f32 = 32.0;
-        const FAR: f32 = 40.0;
+        const WIDTHS: f32 = 16.0;
+        const FAR: f32 = 120.0;
         let far = WIDTHS * 2.0 * apex.half + FAR;
         let own = 2.5 * 2.0 * apex.half + 6.0;
-        let (mut kept, mut lanes) = (Vec::new(), Vec::new());
+        let mut kept = Vec::new();
         for (id, other) in (0..).zip(&network.rivers) {
             work::count(other.vertex_range().len());
-            let mut end = None;
             for vertex in &network.vertices[other.vertex_range()] {
                 let away = distance(vertex.at, apex.at);
-                end = (other.parent == NONE && away < far).then_some(vertex);
                 if away < far && (id != river || away > own) {
                     kept.push((vertex.at, 0.5 * vertex.width() + 1.5));
                 }
             }
-            if let Some(end) = end.filter(|_| id != river) {
-                let lane = self.lane(end.at);
-                kept.extend(lane.iter().map(|&at| (at, 4.0)));
-                lanes.push(lane);
-            }
         }
-        for branch in self.made.distributaries.iter().flat_map(|branch| &branch.line) {
-            if distance(branch.at, apex.at) < far {
-                kept.push((branch.at, branch.half + 3.0));
-            }
-        }
-        (kept, lanes)
+        let branches = self.made.distributaries.iter().flat_map(|branch| &branch.line);
+        kept.extend(branches.map(|place| (place.at, place.half + 3.0)));
+        kept.extend(self.ends.iter().flat_map(|(_, way)| way).map(|&at| (at, 3.0)));
+        kept
     }
 
-    /// Returns the way of water from a mouth out into the sea.
-    fn lane(&self, mouth: Vec2) -> Vec<Vec2> {
-        const STEP: f32 = 3.0;
-        const STEPS: usize = 14;
-        let coast = self.land.coast_distance();
-        let mut lane = vec![mouth];
-        let mut at = mouth;
-        for _ in 0..STEPS {
-            at -= direction(coast.slope(at)) * STEP;
-            lane.push(at);
+    /// Leads the rivers whose mouths lie in a new plain on to the sea. `None` if a way is barred.
+    fn lead_on(&self, network: &Network, river: u32, plain: &Plain, links: &[Link]) -> Option<Vec<(u32, Vec<Vec2>)>> {
+        /// The farthest that a mouth may lie from the coast, in units.
+        const NEAR: f32 = 1.5;
+        let mut passable = plain.passable(links);
+        let mut ends = Vec::new();
+        for id in network.mouths().into_iter().filter(|id| *id != river) {
+            let known = self.ends.iter().rev().find(|(other, _)| *other == id).and_then(|(_, way)| way.last().copied());
+            let last = network.vertices[network.rivers[id as usize].vertex_range()].last().map(|vertex| vertex.at);
+            let Some(mouth) = known.or(last) else { continue };
+            if plain.height(mouth) > NEAR {
+                ends.push((id, plain.way_out(mouth, &mut passable)?));
+            }
         }
-        lane
+        Some(ends)
     }
 
     /// Takes over a delta.
@@ -221,8 +259,10 @@ impl DeltaMaker {
             self.heights[corner] = height;
             self.flats[corner] = fast_max(self.flats[corner], fast_min(height, FLAT));
         }
-        let rings = SmoothedDistance::of(&coast.with_heights_of(&new)).rings_above(0.0);
+        let mut rings = SmoothedDistance::of(&coast.with_heights_of(&new)).rings_above(0.0);
+        rings.retain(|ring| area_of(ring).abs() > SPECK);
         let area = plain.area();
+        eprintln!("DBG delta river {river} {apex} tips {} links {} area {area}", links.iter().filter(|l| l.arms.is_none()).count(), links.len());
         self.area -= area;
         self.made.list.push(Delta { river, apex, waves: self.settings.waves, area, rings });
         let first = self.made.distributaries.len();
@@ -239,7 +279,7 @@ impl DeltaMaker {
     }
 
     /// Makes the land with all deltas.
-    fn shore(&mut self) -> Result<Shore, Refused> {
+    fn shore(&mut self, network: &Network) -> Result<Shore, Refused> {
         ask(Self::MEGABYTES as usize * 1_000_000)?;
         let land = match self.made.is_empty() {
             true => self.land.clone(),
@@ -247,13 +287,22 @@ impl DeltaMaker {
         };
         let is_flat = self.flats.iter().any(|flat| *flat > 0.0);
         let flats = is_flat.then(|| self.land.coast_distance().with_heights_of(&self.flats).into());
-        Ok(Shore { deltas: std::mem::take(&mut self.made).into(), land, flats })
+        let network = (!self.ends.is_empty()).then(|| extended(network, &self.ends).into());
+        Ok(Shore { deltas: std::mem::take(&mut self.made).into(), land, flats, network })
     }
 
     /// Returns the approximate memory of a copy, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.heights[..]) + size_of_val(&self.flats[..])
     }
+}
+
+/// The area of a ring that is too small to tell, in square units.
+const SPECK: f32 = 24.0;
+
+/// Returns the area within a ring, in square units, negative if it runs the other way round.
+fn area_of(ring: &[Vec2]) -> f32 {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum::<f32>() * 0.5
 }
 
 /// The distance into flat ground that is told, and the other way, in units.

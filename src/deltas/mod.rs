@@ -9,6 +9,7 @@
 //! sediment ─► branches ─► land along them ─► bays closed ─► branches carried to the sea ─► land
 //! ```
 
+mod ends;
 mod fan;
 mod maker;
 mod plain;

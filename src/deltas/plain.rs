@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::fan::{Link, depth};
 use crate::base::geometry::{distance, fast_max, fast_min, nearest};
+use crate::base::queue::Queue;
 use crate::base::work;
 use crate::land::CoastDistance;
 
@@ -15,7 +16,7 @@ const MORE: f32 = 2.5;
 const CALM: f32 = 4.0;
 const ROUGH: f32 = 22.0;
 
-/// The shares of the radius that are tried until sediment lasts.
+/// The shares of the radius that are tried until sediment lasts and branches reach the sea.
 const RADII: [f32; 6] = [1.0, 0.75, 0.55, 0.4, 0.25, 0.0];
 
 /// The height of a plain that counts for its cost, in units.
@@ -31,44 +32,43 @@ pub(super) struct Plain {
     spacing: f32,
     /// Distances from the coast as it was, and as it is.
     before: Vec<f32>,
-    pub field: Vec<f32>,
+    field: Vec<f32>,
+    /// Distances into the strips along branches.
+    strips: Vec<f32>,
 }
 
-/// What closes the bays of a delta.
+/// The most that a delta takes: the volume of its sediment and its area, in units.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Closing {
-    /// The strength of waves, from 0 to 1.
-    pub waves: f32,
-    /// The volume of sediment, and the greatest area, in units.
+pub(super) struct Most {
     pub volume: f32,
     pub area: f32,
 }
 
+/// Lists the radii of bays that waves of a strength from 0 to 1 close in a delta whose branches have a usual length, in units, the
+/// greatest first.
+pub(super) fn radii(waves: f32, reach: f32) -> [f32; 6] {
+    /// The most, in lengths of branches: without waves, and how much more with the strongest.
+    const LENGTHS: (f32, f32) = (0.12, 0.6);
+    RADII.map(|share| share * fast_min(CALM + ROUGH * waves, reach * (LENGTHS.0 + LENGTHS.1 * waves)))
+}
+
 impl Plain {
-    /// Builds the land along some branches of a delta, and closes bays. Water lanes stay open. `None` if they cannot, or the area
-    /// is too large.
-    pub fn build(
-        coast: &CoastDistance,
-        heights: &[f32],
-        links: &[Link],
-        lanes: &[Vec<Vec2>],
-        closing: Closing,
-    ) -> Option<Self> {
-        let radius = CALM + ROUGH * closing.waves;
-        let mut this = Self::around(coast, heights, links, radius);
-        let lanes = this.lanes(lanes);
-        let strips = this.strips(links, &lanes.0);
-        for share in RADII {
-            let mut closed = this.closed(&strips, &lanes.0, share * radius);
-            let is_open = this.fill_ponds(&mut closed, &lanes.1);
-            let (area, volume) = this.size_of(&closed);
-            // What lies along the branches is paid for.
-            if is_open && area <= closing.area && (share == 0.0 || volume <= closing.volume) {
-                this.field = closed;
-                return Some(this);
-            }
-        }
-        None
+    /// Builds the land along some branches of a delta.
+    pub fn along(coast: &CoastDistance, heights: &[f32], links: &[Link]) -> Self {
+        let mut this = Self::around(coast, heights, links, CALM + ROUGH);
+        this.strips = this.strips(links);
+        this
+    }
+
+    /// Closes the bays between branches into which no disc of a radius fits. Returns `false` if that takes too much.
+    pub fn close(&mut self, radius: f32, most: Most) -> bool {
+        self.field = self.closed(&self.strips, radius);
+        let mut field = std::mem::take(&mut self.field);
+        self.fill_ponds(&mut field);
+        self.field = field;
+        let (area, volume) = self.size_of(&self.field);
+        // What lies along the branches is paid for.
+        area <= most.area && (radius == 0.0 || volume <= most.volume)
     }
 
     /// Takes the window around some branches.
@@ -86,7 +86,7 @@ impl Plain {
         let row = |row: usize| &heights[(first[1] + row) * columns + first[0]..][..across];
         let before: Vec<f32> = (0..down).flat_map(|i| row(i).iter().copied()).collect();
         work::count(before.len());
-        Self { first, columns: across, rows: down, spacing, field: before.clone(), before }
+        Self { first, columns: across, rows: down, spacing, field: before.clone(), before, strips: Vec::new() }
     }
 
     /// Returns the position of a corner of the window.
@@ -107,33 +107,8 @@ impl Plain {
         down.flat_map(move |row| across.clone().map(move |column| row * columns + column))
     }
 
-    /// Measures the distance of each corner from water lanes that stay open, negative in them. Returns the corners of their ends,
-    /// too.
-    fn lanes(&self, lanes: &[Vec<Vec2>]) -> (Vec<f32>, Vec<usize>) {
-        /// Half the width of a lane where it begins, in units, and its growth.
-        const HALF: f32 = 3.5;
-        const GROWTH: f32 = 0.25;
-        const FAR: f32 = 40.0;
-        let mut off = vec![FAR; self.before.len()];
-        let mut ends = Vec::new();
-        for lane in lanes {
-            let mut way = 0.0;
-            for pair in lane.windows(2) {
-                let step = distance(pair[0], pair[1]);
-                for i in self.near(pair[0], pair[1], FAR) {
-                    let (far, share) = nearest(self.at(i), (pair[0], pair[1]));
-                    off[i] = fast_min(off[i], far - HALF - GROWTH * (way + share * step));
-                }
-                way += step;
-            }
-            let middle = lane.get(lane.len() / 2).copied();
-            ends.extend(middle.and_then(|at| self.near(at, at, self.spacing).next()));
-        }
-        (off, ends)
-    }
-
     /// Measures the distance into the strips of land along branches.
-    fn strips(&self, links: &[Link], lanes: &[f32]) -> Vec<f32> {
+    fn strips(&self, links: &[Link]) -> Vec<f32> {
         const FAR: f32 = 30.0;
         let mut field = vec![-FAR; self.before.len()];
         for link in links {
@@ -155,12 +130,11 @@ impl Plain {
                 way += step;
             }
         }
-        field.iter_mut().zip(lanes).for_each(|(field, lane)| *field = fast_min(*field, *lane));
         field
     }
 
     /// Closes bays into which no disc of a radius fits (morphological closing), beside the strips.
-    fn closed(&self, strips: &[f32], lanes: &[f32], radius: f32) -> Vec<f32> {
+    fn closed(&self, strips: &[f32], radius: f32) -> Vec<f32> {
         let land: Vec<f32> = self.before.iter().zip(strips).map(|(before, strip)| fast_max(*before, *strip)).collect();
         if radius <= 0.0 {
             return land;
@@ -169,7 +143,7 @@ impl Plain {
         let discs: Vec<bool> =
             land.iter().map(|&land| land <= -radius && land > -radius - 1.6 * self.spacing).collect();
         let close = |(i, &here): (usize, &f32)| {
-            let beside = fast_min(strips[i] + 1.3 * radius, lanes[i]);
+            let beside = strips[i] + 1.3 * radius;
             if here > 0.0 || here <= -radius || beside <= here {
                 return here;
             }
@@ -182,8 +156,8 @@ impl Plain {
         land.iter().enumerate().map(close).collect()
     }
 
-    /// Makes land of water that is cut off from the rest. Returns `false` if that would be the water of a lane.
-    fn fill_ponds(&self, field: &mut [f32], ends: &[usize]) -> bool {
+    /// Makes land of water that is cut off from the rest.
+    fn fill_ponds(&self, field: &mut [f32]) {
         const LEVEL: f32 = 1.0;
         let (columns, rows) = (self.columns, self.rows);
         let is_rim = |i: &usize| i % columns == 0 || (i + 1) % columns == 0 || i / columns == 0 || i / columns + 1 == rows;
@@ -205,7 +179,6 @@ impl Plain {
                 *field = LEVEL;
             }
         }
-        ends.iter().all(|&end| is_sea[end] || self.before[end] > 0.0)
     }
 
     /// Returns the area and the volume of new land.
@@ -232,6 +205,79 @@ impl Plain {
             west + (east - west) * (at.x - column as f32)
         };
         along(row) + (along(row + 1) - along(row)) * (at.y - row as f32)
+    }
+
+    /// Returns for each corner of the window `true` if a brook can run there: in new land clear of branches, and in water.
+    pub fn passable(&self, links: &[Link]) -> Vec<bool> {
+        let mut passable: Vec<bool> = self.before.iter().map(|before| *before <= 0.0).collect();
+        for link in links {
+            let clear = 0.5 * link.width + 0.75 * self.spacing + 1.0;
+            for &at in &link.line {
+                for i in self.near(at, at, clear).filter(|&i| distance(self.at(i), at) < clear) {
+                    passable[i] = false;
+                }
+            }
+        }
+        passable
+    }
+
+    /// Finds the way of a brook from a mouth that has come to lie in new land to the sea, and bars it for others. `None` if there is
+    /// none.
+    pub fn way_out(&self, mouth: Vec2, passable: &mut [bool]) -> Option<Vec<Vec2>> {
+        let mut queue = Queue::default();
+        let mut cost = vec![f32::INFINITY; passable.len()];
+        let mut from = vec![usize::MAX; passable.len()];
+        for i in self.near(mouth, mouth, 1.5 * self.spacing).filter(|&i| passable[i]) {
+            cost[i] = distance(self.at(i), mouth);
+            queue.push(cost[i], i as u32);
+        }
+        while let Some(i) = queue.pop() {
+            let i = i as usize;
+            work::count(8);
+            if self.field[i] <= 0.0 {
+                return Some(self.way(mouth, i, &from, passable));
+            }
+            let (column, row) = (i % self.columns, i / self.columns);
+            if column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows {
+                continue;
+            }
+            for other in [i - 1, i + 1].into_iter().flat_map(|i| [i, i - self.columns, i + self.columns]).chain([i - self.columns, i + self.columns]) {
+                let reached = cost[i] + distance(self.at(i), self.at(other));
+                if passable[other] && reached < cost[other] {
+                    (cost[other], from[other]) = (reached, i);
+                    queue.push(reached, other as u32);
+                }
+            }
+        }
+        None
+    }
+
+    /// Follows a way back from a corner at sea, smooths it, and bars it.
+    fn way(&self, mouth: Vec2, sea: usize, from: &[usize], passable: &mut [bool]) -> Vec<Vec2> {
+        const OUT: f32 = 0.5;
+        const PASSES: usize = 3;
+        let corners: Vec<usize> = std::iter::successors(Some(sea), |&i| Some(from[i]).filter(|&i| i != usize::MAX)).collect();
+        let mut way: Vec<Vec2> = corners.iter().rev().map(|&i| self.at(i)).collect();
+        way.insert(0, mouth);
+        for _ in 0..PASSES {
+            let before = way.clone();
+            for (at, around) in way.iter_mut().skip(1).zip(before.windows(3)) {
+                *at = (around[0] + 2.0 * around[1] + around[2]) * 0.25;
+            }
+        }
+        if let [.., last, end] = &mut way[..] {
+            // The last step ends where the sea begins.
+            let (inside, outside) = (self.height(*last), self.height(*end));
+            let share = if inside > outside { ((inside + OUT) / (inside - outside)).clamp(0.1, 1.0) } else { 1.0 };
+            *end = last.lerp(*end, share);
+        }
+        for &i in &corners {
+            for beside in self.near(self.at(i), self.at(i), 1.1 * self.spacing) {
+                passable[beside] = false;
+            }
+        }
+        way.remove(0);
+        way
     }
 
     /// Iterates over the corners that have become land, as indices of the whole lattice of so many columns, each with its distance

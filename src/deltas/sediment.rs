@@ -5,7 +5,7 @@ use crate::recipe::{NumberKey, Recipe};
 
 /// The volume that a river of all the map's water carries at the middle of the parameter, in cubic units, and the range of
 /// the parameter in powers of ten.
-const VOLUME: f32 = 60_000.0;
+const VOLUME: f32 = 100_000.0;
 const DECADES: f32 = 2.0;
 
 /// The spread of sediment from river to river of the same discharge: the deviation of its logarithm.
@@ -47,16 +47,31 @@ impl Sediment {
 pub(crate) struct Load {
     /// Its mouth, in units.
     pub at: glam::Vec2,
-    /// The volume, in cubic units.
+    /// Its width there and the volume, in units.
+    pub width: f32,
     pub left: f32,
 }
 
 /// The least volume, in cubic units, that builds a delta.
-pub(super) const LEAST: f32 = 1_500.0;
+pub(super) const LEAST: f32 = 500.0;
+
+/// Returns the length of the first branches of a delta, in units: some widths, as far as a volume of sediment lasts.
+pub(super) fn reach(width: f32, volume: f32) -> f32 {
+    /// The least and greatest length in widths; and, since the widest rivers would fill seas, in units and widths.
+    const WIDTHS: (f32, f32) = (4.0, 7.0);
+    const FAR: (f32, f32) = (30.0, 1.4);
+    /// The volume that a delta takes, in widths times lengths.
+    const TAKEN: f32 = 30.0;
+    let most = (WIDTHS.1 * width).min(FAR.0 + FAR.1 * width);
+    (volume / (TAKEN * width.max(0.1))).clamp((WIDTHS.0 * width).min(most), most)
+}
 
 /// Estimates the area of the deltas that rivers will build, in square units, before their branches are known.
 pub(crate) fn expected_area(loads: &[Load]) -> f32 {
-    const A_VOLUME: f32 = 0.2;
-    const MOST: f32 = 3_000.0;
-    loads.iter().filter(|load| load.left >= LEAST).map(|load| (A_VOLUME * load.left).min(MOST)).sum()
+    const A_SQUARE: f32 = 1.6;
+    let area = |load: &Load| {
+        let reach = reach(load.width, load.left);
+        A_SQUARE * reach * reach
+    };
+    loads.iter().filter(|load| load.left >= LEAST).map(area).sum()
 }

@@ -13,28 +13,28 @@ const OUT: f32 = 0.8;
 /// The length of a step, in units.
 const STEP: f32 = 1.0;
 
-/// Brings all branches to the sea. A pair of arms that cannot both reach it is given up, and the branch that they were arms of
-/// goes on alone. Returns the branches that are left, each after the one that it is an arm of, or `None` if fewer than
-/// `least` reach the sea.
-pub(super) fn carry(mut links: Vec<Link>, plain: &Plain, kept: &[(Vec2, f32)], least: usize) -> Option<Vec<Link>> {
-    let mut is_gone = vec![false; links.len()];
-    // Arms stand after the branches that they belong to.
-    for i in (0..links.len()).rev() {
-        if let Some(arms) = links[i].arms {
-            if arms.iter().all(|&arm| !is_gone[arm]) {
-                continue;
-            }
-            give_up(&links, &mut is_gone, arms);
-            links[i].arms = None;
-        }
-        match carried(&links, i, &is_gone, plain, kept) {
-            Some(line) => links[i].line = line,
+/// Brings all branches to the sea. If arms cannot reach it, returns the branches without them as an error: there is less land then,
+/// through which the branch that they were arms of has to go alone.
+pub(super) fn carry(links: &[Link], plain: &Plain, kept: &[(Vec2, f32)]) -> Result<Vec<Link>, Vec<Link>> {
+    let (mut done, mut is_gone) = (links.to_vec(), vec![false; links.len()]);
+    for i in (0..links.len()).filter(|&i| links[i].arms.is_none()) {
+        match carried(&done, i, &is_gone, plain, kept) {
+            Some(line) => done[i].line = line,
             None => is_gone[i] = true,
         }
     }
-    let first_gone = (0..links.len()).any(|i| links[i].parent.is_none() && is_gone[i]);
-    let tips = (0..links.len()).filter(|&i| !is_gone[i] && links[i].arms.is_none()).count();
-    (!first_gone && tips >= least).then(|| without(links, &is_gone))
+    if !is_gone.contains(&true) {
+        return Ok(done);
+    }
+    let mut left = links.to_vec();
+    for i in (0..links.len()).rev() {
+        if let Some(arms) = links[i].arms.filter(|arms| arms.iter().any(|&arm| is_gone[arm])) {
+            give_up(links, &mut is_gone, arms);
+            left[i].arms = None;
+        }
+    }
+    let has_lost_first = (0..links.len()).any(|i| links[i].parent.is_none() && is_gone[i]);
+    Err(if has_lost_first { Vec::new() } else { without(left, &is_gone) })
 }
 
 /// Gives up two arms and all that belongs to them.
@@ -46,7 +46,7 @@ fn give_up(links: &[Link], is_gone: &mut [bool], arms: [usize; 2]) {
     }
 }
 
-/// Returns the line of a branch that ends just in the sea; `None` if there is no room, or the branch it belongs to would be shorter.
+/// Returns the line of a branch that ends just in the sea; `None` if there is no room, or it would be longer than the one before.
 fn carried(links: &[Link], i: usize, is_gone: &[bool], plain: &Plain, kept: &[(Vec2, f32)]) -> Option<Vec<Vec2>> {
     /// The farthest that a branch of the river itself goes on, as a share of its length.
     const FAR: f32 = 1.0;

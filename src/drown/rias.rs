@@ -54,7 +54,7 @@ struct Filling<'a> {
     plains: Vec<(u32, f32)>,
 }
 
-/// Fills the rias of great rivers at some level of the sea.
+/// Fills the rias of great rivers at some level of the sea; a river of all the map's water is `max_width` units wide.
 ///
 /// # Errors
 /// If there is not enough memory.
@@ -63,7 +63,7 @@ pub(super) fn fill(
     sediment: &Sediment,
     lattice: &CoastDistance,
     heights: &mut [f32],
-    level: f32,
+    (level, max_width): (f32, f32),
 ) -> Result<Silted, Refused> {
     const BYTES_A_NODE: usize = 32;
     ask(rivers.nodes.len() * BYTES_A_NODE)?;
@@ -74,11 +74,24 @@ pub(super) fn fill(
     for end in ends(rivers, &filling) {
         let node = rivers.nodes[end];
         let volume = sediment.of_river(node.area / rivers.area, node.identity);
-        if let Some(load) = filling.fill_ria(&filling.course(rivers, end), volume) {
-            loads.push(load);
+        let width = max_width * (node.area / rivers.area).sqrt();
+        if let Some((at, left)) = filling.fill_ria(&filling.course(rivers, end), volume) {
+            add(&mut loads, Load { at, width, left });
         }
     }
     Ok(Silted { loads, plains: filling.plains })
+}
+
+/// Adds a load; where rivers have come to meet on a plain, to that of the greater.
+fn add(loads: &mut Vec<Load>, load: Load) {
+    const NEAR: f32 = 4.0;
+    match loads.iter_mut().find(|other| distance(other.at, load.at) < NEAR) {
+        Some(other) => {
+            other.left += load.left;
+            other.width = (other.width * other.width + load.width * load.width).sqrt();
+        }
+        None => loads.push(load),
+    }
 }
 
 /// Lists the nodes at which the greatest rivers meet the sea, the greatest first.
@@ -151,8 +164,9 @@ impl Filling<'_> {
         left && right
     }
 
-    /// Fills the valley along a course as far as a volume lasts. Returns the new mouth; `None` if the course is already filled.
-    fn fill_ria(&mut self, course: &[Vec2], volume: f32) -> Option<Load> {
+    /// Fills the valley along a course as far as a volume lasts. Returns the new mouth and the volume
+    /// that is left; `None` if the course is already filled.
+    fn fill_ria(&mut self, course: &[Vec2], volume: f32) -> Option<(Vec2, f32)> {
         let head = *course.first()?;
         if course.get(1).is_some_and(|next| self.is_land(*next)) {
             return None;
@@ -183,7 +197,7 @@ impl Filling<'_> {
             (false, true) => left,
             (false, false) => volume,
         };
-        Some(Load { at, left })
+        Some((at, left))
     }
 
     /// Measures the corners near a course. Returns them.

@@ -69,6 +69,11 @@ impl DeltaStage {
         self.shore().and_then(|shore| shore.flats.as_ref())
     }
 
+    /// Returns the rivers, if some of them run on over new land.
+    pub fn network(&self) -> Option<&Arc<Network>> {
+        self.shore().and_then(|shore| shore.network.as_ref())
+    }
+
     /// Returns the approximate memory of a copy of this state, in bytes. What is made is shared.
     pub fn bytes(&self) -> usize {
         match self {
