@@ -115,10 +115,12 @@ impl<'a> Fan<'a> {
     pub fn grow(site: Site<'a>, volume: f32) -> Self {
         const SCALES: [f32; 4] = [1.0, 0.8, 0.65, 0.5];
         const MANY: usize = 5;
+        /// The least length of branches in widths: shorter ones look like stumps.
+        const LEAST_WIDTHS: f32 = 3.2;
         let reach = reach(site.width, volume);
         let mut best = Self::of_reach(site, volume, SCALES[0] * reach);
         for scale in &SCALES[1..] {
-            if best.tips() >= MANY {
+            if best.tips() >= MANY || scale * reach < LEAST_WIDTHS * site.width {
                 break;
             }
             let next = Self::of_reach(site, volume, scale * reach);

@@ -126,9 +126,6 @@ impl DeltaMaker {
         let mut loads = self.settings.loads.clone();
         let mut rivers: Vec<(u32, f32)> =
             great.map(|river| (river, self.sediment_of(network, river, loads.as_mut()))).collect();
-        let w = |r: u32| network.vertices[network.rivers[r as usize].end as usize - 1].width();
-        let widest = rivers.iter().map(|r| w(r.0)).fold(0.0, f32::max);
-        eprintln!("DBG wide {} of 12", rivers.iter().filter(|r| w(r.0) > widest / 12.0).count());
         rivers.reverse();
         rivers
     }
@@ -166,7 +163,6 @@ impl DeltaMaker {
             chance: self.settings.sediment.chance(),
         };
         let fan = Fan::grow(site, volume);
-        eprintln!("  DBG river {river} {} w {:.1} volume {volume:.0} fan {} reach {:.0} links left {:.0}", mouth.at, site.width, fan.links.len(), fan.reach, fan.left);
         if fan.tips() < TIPS {
             return;
         }
@@ -175,12 +171,14 @@ impl DeltaMaker {
             // A smaller plain is better than one that hardly a branch crosses.
             let least = if radius > 0.0 { TIPS.max(fan.tips().div_ceil(2)) } else { TIPS };
             let Some((plain, links)) = self.settled(fan.links.clone(), &kept, (radius, most), least) else { continue };
+            if !self.leaves_seas_whole(&plain) {
+                continue;
+            }
             if let Some(ends) = self.lead_on(network, river, &plain, &links) {
                 self.ends.extend(ends);
                 self.take(river, mouth.at, &plain, &links);
                 return;
             }
-            eprintln!("  DBG no way");
         }
     }
 
@@ -197,12 +195,11 @@ impl DeltaMaker {
         while tips(&links) >= least {
             let mut plain = Plain::along(self.land.coast_distance(), &self.heights, &links);
             if !plain.close(radius, most) {
-                eprintln!("  DBG radius {radius} too much {}", plain.area());
                 return None;
             }
             match tips::carry(&links, &plain, kept) {
                 Ok(links) => return Some((plain, links)),
-                Err(fewer) => { eprintln!("  DBG radius {radius} {} to {}", links.len(), fewer.len()); links = fewer },
+                Err(fewer) => links = fewer,
             }
         }
         None
@@ -248,6 +245,23 @@ impl DeltaMaker {
         Some(ends)
     }
 
+    /// Returns `true` if a plain cuts no water off from the rest of its sea.
+    fn leaves_seas_whole(&self, plain: &Plain) -> bool {
+        let columns = self.land.coast_distance().size().0;
+        let mut after = self.heights.clone();
+        let changes: Vec<(usize, f32)> = plain.changes(columns).collect();
+        changes.iter().for_each(|&(corner, height)| after[corner] = height);
+        let [before, after] = [&self.heights, &after].map(|heights| waters(heights, columns));
+        let mut is_whole = true;
+        let mut of_sea = vec![0; self.heights.len()];
+        for (&before, &after) in before.iter().zip(&after).filter(|(_, after)| **after > 0) {
+            let of = &mut of_sea[before as usize];
+            is_whole &= *of == 0 || *of == after;
+            *of = after;
+        }
+        is_whole
+    }
+
     /// Takes over a delta.
     fn take(&mut self, river: u32, apex: Vec2, plain: &Plain, links: &[Link]) {
         let coast = self.land.coast_distance();
@@ -262,7 +276,6 @@ impl DeltaMaker {
         let mut rings = SmoothedDistance::of(&coast.with_heights_of(&new)).rings_above(0.0);
         rings.retain(|ring| area_of(ring).abs() > SPECK);
         let area = plain.area();
-        eprintln!("DBG delta river {river} {apex} tips {} links {} area {area}", links.iter().filter(|l| l.arms.is_none()).count(), links.len());
         self.area -= area;
         self.made.list.push(Delta { river, apex, waves: self.settings.waves, area, rings });
         let first = self.made.distributaries.len();
@@ -295,6 +308,32 @@ impl DeltaMaker {
     pub fn bytes(&self) -> usize {
         size_of_val(&self.heights[..]) + size_of_val(&self.flats[..])
     }
+}
+
+/// Numbers the connected waters of a lattice from 1 on; 0 on land.
+fn waters(heights: &[f32], columns: usize) -> Vec<u32> {
+    work::count(2 * heights.len());
+    let mut number = vec![0; heights.len()];
+    let mut last = 0;
+    let mut left = Vec::new();
+    for start in 0..heights.len() {
+        if heights[start] > 0.0 || number[start] > 0 {
+            continue;
+        }
+        last += 1;
+        left.push(start);
+        while let Some(i) = left.pop() {
+            if heights[i] > 0.0 || std::mem::replace(&mut number[i], last) > 0 {
+                continue;
+            }
+            let column = i % columns;
+            left.extend((column > 0).then(|| i - 1));
+            left.extend((column + 1 < columns).then_some(i + 1));
+            left.extend(i.checked_sub(columns));
+            left.extend((i + columns < heights.len()).then_some(i + columns));
+        }
+    }
+    number
 }
 
 /// The area of a ring that is too small to tell, in square units.

@@ -109,7 +109,7 @@ impl Plain {
 
     /// Measures the distance into the strips of land along branches.
     fn strips(&self, links: &[Link]) -> Vec<f32> {
-        const FAR: f32 = 30.0;
+        const FAR: f32 = 40.0;
         let mut field = vec![-FAR; self.before.len()];
         for link in links {
             let half = WIDTHS * link.width + MORE;
@@ -122,7 +122,7 @@ impl Plain {
                     // A tip is narrow, so that it ends close to the sea.
                     let left = whole - way - share * step;
                     let half = match link.arms {
-                        None => half * (0.35 + 0.65 * fast_min(left / half, 1.0).sqrt()),
+                        None => half * (0.35 + 0.65 * (left / half).clamp(0.0, 1.0).sqrt()),
                         Some(_) => half,
                     };
                     field[i] = fast_max(field[i], half - far);

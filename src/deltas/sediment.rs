@@ -5,7 +5,7 @@ use crate::recipe::{NumberKey, Recipe};
 
 /// The volume that a river of all the map's water carries at the middle of the parameter, in cubic units, and the range of
 /// the parameter in powers of ten.
-const VOLUME: f32 = 100_000.0;
+const VOLUME: f32 = 150_000.0;
 const DECADES: f32 = 2.0;
 
 /// The spread of sediment from river to river of the same discharge: the deviation of its logarithm.
@@ -59,7 +59,7 @@ pub(super) const LEAST: f32 = 500.0;
 pub(super) fn reach(width: f32, volume: f32) -> f32 {
     /// The least and greatest length in widths; and, since the widest rivers would fill seas, in units and widths.
     const WIDTHS: (f32, f32) = (4.0, 7.0);
-    const FAR: (f32, f32) = (30.0, 1.4);
+    const FAR: (f32, f32) = (30.0, 2.2);
     /// The volume that a delta takes, in widths times lengths.
     const TAKEN: f32 = 30.0;
     let most = (WIDTHS.1 * width).min(FAR.0 + FAR.1 * width);
