@@ -407,7 +407,8 @@ impl Session {
                 plains: silted.map(|silted| silted.plains.clone()).unwrap_or_default(),
             })
         };
-        let rivers = self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
+        let rivers =
+            self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
         self.deltas.step(rivers, land, settings)?;
         Ok(())
     }

@@ -250,7 +250,9 @@ impl<'a> Fan<'a> {
             // Ahead of a tip there is to be room as well.
             let ahead = link.arms.is_none().then(|| [link.ahead, link.tip().midpoint(link.ahead)]);
             let mut places = link.line.iter().copied().chain(ahead.into_iter().flatten());
-            (is_related(i, link) && way < 2.0 * clear) || Some(i) == parent || places.all(|at_it| distance(at, at_it) >= clear)
+            (is_related(i, link) && way < 2.0 * clear)
+                || Some(i) == parent
+                || places.all(|at_it| distance(at, at_it) >= clear)
         })
     }
 }

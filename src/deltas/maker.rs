@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
+use super::ends::extended;
 use super::fan::{Fan, Link, Site};
 use super::plain::{Most, Plain, radii};
 use super::sediment::{LEAST, Load, RIVERS, Sediment, expected_area};
-use super::ends::extended;
 use super::{Delta, Deltas, Distributary, tips};
 use crate::base::geometry::{direction, distance, fast_max, fast_min};
 use crate::base::memory::{Refused, ask, lengthen};

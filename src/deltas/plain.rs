@@ -158,9 +158,10 @@ impl Plain {
 
     /// Makes land of water that is cut off from the rest.
     fn fill_ponds(&self, field: &mut [f32]) {
-        const LEVEL: f32 = 1.0;
+        const LEVEL: f32 = 4.0;
         let (columns, rows) = (self.columns, self.rows);
-        let is_rim = |i: &usize| i % columns == 0 || (i + 1) % columns == 0 || i / columns == 0 || i / columns + 1 == rows;
+        let is_rim =
+            |i: &usize| i % columns == 0 || (i + 1) % columns == 0 || i / columns == 0 || i / columns + 1 == rows;
         let mut is_sea = vec![false; field.len()];
         let mut left: Vec<usize> = (0..field.len()).filter(is_rim).collect();
         work::count(4 * field.len());
@@ -241,7 +242,11 @@ impl Plain {
             if column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows {
                 continue;
             }
-            for other in [i - 1, i + 1].into_iter().flat_map(|i| [i, i - self.columns, i + self.columns]).chain([i - self.columns, i + self.columns]) {
+            for other in [i - 1, i + 1]
+                .into_iter()
+                .flat_map(|i| [i, i - self.columns, i + self.columns])
+                .chain([i - self.columns, i + self.columns])
+            {
                 let reached = cost[i] + distance(self.at(i), self.at(other));
                 if passable[other] && reached < cost[other] {
                     (cost[other], from[other]) = (reached, i);
@@ -256,7 +261,8 @@ impl Plain {
     fn way(&self, mouth: Vec2, sea: usize, from: &[usize], passable: &mut [bool]) -> Vec<Vec2> {
         const OUT: f32 = 0.5;
         const PASSES: usize = 3;
-        let corners: Vec<usize> = std::iter::successors(Some(sea), |&i| Some(from[i]).filter(|&i| i != usize::MAX)).collect();
+        let corners: Vec<usize> =
+            std::iter::successors(Some(sea), |&i| Some(from[i]).filter(|&i| i != usize::MAX)).collect();
         let mut way: Vec<Vec2> = corners.iter().rev().map(|&i| self.at(i)).collect();
         way.insert(0, mouth);
         for _ in 0..PASSES {

@@ -10,9 +10,30 @@ use crate::session::Session;
 
 const FEW: &[&str] = &["Thornwick", "Oriel"];
 const MANY: &[&str] = &[
-    "kauri", "Veldemar", "Tamsin", "Oriel", "Thornwick", "Oslund", "Greywater", "Valtara", "Isolde", "Lundmark", "Quillmere",
-    "Maribel", "Brackenfell", "Pemberley", "Zanzara", "rimu", "Elbrand", "Harrowgate", "Calder", "Ysmir", "Ferrow", "Sable",
-    "Winterbourne", "Marisco",
+    "kauri",
+    "Veldemar",
+    "Tamsin",
+    "Oriel",
+    "Thornwick",
+    "Oslund",
+    "Greywater",
+    "Valtara",
+    "Isolde",
+    "Lundmark",
+    "Quillmere",
+    "Maribel",
+    "Brackenfell",
+    "Pemberley",
+    "Zanzara",
+    "rimu",
+    "Elbrand",
+    "Harrowgate",
+    "Calder",
+    "Ysmir",
+    "Ferrow",
+    "Sable",
+    "Winterbourne",
+    "Marisco",
 ];
 
 fn finished(text: &str) -> Map {
@@ -51,17 +72,25 @@ fn check_splits(map: &Map, of: u32, text: &str) {
 fn check_apart(map: &Map, text: &str) {
     let rivers = map.network();
     let branches = &map.deltas().distributaries;
-    let lines: Vec<Vec<Vec2>> = branches.iter().map(|branch| branch.line.iter().map(|place| place.at).collect()).collect();
+    let lines: Vec<Vec<Vec2>> =
+        branches.iter().map(|branch| branch.line.iter().map(|place| place.at).collect()).collect();
     let pieces = |line: &[Vec2]| line.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
     for (i, line) in lines.iter().enumerate() {
         // The first piece begins where others do.
         let own = &pieces(line)[1..];
         for (j, other) in lines.iter().enumerate().filter(|(j, _)| *j != i) {
-            assert!(!own.iter().any(|&a| pieces(other).iter().any(|&b| meet(a, b))), "{text}: branches {i} and {j}");
+            let from = usize::from(branches[j].parent == Some(i as u32));
+            assert!(
+                !own.iter().any(|&a| pieces(other)[from..].iter().any(|&b| meet(a, b))),
+                "{text}: branches {i} and {j}"
+            );
         }
         for (id, river) in rivers.rivers.iter().enumerate() {
             let course = rivers.places(river);
-            assert!(!own.iter().any(|&a| pieces(&course).iter().any(|&b| meet(a, b))), "{text}: branch {i} and river {id}");
+            assert!(
+                !own.iter().any(|&a| pieces(&course).iter().any(|&b| meet(a, b))),
+                "{text}: branch {i} and river {id}"
+            );
         }
     }
 }
@@ -77,7 +106,8 @@ fn check(word: &str, more: &str) -> [usize; 2] {
     }
     for delta in &deltas.list {
         check_splits(&map, delta.river, &text);
-        let tips = deltas.distributaries.iter().filter(|branch| branch.river == delta.river && branch.reaches_sea).count();
+        let tips =
+            deltas.distributaries.iter().filter(|branch| branch.river == delta.river && branch.reaches_sea).count();
         assert!(tips >= 3 && delta.area > 0.0 && !delta.rings.is_empty(), "{text}: {tips} tips");
     }
     check_apart(&map, &text);
@@ -87,7 +117,7 @@ fn check(word: &str, more: &str) -> [usize; 2] {
         assert!(inland < 3.0, "{text}: river {id} ends {inland} inland");
     }
     let sea = map.recipe().number(NumberKey::Sea);
-    assert!(sea == 0.0 || (land.share_of_sea() - sea).abs() < 0.0125, "{text}: {} of {sea}", land.share_of_sea());
+    assert!(sea == 0.0 || (land.share_of_sea() - sea).abs() < 0.01, "{text}: {} of {sea}", land.share_of_sea());
     of_great_mouths(&map)
 }
 
@@ -117,13 +147,16 @@ fn deltas_of_many_words_are_sound_and_as_many_as_in_nature() {
 
 #[test]
 fn without_sediment_there_are_no_deltas_and_waves_change_nothing() {
-    let [one, other] = ["0", "1"].map(|waves| finished(&format!("seed=Thornwick&deltas=0&waves={waves}&attractors=4000")));
+    let [one, other] =
+        ["0", "1"].map(|waves| finished(&format!("seed=Thornwick&deltas=0&waves={waves}&attractors=4000")));
     assert!(one.deltas().is_empty() && one.network() == other.network() && one.land() == other.land());
 }
 
 #[test]
 fn a_change_of_sediment_leads_to_the_map_that_a_new_session_makes() {
-    let recipe = |deltas: &str| link::read(&format!("seed=Oriel&style=ink&labels=none&attractors=4000&deltas={deltas}")).unwrap();
+    let recipe = |deltas: &str| {
+        link::read(&format!("seed=Oriel&style=ink&labels=none&attractors=4000&deltas={deltas}")).unwrap()
+    };
     let mut session = Session::new(recipe("0.6")).unwrap();
     session.finish().unwrap();
     for deltas in ["0", "0.5", "0.6"] {

@@ -83,7 +83,8 @@ impl Level {
     /// Fills rias at a level that is nearly right, and leaves room for deltas. Returns `true` if heights may have changed.
     fn fill_rias(&mut self, low_stand: &Land, rivers: &GreatRivers, level: f32) -> Result<bool, Refused> {
         let Some(sediment) = &self.sediment else { return Ok(false) };
-        self.silted = rias::fill(rivers, sediment, low_stand.coast_distance(), &mut self.heights, (level, self.max_width))?;
+        self.silted =
+            rias::fill(rivers, sediment, low_stand.coast_distance(), &mut self.heights, (level, self.max_width))?;
         self.sea += expected_area(&self.silted.loads) / (low_stand.size().x * low_stand.size().y);
         Ok(true)
     }

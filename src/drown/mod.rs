@@ -145,7 +145,10 @@ impl Drowning {
                 true => Part::Waves(valleys, waves),
                 false => {
                     let level = Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?;
-                    Part::Level(valleys, level.with_sediment(Sediment::of(&self.recipe), self.recipe.number(NumberKey::Width)))
+                    Part::Level(
+                        valleys,
+                        level.with_sediment(Sediment::of(&self.recipe), self.recipe.number(NumberKey::Width)),
+                    )
                 }
             },
             Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land, &valleys.rivers)? {

@@ -56,7 +56,8 @@ impl Picture {
         if !self.is_on_land_of(session) {
             return None;
         }
-        let changed = self.painter.paint_draft((network, distributaries), &PaintSettings::of(session.recipe()), times)?;
+        let changed =
+            self.painter.paint_draft((network, distributaries), &PaintSettings::of(session.recipe()), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(Painted::Whole(Some(changed)))
     }

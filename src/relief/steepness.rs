@@ -45,7 +45,11 @@ impl Steepness {
             for (cell, rise) in (first..).zip(rises).filter(|(cell, _)| cells.is_land(*cell)) {
                 // `Cells::point` would divide for each cell.
                 let at = Vec2::new(cells.coordinate(cell - first), cells.coordinate(row));
-                *rise = cells.size * slope(settings, cells.way_inland(cell)) * ground.at(at) * border.calm(at) * flatness(at);
+                *rise = cells.size
+                    * slope(settings, cells.way_inland(cell))
+                    * ground.at(at)
+                    * border.calm(at)
+                    * flatness(at);
             }
         });
         Ok(this)
