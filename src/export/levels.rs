@@ -46,8 +46,13 @@ pub(super) struct Levels {
 
 impl Levels {
     /// Rounds heights in units of so many metres to steps. `next` is the cell that a cell's water runs to; a cell that would not be
-    /// higher than that is raised to the step above it.
-    pub fn new(heights: &[f32], metres_up: f64, next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
+    /// higher than that is raised to the step above it, unless `is_level` says that it lies in a lake.
+    pub fn new(
+        heights: &[f32],
+        metres_up: f64,
+        next: impl Fn(usize) -> Option<usize>,
+        is_level: impl Fn(usize) -> bool,
+    ) -> Result<Self, Refused> {
         /// Numbers of steps to leave free at the top, tried in turn until raised land fits below it. Only a slope of
         /// tens of thousands of cells without a step of its own would need more than the last.
         const FREE: [u16; 6] = [0, 16, 128, 1024, 8192, 32_768];
@@ -56,7 +61,7 @@ impl Levels {
         let mut scale = Scale::of(heights, metres_up, 0);
         for free in FREE {
             scale = Scale::of(heights, metres_up, free);
-            if falls(&scale, heights, &next, &mut steps) {
+            if falls(&scale, heights, (&next, &is_level), &mut steps) {
                 break;
             }
         }
@@ -65,11 +70,16 @@ impl Levels {
 }
 
 /// Fills in the step of each cell, from the sea upstream. Returns `true` if all fit below the top of the scale.
-fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, steps: &mut [u16]) -> bool {
-    let is_land = |cell: usize| heights[cell] > 0.0;
-    for (step, &height) in steps.iter_mut().zip(heights) {
+fn falls(
+    scale: &Scale,
+    heights: &[f32],
+    (next, is_level): (impl Fn(usize) -> Option<usize>, impl Fn(usize) -> bool),
+    steps: &mut [u16],
+) -> bool {
+    let is_land = |cell: usize| heights[cell] > 0.0 && !is_level(cell);
+    for (cell, step) in steps.iter_mut().enumerate() {
         // Step 0 marks land cells that have no step yet; land never keeps it.
-        *step = if height > 0.0 { 0 } else { scale.step(height) };
+        *step = if is_land(cell) { 0 } else { scale.step(heights[cell]) };
     }
     let mut fits = true;
     let mut upstream = Vec::new();
@@ -97,7 +107,7 @@ mod tests {
 
     /// Makes a slope whose first cell lies in the sea, and whose water runs to the cell before.
     fn slope(heights: &[f32]) -> Levels {
-        Levels::new(heights, METRES, |cell| cell.checked_sub(1)).unwrap()
+        Levels::new(heights, METRES, |cell| cell.checked_sub(1), |_| false).unwrap()
     }
 
     fn rises(steps: &[u16]) -> bool {
@@ -116,6 +126,14 @@ mod tests {
         let levels = slope(&[-1.0, 1e-6, 2e-6, 3e-6, 50.0]);
         let sea = levels.scale.sea_level;
         assert_eq!(levels.steps[1..4], [sea + 1, sea + 2, sea + 3]);
+    }
+
+    #[test]
+    fn lakes_stay_level_and_land_above_them_rises() {
+        let heights = [-1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 50.0];
+        let levels = Levels::new(&heights, METRES, |cell| cell.checked_sub(1), |cell| (2..5).contains(&cell)).unwrap();
+        let level = levels.scale.step(2.0);
+        assert_eq!(levels.steps[2..6], [level, level, level, level + 1]);
     }
 
     #[test]

@@ -40,8 +40,11 @@ pub struct Rasters {
     pub scale: Scale,
     /// The real sizes of what is on the map.
     pub map_scale: MapScale,
+    /// The surface of the relief: the water where there is a lake.
     relief: Arc<Relief>,
     flow: Flow,
+    /// `true` for cells in a lake; empty if there are none.
+    is_lake: Vec<bool>,
     /// The number of columns west of the map and of rows north of it.
     before: (usize, usize),
     /// The height of each cell in steps of the scale.
@@ -66,6 +69,8 @@ pub enum Layer {
     Flow,
     /// The numbers of basins.
     Basins,
+    /// 255 where water stands, in the sea or in a lake; 0 on dry land and in rivers.
+    Water,
 }
 
 /// The values of a raster, row by row, from north to south.
@@ -79,7 +84,7 @@ pub enum Values {
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
+    pub const ALL: [Self; 6] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins, Self::Water];
 
     /// Returns the subject of a layer's values, in English. [`Rasters::meaning`] begins with these words, and no two
     /// layers have the same.
@@ -90,6 +95,7 @@ impl Layer {
             Self::Rivers => "16-bit width of the river",
             Self::Flow => "Where water runs",
             Self::Basins => "16-bit number of the river basin",
+            Self::Water => "255 is standing water",
         }
     }
 
@@ -101,6 +107,7 @@ impl Layer {
             Self::Rivers => "rivers",
             Self::Flow => "flow",
             Self::Basins => "basins",
+            Self::Water => "water",
         }
     }
 }
@@ -154,9 +161,12 @@ impl Rasters {
 
     fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
-        let grid = relief.grid();
+        let (grid, lakes) = (relief.grid(), map.lakes());
+        let is_lake = lakes.is_water_on(&grid);
+        let relief = if lakes.is_empty() { relief } else { lakes.filled(&relief).into() };
         let map_scale = map.scale();
-        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell));
+        let is_level = |cell: usize| is_lake.get(cell) == Some(&true);
+        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell), is_level);
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
             link: link::write_for_file(map.recipe()),
@@ -172,6 +182,7 @@ impl Rasters {
             drained: Drained::of(map),
             relief,
             flow,
+            is_lake,
             before: (0, 0),
         })
     }
@@ -206,6 +217,7 @@ impl Rasters {
             (Values::Words(steps), Layer::Heights) => {
                 Values::Words(self.widened(&steps, |nearest| nearest.min(self.scale.sea_level)))
             }
+            (Values::Bytes(bytes), Layer::Water) => Values::Bytes(self.widened(&bytes, |_| 255)),
             (Values::Words(words), _) => Values::Words(self.widened(&words, |_| 0)),
             (Values::Bytes(bytes), _) => Values::Bytes(self.widened(&bytes, |_| 0)),
         }
@@ -233,6 +245,11 @@ impl Rasters {
             }
             Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
+            Layer::Water => {
+                let is_water = |(cell, &height): (usize, &f32)| height <= 0.0 || self.is_level(cell);
+                let heights = self.relief.heights().iter().enumerate();
+                Values::Bytes(heights.map(|cell| if is_water(cell) { 255 } else { 0 }).collect())
+            }
             Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
         }
     }
@@ -247,6 +264,7 @@ impl Rasters {
                 decimal(metres_a_step, 6)
             ),
             Layer::Land => ", 0 is sea.".into(),
+            Layer::Water => ", of the sea or of a lake; 0 is dry land and rivers.".into(),
             Layer::Rivers => format!(
                 " as it is drawn, in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
                 shortest(f64::from(self.cell_size) * 1000.0, 3)
@@ -302,7 +320,12 @@ impl Rasters {
         widths(&self.relief, &self.flow, &self.network, width)
     }
 
-    /// Returns the relief that the rasters are made from.
+    /// Returns `true` if a cell of the map lies in a lake, whose water is level.
+    pub fn is_level(&self, cell: usize) -> bool {
+        self.is_lake.get(cell) == Some(&true)
+    }
+
+    /// Returns the relief that the rasters are made from, with lakes as high as their water.
     pub fn relief(&self) -> &Relief {
         &self.relief
     }

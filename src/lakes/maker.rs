@@ -1,15 +1,15 @@
 //! The lakes of a map in the making: no step keeps a page waiting for long.
 
 use super::areas::areas;
-use super::flood::{Flooded, Ground, around};
+use super::flood::{Dam, Flooded, Ground, around};
 use super::shores::area;
 use super::sites::{Site, sites};
 use super::upstream::Upstream;
-use super::{Lake, Lakes, Outlet};
+use super::{Cell, Lake, Lakes, Outlet, SHORE};
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::random::{Purpose, Seed};
 use crate::base::work;
-use crate::network::{NONE, Network};
+use crate::network::Network;
 use crate::relief::{Flow, Relief, ReliefError, ReliefSettings};
 
 /// The lakes of a map, as far as they are made.
@@ -45,6 +45,9 @@ struct Search {
 
 /// The number of elementary steps after which a step ends.
 const WORK_A_STEP: u64 = 500_000;
+
+/// The wavelength of the unevenness of shores, in units.
+const ROUGH: f32 = 18.0;
 
 /// The number of sites that are tried for a lake.
 const TRIES: usize = 60;
@@ -89,7 +92,7 @@ impl LakeMaker {
     fn begin(&mut self, ways: Vec<u32>, relief: &Relief, network: &Network) -> Result<Search, Refused> {
         ask(ways.len() * BYTES_A_CELL)?;
         self.made = Lakes { grid: Some(relief.grid()), ..Lakes::default() };
-        lengthen(&mut self.made.cells, ways.len(), NONE)?;
+        lengthen(&mut self.made.cells, ways.len(), Cell::DRY)?;
         self.is_taken.clear();
         lengthen(&mut self.is_taken, ways.len(), false)?;
         work::count(ways.len());
@@ -103,16 +106,17 @@ impl LakeMaker {
 
     /// Places some more lakes. Returns `true` if there are more.
     fn advance(&mut self, search: &mut Search, relief: &Relief, network: &Network) -> bool {
-        let begun = work::steps();
+        let (begun, noise) = (work::steps(), self.seed.noise(Purpose::Lakes, 1, 1.0 / ROUGH, 3));
         let cell = relief.cell_size() * relief.cell_size();
         while let Some(area) = search.areas.pop() {
             let cells = (area / cell) as usize;
-            let ground = Ground { relief, upstream: &search.upstream, is_taken: &self.is_taken };
-            let found = find(&ground, &search.sites, &mut search.too_many, cells);
-            if let Some((site, flooded)) = found {
-                let lake = make(&ground, &search.sites[site], &flooded, network, self.seed);
+            let (upstream, is_taken, noise) = (&search.upstream, &self.is_taken, &noise);
+            let ground = Ground { relief, upstream, is_taken, noise };
+            let found = find(&ground, network, &search.sites, &mut search.too_many, cells);
+            if let Some((site, dam, flooded)) = found {
+                let lake = make(&ground, (&search.sites[site], &dam), &flooded, network, self.seed);
                 search.too_many[site] = 0;
-                self.add(lake, &flooded, relief);
+                self.add(lake, &flooded, &search.upstream, relief);
             }
             if work::steps() - begun >= WORK_A_STEP {
                 return true;
@@ -121,12 +125,13 @@ impl LakeMaker {
         false
     }
 
-    fn add(&mut self, lake: Lake, flooded: &Flooded, relief: &Relief) {
+    fn add(&mut self, lake: Lake, flooded: &Flooded, upstream: &Upstream, relief: &Relief) {
         let mut edge = flooded.cells.clone();
         for &cell in &edge {
-            self.made.cells[cell] = self.made.list.len() as u32;
+            self.made.cells[cell] = Cell(self.made.list.len() as u32);
             self.is_taken[cell] = true;
         }
+        self.add_shore(&lake, flooded, upstream, relief);
         for _ in 0..APART {
             let mut beside: Vec<usize> =
                 edge.iter().flat_map(|cell| around(&relief.grid(), *cell)).flatten().collect();
@@ -137,20 +142,47 @@ impl LakeMaker {
     }
 }
 
+impl LakeMaker {
+    /// Marks the shore of a lake: the ground whose water runs into it and that lies under its level, or hardly over it.
+    fn add_shore(&mut self, lake: &Lake, flooded: &Flooded, upstream: &Upstream, relief: &Relief) {
+        let mut edge = flooded.cells.clone();
+        while let Some(cell) = edge.pop() {
+            work::count(8);
+            for beside in around(&relief.grid(), cell).into_iter().flatten() {
+                let is_low = relief.heights()[beside] < lake.level + SHORE;
+                if is_low && upstream.to[beside] as usize == cell && !self.is_taken[beside] {
+                    // No other lake may lie there.
+                    self.is_taken[beside] = true;
+                    self.made.cells[beside] = Cell(self.made.list.len() as u32 | Cell::SHORE);
+                    edge.push(beside);
+                }
+            }
+        }
+    }
+}
+
 /// The memory of a cell: the order of cells, and what is told of each.
 const BYTES_A_CELL: usize = 32;
 
 /// Finds the first site that can hold a lake of so many cells, of some that are tried.
-fn find(ground: &Ground<'_>, sites: &[Site], too_many: &mut [usize], cells: usize) -> Option<(usize, Flooded)> {
+fn find(
+    ground: &Ground<'_>,
+    network: &Network,
+    sites: &[Site],
+    too_many: &mut [usize],
+    cells: usize,
+) -> Option<(usize, Dam, Flooded)> {
     let mut tries = 0;
     for (i, site) in sites.iter().enumerate() {
         let is_known = too_many[i] <= cells;
         if is_known || (ground.upstream.count(site.cell) as usize) < BASIN * cells {
             continue;
         }
-        if let Some(mut flooded) = ground.flood(site.cell, cells) {
-            ground.widen(&mut flooded, site.cell);
-            return Some((i, flooded));
+        let above = (network.rivers[site.river as usize].start..site.vertex).rev();
+        let dam = Dam::new(ground.relief, site.cell, cells, above.map(|vertex| network.vertices[vertex as usize].at));
+        if let Some(mut flooded) = ground.flood(&dam, cells) {
+            ground.widen(&mut flooded, &dam);
+            return Some((i, dam, flooded));
         }
         too_many[i] = cells;
         tries += 1;
@@ -162,8 +194,8 @@ fn find(ground: &Ground<'_>, sites: &[Site], too_many: &mut [usize], cells: usiz
 }
 
 /// Makes a lake of what is flooded above a dam.
-fn make(ground: &Ground<'_>, site: &Site, flooded: &Flooded, network: &Network, seed: Seed) -> Lake {
-    let rings = ground.shores(flooded, site.cell);
+fn make(ground: &Ground<'_>, (site, dam): (&Site, &Dam), flooded: &Flooded, network: &Network, seed: Seed) -> Lake {
+    let rings = ground.shores(flooded, dam);
     let river = network.rivers[site.river as usize].identity;
     let whole: f32 = rings.iter().map(|ring| area(ring)).sum();
     Lake {

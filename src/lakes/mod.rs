@@ -19,12 +19,14 @@ mod sites;
 mod tests;
 mod upstream;
 
-use glam::Vec2;
-
 pub(crate) use maker::LakeMaker;
 
-use crate::network::NONE;
-use crate::relief::Grid;
+use flood::around;
+use glam::Vec2;
+
+use crate::base::sort;
+use crate::network::{NONE, Network, River};
+use crate::relief::{Grid, Relief};
 
 /// A lake through which a river runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,27 +62,162 @@ pub struct Outlet {
 pub struct Lakes {
     /// The lakes.
     pub list: Vec<Lake>,
-    /// For each cell of the map's own relief, the index of its lake, or [`NONE`]; empty if there are no lakes.
-    cells: Vec<u32>,
+    /// What each cell of the map's own relief is to the lakes; empty if there are none.
+    cells: Vec<Cell>,
     /// The grid of these cells; `None` if there are no lakes.
     grid: Option<Grid>,
 }
 
+/// A cell's place among lakes: an index of a lake, and whether the cell is water or its shore.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Cell(u32);
+
+impl Cell {
+    /// Neither a lake nor a shore.
+    const DRY: Self = Self(u32::MAX);
+    /// The bit that tells a shore from water.
+    const SHORE: u32 = 1 << 31;
+
+    fn water(self) -> Option<usize> {
+        (self.0 & Self::SHORE == 0).then_some(self.0 as usize)
+    }
+
+    /// Returns the lake that the cell is of, as water or as shore.
+    fn lake(self) -> Option<usize> {
+        (self != Self::DRY).then_some((self.0 & !Self::SHORE) as usize)
+    }
+}
+
+/// The height over a lake, in units, up to which its shore is raised where it would lie under the level.
+const SHORE: f32 = 0.5;
+
+/// A stretch of a river's course that lies in a lake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Passage {
+    /// The index of the lake.
+    pub lake: usize,
+    /// The first and the last point of the river's course that lie in it, counted from 0 at the source.
+    pub points: [usize; 2],
+}
+
 impl Lakes {
+    /// Lists the stretches of a river's course that lie in lakes, from the source down.
+    pub fn passages(&self, network: &Network, river: &River) -> Vec<Passage> {
+        let mut passages: Vec<Passage> = Vec::new();
+        if self.is_empty() {
+            return passages;
+        }
+        for (point, vertex) in network.course(river).enumerate() {
+            let Some(lake) = self.at(vertex.at) else { continue };
+            match passages.last_mut() {
+                Some(last) if last.lake == lake && last.points[1] + 1 == point => last.points[1] = point,
+                _ => passages.push(Passage { lake, points: [point; 2] }),
+            }
+        }
+        passages
+    }
+
     /// Returns `true` if there are no lakes.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Returns the index of the lake that a cell of the map's own relief lies in.
-    pub fn of_cell(&self, cell: usize) -> Option<usize> {
-        self.cells.get(cell).filter(|lake| **lake != NONE).map(|lake| *lake as usize)
-    }
-
     /// Returns the index of the lake at a point in units.
     pub fn at(&self, point: Vec2) -> Option<usize> {
-        let around = |lake: &Lake| lake.rings.iter().filter(|ring| is_within(ring, point)).count();
-        self.list.iter().position(|lake| around(lake) % 2 == 1)
+        // No shore is farther than a cell from the water of its lake, so most points need no look at shores.
+        let own = self.grid.as_ref()?;
+        let index = |x: f32, count: usize| ((x / own.cell_size).max(0.0) as usize).min(count - 1);
+        let cell = index(point.y, own.rows) * own.columns + index(point.x, own.columns);
+        let near = around(own, cell).into_iter().flatten().chain([cell]).find_map(|cell| self.cells[cell].water())?;
+        let rings = self.list[near].rings.iter().filter(|ring| is_within(ring, point)).count();
+        (rings % 2 == 1).then_some(near)
+    }
+
+    /// Finds the lake that covers each cell of a grid, by its index: of the map's own grid as its relief says, of others by the middle
+    /// of the cell; [`NONE`] elsewhere. Empty if there are no lakes.
+    pub fn on(&self, grid: &Grid) -> Vec<u32> {
+        if self.is_empty() {
+            return Vec::new();
+        }
+        if self.grid.as_ref() == Some(grid) {
+            return self.cells.iter().map(|cell| cell.water().map_or(NONE, |lake| lake as u32)).collect();
+        }
+        let mut covered = vec![NONE; grid.columns * grid.rows];
+        for (id, lake) in (0..).zip(&self.list) {
+            fill(&lake.rings, grid, |cell| covered[cell] = id);
+        }
+        covered
+    }
+
+    /// Returns the heights of the surface of a relief of the map, in units: the level of the water where there is a lake, and a shore
+    /// nowhere under it.
+    pub fn surface(&self, relief: &Relief) -> Vec<f32> {
+        let grid = relief.grid();
+        let mut heights = relief.heights().to_vec();
+        let covered = self.on(&grid);
+        for (cell, height) in heights.iter_mut().enumerate().take(covered.len()) {
+            if let Some(lake) = self.list.get(covered[cell] as usize) {
+                *height = lake.level;
+            } else if let Some(lake) = self.shore_at(&grid, cell) {
+                *height = lake.raised(*height);
+            }
+        }
+        heights
+    }
+
+    /// Returns a relief of the map with the surface of the water in place of its bed.
+    pub(crate) fn filled(&self, relief: &Relief) -> Relief {
+        relief.with_heights(self.surface(relief))
+    }
+
+    /// Returns the depth of the water in each cell of a relief of the map, in units; 0 where there is no lake.
+    pub fn depths(&self, relief: &Relief) -> Vec<f32> {
+        let covered = self.on(&relief.grid());
+        let depth = |(lake, height): (&u32, &f32)| {
+            self.list.get(*lake as usize).map_or(0.0, |lake| (lake.level - height).max(0.0))
+        };
+        covered.iter().zip(relief.heights()).map(depth).collect()
+    }
+
+    /// Returns `true` for each cell of a grid that a lake covers; empty if there are no lakes.
+    pub fn is_water_on(&self, grid: &Grid) -> Vec<bool> {
+        self.on(grid).into_iter().map(|lake| lake != NONE).collect()
+    }
+
+    /// Returns the lake on whose shore a cell of a grid lies, in it or beside it.
+    fn shore_at(&self, grid: &Grid, cell: usize) -> Option<&Lake> {
+        let own = self.grid.as_ref()?;
+        let at = (Vec2::new((cell % grid.columns) as f32, (cell / grid.columns) as f32) + 0.5) * grid.cell_size;
+        let index = |x: f32, count: usize| ((x / own.cell_size) as usize).min(count - 1);
+        let cell = self.cells[index(at.y, own.rows) * own.columns + index(at.x, own.columns)];
+        cell.lake().map(|lake| &self.list[lake])
+    }
+}
+
+impl Lake {
+    /// Raises a height of its shore over the level; what was lower stays lower.
+    fn raised(&self, height: f32) -> f32 {
+        let bed = self.level - self.depth;
+        let share = (height - bed) / (self.depth + SHORE);
+        if share < 1.0 { self.level + share.max(0.0) * SHORE } else { height }
+    }
+}
+
+/// Calls `found` with each cell of a grid whose middle lies within an odd number of rings.
+fn fill(rings: &[Vec<Vec2>], grid: &Grid, mut found: impl FnMut(usize)) {
+    let points = || rings.iter().flatten().map(|at| at.y / grid.cell_size - 0.5);
+    let first = points().fold(f32::INFINITY, f32::min).ceil().max(0.0) as usize;
+    let last = points().fold(f32::NEG_INFINITY, f32::max).floor() as usize;
+    for row in first..=last.min(grid.rows - 1) {
+        let y = (row as f32 + 0.5) * grid.cell_size;
+        let crossings = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+        let crossings = crossings.filter(|(a, b)| (a.y > y) != (b.y > y));
+        let crossings: Vec<f32> = crossings.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
+        for pair in sort::sorted(&crossings).as_chunks::<2>().0 {
+            let [from, to] = pair.map(|x| (x / grid.cell_size - 0.5).ceil().clamp(0.0, grid.columns as f32) as usize);
+            (from..to).for_each(|column| found(row * grid.columns + column));
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::flood::{Flooded, Ground};
+use super::flood::{Dam, Flooded, Ground};
 use crate::base::sort;
 use crate::base::work;
 use crate::land::trace;
@@ -12,20 +12,20 @@ use crate::relief::Grid;
 const ISLAND: f32 = 16.0;
 
 /// The height, in units, over which a shore moves from the middle of one cell to that of the next.
-const BLEND: f32 = 3.0;
+const BLEND: f32 = 20.0;
 
 /// The least share of that by which a cell counts as water or as land.
-const LEAST: f32 = 0.1;
+const LEAST: f32 = 0.01;
 
 impl Ground<'_> {
     /// Adds cells to a lake where others touch only at a corner, so that no shore is tied off there.
-    pub fn widen(&self, flooded: &mut Flooded, dam: usize) {
+    pub fn widen(&self, flooded: &mut Flooded, dam: &Dam) {
         let Grid { columns, .. } = self.relief.grid();
         let first = flooded.cells.len();
         let wet = sort::sorted_by(&flooded.cells, |cell| *cell as u32);
         for i in 0..first {
             let (cell, below) = (flooded.cells[i], self.upstream.to[flooded.cells[i]] as usize);
-            if cell == dam || cell % columns == below % columns || cell / columns == below / columns {
+            if cell == dam.cell || cell % columns == below % columns || cell / columns == below / columns {
                 continue;
             }
             let corners = [cell / columns * columns + below % columns, below / columns * columns + cell % columns];
@@ -34,14 +34,14 @@ impl Ground<'_> {
                 continue;
             }
             let heights = self.relief.heights();
-            let may_be = |corner: &usize| !self.is_taken[*corner] && self.upstream.is_above(*corner, dam);
+            let may_be = |corner: &usize| !self.is_taken[*corner] && self.upstream.is_above(*corner, dam.cell);
             let lower = corners.into_iter().filter(may_be).min_by(|a, b| heights[*a].total_cmp(&heights[*b]));
             flooded.cells.extend(lower);
         }
     }
 
     /// Traces the shores of a lake, in units: the outer one first, then those of islands.
-    pub fn shores(&self, flooded: &Flooded, dam: usize) -> Vec<Vec<Vec2>> {
+    pub fn shores(&self, flooded: &Flooded, dam: &Dam) -> Vec<Vec<Vec2>> {
         let Grid { cell_size, columns, rows } = self.relief.grid();
         let across = || flooded.cells.iter().map(|cell| cell % columns);
         let down = || flooded.cells.iter().map(|cell| cell / columns);
@@ -49,13 +49,13 @@ impl Ground<'_> {
         let (top, bottom) = (down().min().unwrap_or(0).saturating_sub(1), (down().max().unwrap_or(0) + 1).min(rows - 1));
         let (width, height) = (right - left + 1, bottom - top + 1);
         work::count(width * height);
-        let mut water: Vec<f32> = (top..=bottom)
-            .flat_map(|row| (left..=right).map(move |column| row * columns + column))
-            .map(|cell| 0.5 - self.over_water(cell, flooded.level, dam).max(LEAST))
-            .collect();
+        let cell = |i: usize| (top + i / width) * columns + left + i % width;
+        let over: Vec<f32> = (0..width * height).map(|i| self.over_water(cell(i), flooded.level, dam)).collect();
+        let over = blurred(&over, width);
+        let mut water: Vec<f32> = over.iter().map(|over| 0.5 - over.max(LEAST)).collect();
         for &cell in &flooded.cells {
-            let over = self.over_water(cell, flooded.level, dam);
-            water[(cell / columns - top) * width + cell % columns - left] = 0.5 - over.min(-LEAST);
+            let i = (cell / columns - top) * width + cell % columns - left;
+            water[i] = 0.5 - over[i].min(-LEAST);
         }
         let size = Vec2::new(width as f32, height as f32);
         let speck = ISLAND / (size.x * size.y * cell_size * cell_size);
@@ -70,14 +70,27 @@ impl Ground<'_> {
     }
 
     /// Returns how far a cell lies over the water, as a share of what moves a shore by a cell, at most a half either way.
-    fn over_water(&self, cell: usize, level: f32, dam: usize) -> f32 {
+    fn over_water(&self, cell: usize, level: f32, dam: &Dam) -> f32 {
         /// The height of a moraine over the water, in units.
         const MORAINE: f32 = 1.5;
-        let height = self.relief.heights()[cell];
-        let is_dam = height < level && !self.upstream.is_above(cell, dam);
+        let height = self.height(cell);
+        let is_dam = height < level && !self.upstream.is_above(cell, dam.cell);
         let over = if is_dam { MORAINE } else { height - level };
         (over / (2.0 * BLEND)).clamp(-0.5, 0.5)
     }
+}
+
+/// Blurs the cells of a grid, but for those at its border.
+fn blurred(values: &[f32], width: usize) -> Vec<f32> {
+    let mut blurred = values.to_vec();
+    for i in width + 1..values.len().saturating_sub(width + 1) {
+        if i % width == 0 || i % width == width - 1 {
+            continue;
+        }
+        let row = |i: usize| values[i - 1] + 2.0 * values[i] + values[i + 1];
+        blurred[i] = (row(i - width) + 2.0 * row(i) + row(i + width)) / 16.0;
+    }
+    blurred
 }
 
 /// Cuts the corners of a ring (Chaikin 1974).

@@ -79,6 +79,11 @@ impl Relief {
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
     }
 
+    /// Returns a relief on the same grid with other heights, in units, one for each cell.
+    pub(crate) fn with_heights(&self, heights: Vec<f32>) -> Self {
+        Self { grid: self.grid, heights }
+    }
+
     /// Returns the number of cells in a row. The last may reach over the map's border.
     pub fn columns(&self) -> usize {
         self.grid.columns

@@ -6,14 +6,21 @@ use riverseed::export::rasters::Rasters;
 pub fn metres(rasters: &Rasters) -> Vec<f32> {
     let (relief, flow) = (rasters.relief(), rasters.flow());
     let grid = relief.grid();
-    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell))
+    let is_level = |cell: usize| rasters.is_level(cell);
+    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell), is_level)
 }
 
 /// Converts heights in units to metres, of which a unit has `metres_up`. `next` is the cell that a cell's water runs to. Multiplying can round two
-/// heights to one, so a cell that would not be higher than that is raised by the least step there is.
-fn falling(heights: &[f32], metres_up: f32, next: impl Fn(usize) -> Option<usize>) -> Vec<f32> {
+/// heights to one, so a cell that would not be higher than that is raised by the least step there is, unless `is_level` says that it
+/// lies in a lake.
+fn falling(
+    heights: &[f32],
+    metres_up: f32,
+    next: impl Fn(usize) -> Option<usize>,
+    is_level: impl Fn(usize) -> bool,
+) -> Vec<f32> {
     let mut metres: Vec<f32> = heights.iter().map(|height| height * metres_up).collect();
-    let mut is_done: Vec<bool> = heights.iter().map(|&height| height <= 0.0).collect();
+    let mut is_done: Vec<bool> = (0..heights.len()).map(|cell| heights[cell] <= 0.0 || is_level(cell)).collect();
     let mut upstream = Vec::new();
     for start in 0..heights.len() {
         let mut cell = Some(start);
@@ -46,7 +53,7 @@ mod tests {
             .collect();
         let plain: Vec<f32> = heights.iter().map(|height| height * METRES).collect();
         assert!(plain.windows(2).any(|pair| pair[0] == pair[1]), "or this proves nothing");
-        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1));
+        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1), |_| false);
         assert!(metres.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(metres.iter().zip(plain).all(|(metres, plain)| (metres - plain).abs() < 1e-3));
     }
@@ -54,11 +61,11 @@ mod tests {
     #[test]
     fn land_that_is_far_enough_apart_and_the_sea_are_as_high_as_they_are() {
         assert_eq!(
-            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1)),
+            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1), |_| false),
             [-100.0, 50.0, 50.0f32.next_up(), 0.0]
         );
         assert_eq!(
-            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3)),
+            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3), |_| false),
             [75.0, 50.0, 25.0]
         );
     }
