@@ -98,7 +98,7 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
         let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
         prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
     }
-    let depth = |at: Vec2| input.map.coast.map_or(-1.0, |coast| -coast.height(at));
+    let depth = |at: Vec2| input.map.coast().map_or(-1.0, |coast| -coast.height(at));
     let is_sea = |from: Vec2, least: f32| {
         let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
         points.all(|share| depth(from + share * (to - from)) >= least)
@@ -142,7 +142,7 @@ fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
         prop_assert_eq!(region.holds(around.middle), is_in, "{}", label.text);
         for corner in around.corners() {
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
-            let inland = input.map.coast.unwrap().height(corner);
+            let inland = input.map.coast().unwrap().height(corner);
             let room = if label.kind == Kind::Island { inland } else { -inland };
             let least = if label.kind == Kind::Water { 0.7 } else { 0.15 };
             prop_assert!(room > least * label.em, "{} is {room} from the coast", label.text);
@@ -157,7 +157,7 @@ fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
 /// Regions on their land, bays and straits in their water, capes on the water near their tip; all upright and in the frame.
 fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     let landmark = input.map.names.places.iter().find(|place| is_named(place, &label.text)).unwrap();
-    let (is_region, coast) = (label.kind == Kind::Region, input.map.coast.unwrap());
+    let (is_region, coast) = (label.kind == Kind::Region, input.map.coast().unwrap());
     let mut nearest = f32::MAX;
     for corner in boxes(label).into_iter().flat_map(|around| around.corners()) {
         prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
@@ -211,7 +211,7 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>, pieces: &Pieces) ->
     for around in boxes(label) {
         for corner in around.corners() {
             prop_assert!(
-                input.map.coast.is_none_or(|coast| coast.height(corner) > 0.0),
+                input.map.coast().is_none_or(|coast| coast.height(corner) > 0.0),
                 "{} is in the sea",
                 label.text
             );

@@ -150,7 +150,7 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
 
 fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(), TestCaseError> {
     let (silhouette, strokes) = shapes(one);
-    if let Some(coast) = input.coast {
+    if let Some(coast) = input.coast() {
         for at in strokes.iter().flat_map(|stroke| stroke.coords()) {
             let inland = coast.height(Vec2::new(at.x as f32, at.y as f32));
             prop_assert!(inland > FROM_COAST - 0.5, "{one:?} is {inland} inland");

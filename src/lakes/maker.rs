@@ -200,6 +200,7 @@ fn make(ground: &Ground<'_>, (site, dam): (&Site, &Dam), flooded: &Flooded, netw
     let whole: f32 = rings.iter().map(|ring| area(ring)).sum();
     Lake {
         identity: seed.item_hash(Purpose::Lakes).bits([river, site.number, 1]),
+        at: ground.midst(flooded),
         level: flooded.level,
         depth: flooded.level - flooded.bed,
         area: whole.abs(),

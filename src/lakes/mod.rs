@@ -13,6 +13,7 @@
 mod areas;
 mod flood;
 mod maker;
+mod shoreline;
 mod shores;
 mod sites;
 #[cfg(test)]
@@ -34,6 +35,8 @@ use crate::relief::{Grid, Relief};
 pub struct Lake {
     /// The identity of the river at the outlet, mixed with the place of the dam along it. No other lake has the same.
     pub identity: u32,
+    /// A place in its midst, far from its shores, in units.
+    pub at: Vec2,
     /// The height of the water over the sea, in units.
     pub level: f32,
     /// The greatest depth, in units.

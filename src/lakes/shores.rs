@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::flood::{Dam, Flooded, Ground};
+use super::flood::{Dam, Flooded, Ground, around, middle};
 use crate::base::sort;
 use crate::base::work;
 use crate::land::trace;
@@ -67,6 +67,21 @@ impl Ground<'_> {
         let greatest = (0..shores.len()).max_by(|a, b| area(&shores[*a]).abs().total_cmp(&area(&shores[*b]).abs()));
         greatest.into_iter().for_each(|outer| shores.swap(0, outer));
         shores
+    }
+
+    /// Returns the middle of the cell of a lake that is farthest from its shores, in units; the first of equals.
+    pub fn midst(&self, flooded: &Flooded) -> Vec2 {
+        let grid = self.relief.grid();
+        let mut left = sort::sorted_by(&flooded.cells, |cell| *cell as u32);
+        loop {
+            let is_inner = |cell: &usize| around(&grid, *cell).into_iter().all(|beside| beside.is_some_and(|beside| left.binary_search(&beside).is_ok()));
+            let inner: Vec<usize> = left.iter().copied().filter(is_inner).collect();
+            work::count(8 * left.len());
+            if inner.is_empty() {
+                return left.first().map_or(Vec2::ZERO, |cell| middle(&grid, *cell));
+            }
+            left = inner;
+        }
     }
 
     /// Returns how far a cell lies over the water, as a share of what moves a shore by a cell, at most a half either way.

@@ -78,7 +78,7 @@ impl CoastDistance {
 
     /// Makes the land where heights at the corners of the same lattice, row by row, are above 0. They stand for
     /// distances until the land is [settled](Self::settled).
-    pub(super) fn with_heights_of(&self, heights: &[f32]) -> Self {
+    pub(crate) fn with_heights_of(&self, heights: &[f32]) -> Self {
         let &Self { columns, rows, spacing, .. } = self;
         Self { heights: heights.to_vec(), columns, rows, spacing }
     }

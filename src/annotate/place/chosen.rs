@@ -150,7 +150,7 @@ fn is_off_coast(kind: Kind, letters: &[Placed], em: f32, input: &Input<'_>) -> b
         Kind::Water => FROM_COAST_AT_SEA * em,
         _ => FROM_COAST * em,
     };
-    let is_off = |at: Vec2| match input.map.coast.map(|coast| coast.height(at)) {
+    let is_off = |at: Vec2| match input.map.coast().map(|coast| coast.height(at)) {
         Some(height) if kind.is_afloat() => -height >= least,
         Some(height) => height >= least,
         None => true,

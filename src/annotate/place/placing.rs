@@ -11,7 +11,7 @@ use super::input::{Input, MapInput, Own, Reach};
 use super::letters::{Box, Kind, Text};
 use super::levels::Level;
 use super::search::{MOST_COST, MOST_COST_SMALL, Search};
-use super::{areas, inlets, islands, regions};
+use super::{areas, inlets, islands, regions, tarns};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
 use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
@@ -373,7 +373,8 @@ impl<'a, G: Background> Map<'a, G> {
         let chosen = match place.kind {
             _ if is_region(place) => regions::region(input, background, place, taken),
             PlaceKind::Island => islands::island(input, background, (place, region), taken),
-            PlaceKind::Lake => areas::water(input, place, region, taken),
+            PlaceKind::Lake => areas::water(input, place, region, taken)
+                .or_else(|| tarns::beside(input, background, (place, region), taken)),
             PlaceKind::Sea => {
                 let taken: Vec<(u32, Box)> =
                     taken.iter().copied().chain(self.beside.map(|beside| (NONE, beside))).collect();
