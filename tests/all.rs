@@ -27,6 +27,7 @@ mod identity;
 mod inspect;
 mod label_places;
 mod labels;
+mod lakes;
 mod margins;
 mod marks;
 mod markup;

@@ -1,11 +1,16 @@
 //! The flood above a dam: water rises over the ground upstream, the lowest first.
 
+use std::cell::Cell;
+
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
 use super::upstream::Upstream;
+use super::{Cell as Place, Lakes, SHORE, raised};
 use crate::base::geometry::{direction, distance};
 use crate::base::queue::Queue;
+use crate::base::random::{Purpose, Seed};
+use crate::base::sort;
 use crate::base::work;
 use crate::relief::{Grid, Relief};
 
@@ -15,8 +20,35 @@ pub(super) struct Ground<'a> {
     pub upstream: &'a Upstream,
     /// `true` for cells in another lake or close to one.
     pub is_taken: &'a [bool],
-    /// Unevenness of the ground that is too fine for the relief, from −1 to 1.
-    pub noise: &'a FastNoiseLite,
+    /// The lakes that there are.
+    pub made: &'a Lakes,
+    /// The unevenness of the ground that is too fine for the relief.
+    pub unevenness: Unevenness<'a>,
+}
+
+/// The unevenness of the ground that is too fine for the relief, in units for each cell, found where it is asked for.
+pub(super) struct Unevenness<'a> {
+    noise: FastNoiseLite,
+    known: &'a [Cell<f32>],
+}
+
+impl<'a> Unevenness<'a> {
+    /// What is known of a cell at first.
+    pub const UNKNOWN: Cell<f32> = Cell::new(f32::NAN);
+
+    /// Goes on with what is known of each cell.
+    pub fn of(seed: Seed, known: &'a [Cell<f32>]) -> Self {
+        Self { noise: seed.noise(Purpose::Lakes, 1, 1.0 / WAVELENGTH, OCTAVES), known }
+    }
+
+    fn at(&self, grid: &Grid, cell: usize) -> f32 {
+        let known = &self.known[cell];
+        if known.get().is_nan() {
+            let at = middle(grid, cell);
+            known.set(UNEVEN * self.noise.get_noise_2d(at.x, at.y));
+        }
+        known.get()
+    }
 }
 
 /// A dam across a river: a moraine that leaves a way through to its outlet.
@@ -54,8 +86,11 @@ const MORAINE_BY_AREA: f32 = 0.25;
 const OUTLET: f32 = 2.0;
 const FUNNEL: f32 = 0.7;
 
-/// The greatest unevenness of the ground that is too fine for the relief, in units.
-const UNEVEN: f32 = 2.0;
+/// The greatest unevenness of the ground that is too fine for the relief, its longest wavelength, both in units, and the number of its
+/// octaves.
+const UNEVEN: f32 = 6.0;
+const WAVELENGTH: f32 = 72.0;
+const OCTAVES: i32 = 5;
 
 /// The number of cells that lakes keep from the border of the map.
 const FROM_BORDER: usize = 3;
@@ -115,6 +150,41 @@ impl Ground<'_> {
         None
     }
 
+    /// Returns the number of cells of a lake that have dry ground beside them.
+    pub fn edge(&self, flooded: &Flooded) -> usize {
+        let (wet, grid) = (sorted_cells(flooded), self.relief.grid());
+        work::count(8 * wet.len());
+        let is_dry = |cell: Option<usize>| cell.is_none_or(|cell| wet.binary_search(&cell).is_err());
+        wet.iter().filter(|cell| around(&grid, **cell).into_iter().any(is_dry)).count()
+    }
+
+    /// Lists the cells of the shore of a lake: the ground whose water runs into it and that lies under its level, or hardly over it. Each
+    /// has the height that it is raised to, in units, so that it falls to the lake. `None` if another lake would then be too low.
+    pub fn shore(&self, flooded: &Flooded) -> Option<Vec<(u32, f32)>> {
+        let (wet, level) = (sorted_cells(flooded), flooded.level);
+        let mut edge: Vec<(usize, f32)> = wet.iter().map(|cell| (*cell, level)).collect();
+        let mut shore = Vec::new();
+        while let Some((cell, below)) = edge.pop() {
+            work::count(8);
+            for beside in around(&self.relief.grid(), cell).into_iter().flatten() {
+                if self.upstream.to[beside] as usize != cell || wet.binary_search(&beside).is_ok() {
+                    continue;
+                }
+                let (height, place) = (self.relief.heights()[beside], self.made.cells[beside]);
+                match place.water() {
+                    Some(lake) if self.made.list[lake].level <= below => return None,
+                    None if place == Place::DRY && height < level + SHORE => {
+                        let raised = raised((level, flooded.bed), height).max(below.next_up());
+                        shore.push((beside as u32, raised));
+                        edge.push((beside, raised));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Some(shore)
+    }
+
     /// Lets water spread from a cell to those whose water it takes. Returns the height at which it would run over elsewhere.
     fn spread(&self, cell: usize, dam: &Dam, queue: &mut Queue) -> f32 {
         let grid = self.relief.grid();
@@ -143,8 +213,7 @@ impl Ground<'_> {
 
     /// Returns the height of a cell over the sea, in units, with what is too fine for the relief.
     pub fn height(&self, cell: usize) -> f32 {
-        let at = middle(&self.relief.grid(), cell);
-        self.relief.heights()[cell] + UNEVEN * self.noise.get_noise_2d(at.x, at.y)
+        self.relief.heights()[cell] + self.unevenness.at(&self.relief.grid(), cell)
     }
 
     /// Returns `true` if no moraine keeps water from a cell above a dam; it keeps none from the river itself.
@@ -174,4 +243,9 @@ pub(super) fn around(grid: &Grid, cell: usize) -> [Option<usize>; 8] {
         let row = row.checked_add_signed(south).filter(|row| *row < grid.rows)?;
         Some(row * grid.columns + column)
     })
+}
+
+/// Lists the cells of a lake by their numbers.
+pub(super) fn sorted_cells(flooded: &Flooded) -> Vec<usize> {
+    sort::sorted_by(&flooded.cells, |cell| *cell as u32)
 }

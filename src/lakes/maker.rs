@@ -1,11 +1,11 @@
 //! The lakes of a map in the making: no step keeps a page waiting for long.
 
 use super::areas::areas;
-use super::flood::{Dam, Flooded, Ground, around};
+use super::flood::{Dam, Flooded, Ground, Unevenness, around};
 use super::shores::area;
 use super::sites::{Site, sites};
 use super::upstream::Upstream;
-use super::{Cell, Lake, Lakes, Outlet, SHORE};
+use super::{Cell, Lake, Lakes, Outlet};
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::random::{Purpose, Seed};
 use crate::base::work;
@@ -36,6 +36,8 @@ enum Part {
 #[derive(Clone, Debug)]
 struct Search {
     upstream: Upstream,
+    /// What is known of the unevenness of each cell.
+    unevenness: Vec<std::cell::Cell<f32>>,
     sites: Vec<Site>,
     /// For each site, the number of cells that it is known to be too small for.
     too_many: Vec<usize>,
@@ -46,11 +48,12 @@ struct Search {
 /// The number of elementary steps after which a step ends.
 const WORK_A_STEP: u64 = 500_000;
 
-/// The wavelength of the unevenness of shores, in units.
-const ROUGH: f32 = 18.0;
-
 /// The number of sites that are tried for a lake.
-const TRIES: usize = 60;
+const TRIES: usize = 150;
+
+/// The number of cells from which on a lake is great, and the number of sites for a great lake among which the best is chosen.
+const GREAT: usize = 100;
+const FEW: usize = 4;
 
 /// The number of cells that lakes keep from each other.
 const APART: usize = 2;
@@ -62,6 +65,12 @@ impl LakeMaker {
     /// Begins the lakes of a map: `share` of the most land under lakes that there may be.
     pub fn new(share: f32, seed: Seed) -> Self {
         Self { share, seed, next: Part::Ways, made: Lakes::default(), is_taken: Vec::new() }
+    }
+
+    /// Goes by known ways of water: the cell that that of each cell runs to, as [`Flow::ways`] finds them.
+    #[must_use]
+    pub fn along(self, ways: Vec<u32>) -> Self {
+        Self { next: Part::Order(ways), ..self }
     }
 
     /// Does a step of the work on a finished relief, made of these rivers with these settings. Returns the lakes once they are made.
@@ -101,22 +110,24 @@ impl LakeMaker {
         let sites = sites(network, relief, self.seed);
         let mut areas = areas(self.share, land);
         areas.reverse();
-        Ok(Search { upstream: Upstream::of(ways)?, too_many: vec![usize::MAX; sites.len()], sites, areas })
+        let mut unevenness = Vec::new();
+        lengthen(&mut unevenness, ways.len(), Unevenness::UNKNOWN)?;
+        Ok(Search { upstream: Upstream::of(ways)?, unevenness, too_many: vec![usize::MAX; sites.len()], sites, areas })
     }
 
     /// Places some more lakes. Returns `true` if there are more.
     fn advance(&mut self, search: &mut Search, relief: &Relief, network: &Network) -> bool {
-        let (begun, noise) = (work::steps(), self.seed.noise(Purpose::Lakes, 1, 1.0 / ROUGH, 3));
+        let begun = work::steps();
         let cell = relief.cell_size() * relief.cell_size();
         while let Some(area) = search.areas.pop() {
             let cells = (area / cell) as usize;
-            let (upstream, is_taken, noise) = (&search.upstream, &self.is_taken, &noise);
-            let ground = Ground { relief, upstream, is_taken, noise };
-            let found = find(&ground, network, &search.sites, &mut search.too_many, cells);
-            if let Some((site, dam, flooded)) = found {
-                let lake = make(&ground, (&search.sites[site], &dam), &flooded, network, self.seed);
-                search.too_many[site] = 0;
-                self.add(lake, &flooded, &search.upstream, relief);
+            let unevenness = Unevenness::of(self.seed, &search.unevenness);
+            let (upstream, made) = (&search.upstream, &self.made);
+            let ground = Ground { relief, upstream, is_taken: &self.is_taken, made, unevenness };
+            if let Some(found) = find(&ground, network, &search.sites, &mut search.too_many, cells) {
+                let lake = make(&ground, &search.sites[found.site], &found, network, self.seed);
+                search.too_many[found.site] = 0;
+                self.add(lake, &found, relief);
             }
             if work::steps() - begun >= WORK_A_STEP {
                 return true;
@@ -125,76 +136,88 @@ impl LakeMaker {
         false
     }
 
-    fn add(&mut self, lake: Lake, flooded: &Flooded, upstream: &Upstream, relief: &Relief) {
-        let mut edge = flooded.cells.clone();
-        for &cell in &edge {
-            self.made.cells[cell] = Cell(self.made.list.len() as u32);
+    fn add(&mut self, lake: Lake, Found { flooded, shore, .. }: &Found, relief: &Relief) {
+        let number = self.made.list.len() as u32;
+        for &cell in &flooded.cells {
+            self.made.cells[cell] = Cell(number);
             self.is_taken[cell] = true;
         }
-        self.add_shore(&lake, flooded, upstream, relief);
+        for &(cell, _) in shore {
+            // No other lake may lie there.
+            self.made.cells[cell as usize] = Cell(number | Cell::SHORE);
+            self.is_taken[cell as usize] = true;
+        }
+        let mut edge = flooded.cells.clone();
         for _ in 0..APART {
             let mut beside: Vec<usize> =
                 edge.iter().flat_map(|cell| around(&relief.grid(), *cell)).flatten().collect();
             beside.retain(|cell| !std::mem::replace(&mut self.is_taken[*cell], true));
             edge = beside;
         }
+        self.made.raised.extend(shore);
         self.made.list.push(lake);
     }
 }
 
-impl LakeMaker {
-    /// Marks the shore of a lake: the ground whose water runs into it and that lies under its level, or hardly over it.
-    fn add_shore(&mut self, lake: &Lake, flooded: &Flooded, upstream: &Upstream, relief: &Relief) {
-        let mut edge = flooded.cells.clone();
-        while let Some(cell) = edge.pop() {
-            work::count(8);
-            for beside in around(&relief.grid(), cell).into_iter().flatten() {
-                let is_low = relief.heights()[beside] < lake.level + SHORE;
-                if is_low && upstream.to[beside] as usize == cell && !self.is_taken[beside] {
-                    // No other lake may lie there.
-                    self.is_taken[beside] = true;
-                    self.made.cells[beside] = Cell(self.made.list.len() as u32 | Cell::SHORE);
-                    edge.push(beside);
-                }
-            }
-        }
-    }
+/// The memory of a cell: the order of cells, and what is told of each.
+const BYTES_A_CELL: usize = 36;
+
+/// A place that has been found for a lake.
+struct Found {
+    /// The index of its site.
+    site: usize,
+    dam: Dam,
+    flooded: Flooded,
+    /// The cells of its shore that are raised, each with its height, in units.
+    shore: Vec<(u32, f32)>,
 }
 
-/// The memory of a cell: the order of cells, and what is told of each.
-const BYTES_A_CELL: usize = 32;
-
-/// Finds the first site that can hold a lake of so many cells, of some that are tried.
+/// Finds a site for a lake of so many cells: the first of some that are tried, and for a great lake, of the first few that can hold it the
+/// one with the longest shore.
 fn find(
     ground: &Ground<'_>,
     network: &Network,
     sites: &[Site],
     too_many: &mut [usize],
     cells: usize,
-) -> Option<(usize, Dam, Flooded)> {
-    let mut tries = 0;
+) -> Option<Found> {
+    let (mut tries, mut left) = (TRIES, if cells >= GREAT { FEW } else { 1 });
+    let mut best: Option<(usize, Found)> = None;
     for (i, site) in sites.iter().enumerate() {
         let is_known = too_many[i] <= cells;
         if is_known || (ground.upstream.count(site.cell) as usize) < BASIN * cells {
             continue;
         }
-        let above = (network.rivers[site.river as usize].start..site.vertex).rev();
-        let dam = Dam::new(ground.relief, site.cell, cells, above.map(|vertex| network.vertices[vertex as usize].at));
-        if let Some(mut flooded) = ground.flood(&dam, cells) {
-            ground.widen(&mut flooded, &dam);
-            return Some((i, dam, flooded));
+        match attempt(ground, network, (i, site), cells) {
+            Some(found) => {
+                let edge = ground.edge(&found.flooded);
+                if best.as_ref().is_none_or(|(longest, _)| edge > *longest) {
+                    best = Some((edge, found));
+                }
+                left -= 1;
+            }
+            None => too_many[i] = cells,
         }
-        too_many[i] = cells;
-        tries += 1;
-        if tries == TRIES {
+        tries -= 1;
+        if tries == 0 || left == 0 {
             break;
         }
     }
-    None
+    best.map(|(_, found)| found)
 }
 
-/// Makes a lake of what is flooded above a dam.
-fn make(ground: &Ground<'_>, (site, dam): (&Site, &Dam), flooded: &Flooded, network: &Network, seed: Seed) -> Lake {
+/// Floods the ground above a site until so many cells are under water. `None` if it cannot hold them.
+fn attempt(ground: &Ground<'_>, network: &Network, (number, site): (usize, &Site), cells: usize) -> Option<Found> {
+    let above = (network.rivers[site.river as usize].start..site.vertex).rev();
+    let dam = Dam::new(ground.relief, site.cell, cells, above.map(|vertex| network.vertices[vertex as usize].at));
+    let mut flooded = ground.flood(&dam, cells)?;
+    ground.widen(&mut flooded, &dam);
+    let shore = ground.shore(&flooded)?;
+    Some(Found { site: number, dam, flooded, shore })
+}
+
+/// Makes a lake in the place that has been found for it.
+fn make(ground: &Ground<'_>, site: &Site, Found { dam, flooded, .. }: &Found, network: &Network, seed: Seed) -> Lake {
     let rings = ground.shores(flooded, dam);
     let river = network.rivers[site.river as usize].identity;
     let whole: f32 = rings.iter().map(|ring| area(ring)).sum();

@@ -67,6 +67,8 @@ pub struct Lakes {
     pub list: Vec<Lake>,
     /// What each cell of the map's own relief is to the lakes; empty if there are none.
     cells: Vec<Cell>,
+    /// The cells of shores that would lie under the level, each with the height that it is raised to, in units.
+    raised: Vec<(u32, f32)>,
     /// The grid of these cells; `None` if there are no lakes.
     grid: Option<Grid>,
 }
@@ -157,14 +159,17 @@ impl Lakes {
     /// nowhere under it.
     pub fn surface(&self, relief: &Relief) -> Vec<f32> {
         let grid = relief.grid();
+        let is_own = self.grid == Some(grid);
         let mut heights = relief.heights().to_vec();
-        let covered = self.on(&grid);
-        for (cell, height) in heights.iter_mut().enumerate().take(covered.len()) {
-            if let Some(lake) = self.list.get(covered[cell] as usize) {
-                *height = lake.level;
-            } else if let Some(lake) = self.shore_at(&grid, cell) {
-                *height = lake.raised(*height);
+        for (cell, lake) in self.on(&grid).into_iter().enumerate() {
+            if let Some(lake) = self.list.get(lake as usize) {
+                heights[cell] = lake.level;
+            } else if let Some(lake) = self.shore_at(&grid, cell).filter(|_| !is_own) {
+                heights[cell] = raised((lake.level, lake.level - lake.depth), heights[cell]);
             }
+        }
+        for &(cell, height) in self.raised.iter().filter(|_| is_own) {
+            heights[cell as usize] = height;
         }
         heights
     }
@@ -198,13 +203,10 @@ impl Lakes {
     }
 }
 
-impl Lake {
-    /// Raises a height of its shore over the level; what was lower stays lower.
-    fn raised(&self, height: f32) -> f32 {
-        let bed = self.level - self.depth;
-        let share = (height - bed) / (self.depth + SHORE);
-        if share < 1.0 { self.level + share.max(0.0) * SHORE } else { height }
-    }
+/// Raises the height of a shore over the level of its lake, all in units; what was lower stays lower.
+fn raised((level, bed): (f32, f32), height: f32) -> f32 {
+    let share = (height - bed) / (level - bed + SHORE);
+    if share < 1.0 { level + share.max(0.0) * SHORE } else { height }
 }
 
 /// Calls `found` with each cell of a grid whose middle lies within an odd number of rings.

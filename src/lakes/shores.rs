@@ -2,8 +2,7 @@
 
 use glam::Vec2;
 
-use super::flood::{Dam, Flooded, Ground, around, middle};
-use crate::base::sort;
+use super::flood::{Dam, Flooded, Ground, around, middle, sorted_cells};
 use crate::base::work;
 use crate::land::trace;
 use crate::relief::Grid;
@@ -22,7 +21,7 @@ impl Ground<'_> {
     pub fn widen(&self, flooded: &mut Flooded, dam: &Dam) {
         let Grid { columns, .. } = self.relief.grid();
         let first = flooded.cells.len();
-        let wet = sort::sorted_by(&flooded.cells, |cell| *cell as u32);
+        let wet = sorted_cells(flooded);
         for i in 0..first {
             let (cell, below) = (flooded.cells[i], self.upstream.to[flooded.cells[i]] as usize);
             if cell == dam.cell || cell % columns == below % columns || cell / columns == below / columns {
@@ -34,7 +33,10 @@ impl Ground<'_> {
                 continue;
             }
             let heights = self.relief.heights();
-            let may_be = |corner: &usize| !self.is_taken[*corner] && self.upstream.is_above(*corner, dam.cell);
+            let runs_in = |corner: usize| is_wet(&(self.upstream.to[corner] as usize));
+            let may_be = |corner: &usize| {
+                !self.is_taken[*corner] && self.upstream.is_above(*corner, dam.cell) && runs_in(*corner)
+            };
             let lower = corners.into_iter().filter(may_be).min_by(|a, b| heights[*a].total_cmp(&heights[*b]));
             flooded.cells.extend(lower);
         }
@@ -72,7 +74,7 @@ impl Ground<'_> {
     /// Returns the middle of the cell of a lake that is farthest from its shores, in units; the first of equals.
     pub fn midst(&self, flooded: &Flooded) -> Vec2 {
         let grid = self.relief.grid();
-        let mut left = sort::sorted_by(&flooded.cells, |cell| *cell as u32);
+        let mut left = sorted_cells(flooded);
         loop {
             let is_inner = |cell: &usize| around(&grid, *cell).into_iter().all(|beside| beside.is_some_and(|beside| left.binary_search(&beside).is_ok()));
             let inner: Vec<usize> = left.iter().copied().filter(is_inner).collect();

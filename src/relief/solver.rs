@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::creep::Creep;
+use super::flow::ways_on;
 use super::front::{Front, TILE};
 use super::profile::elevations;
 use super::rill_cells::RillCells;
@@ -289,6 +290,22 @@ impl ReliefSolver {
         self.creep = Creep::new(heights)?;
         (self.is_river, self.front) = (is_river, Front::default());
         Ok(Part::Creep)
+    }
+
+    /// Finds the cell that the water of each cell of the finished relief runs to, as [`Flow::ways`](super::Flow::ways) does.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub(crate) fn ways(&self, network: &Network) -> Result<Vec<u32>, ReliefError> {
+        const BYTES_A_CELL: usize = 20;
+        ask(self.cells.inland.len() * BYTES_A_CELL).map_err(|_| self.refused())?;
+        let height = |cell: usize| match (self.cells.is_land(cell), self.cells.is_sea(cell)) {
+            (true, _) => self.creep.heights[cell],
+            (_, true) => 0.0,
+            _ => f32::INFINITY,
+        };
+        let heights = (0..self.cells.inland.len()).map(height).collect();
+        Ok(ways_on(&self.cells, heights, &self.channels, network))
     }
 
     fn finished(&self) -> Result<Relief, Refused> {

@@ -39,7 +39,9 @@ impl ReliefStage {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
             Self::Solving(solver) => {
                 if let Some(relief) = solver.step(network)? {
-                    *self = Self::Solved(relief.into(), LakeStage::begin(lakes()));
+                    let ways = || solver.ways(network);
+                    let lakes = lakes().map(|lakes| Ok(lakes.along(ways()?))).transpose()?;
+                    *self = Self::Solved(relief.into(), LakeStage::begin(lakes));
                 }
             }
             Self::Solved(relief, stage) => stage.step(relief, network, settings, lakes)?,
