@@ -6,7 +6,7 @@ use super::data::{Json, Members};
 use super::names;
 use super::{ExportError, rivers};
 use crate::analyse::statistics::{self, Measures};
-use crate::annotate::names::Names;
+use crate::annotate::names::{Names, PlaceName};
 use crate::grow::Ending;
 use crate::lakes::{Lake, Passage};
 use crate::map::Map;
@@ -50,6 +50,7 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         Json::from(members)
     };
     let measured = Measures::of(map);
+    let named_places = names.as_ref().map_or_else(Vec::new, |names| names.places.clone());
     form.value("recipe", values(map.recipe(), is_named))
         .object("resolved", resolved(map))
         .object("domain", domain)
@@ -59,7 +60,7 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         .object("nodes", nodes(map.pruned()))
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)))
-        .value("lakes", Json::list(map.lakes().list.len(), |i| lake(map, i)));
+        .value("lakes", Json::list(map.lakes().list.len(), move |i| lake(map, i, &named_places)));
     if let Some(names) = names {
         form.value("names", names::list(names));
     }
@@ -250,8 +251,8 @@ fn passages<'a>(members: &mut Members<'a>, map: &Map, river: usize) {
     }
 }
 
-fn lake<'a>(map: &'a Map, id: usize) -> Json<'a> {
-    let Lake { identity, level, depth, area, outlet, rings, .. } = &map.lakes().list[id];
+fn lake<'a>(map: &'a Map, id: usize, named: &[PlaceName]) -> Json<'a> {
+    let Lake { identity, at, level, depth, area, outlet, rings, .. } = &map.lakes().list[id];
     let river = &map.network().rivers[outlet.river as usize];
     let mut place = Members::default();
     place.whole("river", outlet.river).whole("point", outlet.vertex - river.start);
@@ -259,6 +260,7 @@ fn lake<'a>(map: &'a Map, id: usize) -> Json<'a> {
     members
         .whole("id", id as u32)
         .whole("identity", *identity)
+        .value("name", names::name(named.iter().find(|place| place.at == *at).map_or("", |place| &place.name)))
         .text("kind", "through")
         .single("level", *level)
         .single("depth", *depth)

@@ -23,7 +23,7 @@ pub(super) struct Ground<'a> {
     /// The lakes that there are.
     pub made: &'a Lakes,
     /// The unevenness of the ground that is too fine for the relief.
-    pub unevenness: Unevenness<'a>,
+    pub unevenness: &'a Unevenness<'a>,
 }
 
 /// The unevenness of the ground that is too fine for the relief, in units for each cell, found where it is asked for.
@@ -34,7 +34,7 @@ pub(super) struct Unevenness<'a> {
 
 impl<'a> Unevenness<'a> {
     /// What is known of a cell at first.
-    pub const UNKNOWN: Cell<f32> = Cell::new(f32::NAN);
+    pub const UNKNOWN: f32 = f32::NAN;
 
     /// Goes on with what is known of each cell.
     pub fn of(seed: Seed, known: &'a [Cell<f32>]) -> Self {

@@ -1,5 +1,7 @@
 //! The lakes of a map in the making: no step keeps a page waiting for long.
 
+use std::cell::Cell as Known;
+
 use super::areas::areas;
 use super::flood::{Dam, Flooded, Ground, Unevenness, around};
 use super::shores::area;
@@ -37,7 +39,7 @@ enum Part {
 struct Search {
     upstream: Upstream,
     /// What is known of the unevenness of each cell.
-    unevenness: Vec<std::cell::Cell<f32>>,
+    unevenness: Vec<f32>,
     sites: Vec<Site>,
     /// For each site, the number of cells that it is known to be too small for.
     too_many: Vec<usize>,
@@ -118,15 +120,14 @@ impl LakeMaker {
     /// Places some more lakes. Returns `true` if there are more.
     fn advance(&mut self, search: &mut Search, relief: &Relief, network: &Network) -> bool {
         let begun = work::steps();
+        let Search { upstream, unevenness, sites, too_many, areas } = search;
+        let unevenness = Unevenness::of(self.seed, Known::from_mut(&mut unevenness[..]).as_slice_of_cells());
         let cell = relief.cell_size() * relief.cell_size();
-        while let Some(area) = search.areas.pop() {
-            let cells = (area / cell) as usize;
-            let unevenness = Unevenness::of(self.seed, &search.unevenness);
-            let (upstream, made) = (&search.upstream, &self.made);
-            let ground = Ground { relief, upstream, is_taken: &self.is_taken, made, unevenness };
-            if let Some(found) = find(&ground, network, &search.sites, &mut search.too_many, cells) {
-                let lake = make(&ground, &search.sites[found.site], &found, network, self.seed);
-                search.too_many[found.site] = 0;
+        while let Some(area) = areas.pop() {
+            let ground = Ground { relief, upstream, is_taken: &self.is_taken, made: &self.made, unevenness: &unevenness };
+            if let Some(found) = find(&ground, network, sites, too_many, (area / cell) as usize) {
+                let lake = make(&ground, &sites[found.site], &found, network, self.seed);
+                too_many[found.site] = 0;
                 self.add(lake, &found, relief);
             }
             if work::steps() - begun >= WORK_A_STEP {
