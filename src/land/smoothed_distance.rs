@@ -7,6 +7,7 @@
 use glam::Vec2;
 
 use super::CoastDistance;
+use crate::base::geometry::fast_min;
 
 /// Control points of the heights, in units: positive on land, negative at sea.
 #[derive(Clone, Debug)]
@@ -70,6 +71,36 @@ impl SmoothedDistance {
                 }
             }
         }
+    }
+
+    /// Returns the same field with every place as low as the lowest that water reaches from it within a way in units, along
+    /// rows and columns. Land is as low as the water beside it.
+    #[must_use]
+    pub(crate) fn lowered(&self, units: f32) -> Self {
+        let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
+        let mut lowered = self.clone();
+        // What may hand on how low it is.
+        let is_water: Vec<bool> = self.heights.iter().map(|height| *height < 0.0).collect();
+        for _ in 0..(units / self.spacing) as usize {
+            for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
+                for line in 0..lines {
+                    // The height of the place before, as it was, if it may hand it on.
+                    let mut before = f32::MAX;
+                    for i in (0..length).map(|place| line * aside + place * step) {
+                        let here = lowered.heights[i];
+                        let handed = |i: usize| is_water.get(i).is_some_and(|is_water| *is_water);
+                        let after = if i + step < line * aside + length * step && handed(i + step) {
+                            lowered.heights[i + step]
+                        } else {
+                            f32::MAX
+                        };
+                        lowered.heights[i] = fast_min(here, fast_min(before, after));
+                        before = if is_water[i] { here } else { f32::MAX };
+                    }
+                }
+            }
+        }
+        lowered
     }
 
     /// Returns the distance between control points, in units.

@@ -5,25 +5,28 @@
 
 use tiny_skia::Pixmap;
 
-use super::coverage::{Coverage, Covered, Rect};
+use super::coverage::{Covered, Rect};
 use super::ground::river_share;
 use super::palette::{BasinColours, Colour, Palette, opaque, over};
+use super::paper::WaterColour;
+use super::view::View;
+use super::waters::Waters;
 
 /// Colours rectangles of the picture: rivers on plain land or on a ground, whose pixels may have the numbers of their
 /// river colours.
 pub(super) fn compose(
     pixmap: &mut Pixmap,
-    coverage: &Coverage,
+    (waters, view): (&Waters, &View),
     ground: Option<(&[[u8; 4]], &[u8])>,
     palette: &Palette,
     rects: &[Rect],
 ) {
-    let (width, ramp) = (pixmap.width() as usize, palette.ramp());
+    let (width, ramp, colour) = (pixmap.width() as usize, palette.ramp(), WaterColour::new(view, palette));
     let basins = palette.relief.as_ref().and_then(|look| look.basins.as_ref());
     for (rect, row) in rects.iter().flat_map(|rect| (rect.top..rect.bottom).map(move |row| (rect, row as usize))) {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
         let pixels = &mut pixmap.data_mut()[start * 4..end * 4];
-        let coverage = &coverage.mask().data()[start..end];
+        let coverage = &waters.banks.mask().data()[start..end];
         match ground {
             None => on_plain_land(pixels, coverage, &ramp),
             Some((ground, numbers)) => {
@@ -33,7 +36,47 @@ pub(super) fn compose(
                 }
             }
         }
+        if let Some(open) = waters.open() {
+            let here = Here {
+                ground: ground.map(|ground| &ground.0[start..end]),
+                banks: coverage,
+                start: (rect.left, row as u32),
+            };
+            between_banks(pixels, &open[start..end], &here, palette, &colour);
+        }
     }
+}
+
+/// What lies under the open water of a piece of a row.
+struct Here<'a> {
+    /// The ground; `None` for plain land.
+    ground: Option<&'a [[u8; 4]]>,
+    banks: &'a [u8],
+    /// The place of its first pixel.
+    start: (u32, u32),
+}
+
+/// Paints the water between banks.
+fn between_banks(pixels: &mut [u8], open: &[u8], here: &Here<'_>, palette: &Palette, colour: &WaterColour<'_>) {
+    let pixels = pixels.as_chunks_mut::<4>().0;
+    let [red, green, blue] = palette.plain;
+    for (i, water) in Covered::by(open) {
+        let [red, green, blue, ashore] = here.ground.map_or([red, green, blue, 255], |ground| ground[i]);
+        let shown = |covered: u8| (u32::from(covered) * u32::from(river_share(ashore)) + 127) / 255;
+        let (water, all) = (shown(water), shown(here.banks[i].max(water)));
+        let colour = colour.at(here.start.0 + i as u32, here.start.1);
+        pixels[i] = three([[red, green, blue], palette.river, colour], [255 - all, all - water, water]);
+    }
+}
+
+/// Mixes three colours with shares in 255ths, which add up to all.
+#[inline]
+fn three(colours: [Colour; 3], shares: [u32; 3]) -> [u8; 4] {
+    let part = |i: usize| {
+        let sum: u32 = colours.iter().zip(shares).map(|(colour, share)| u32::from(colour[i]) * share).sum();
+        ((sum + 127) / 255) as u8
+    };
+    [part(0), part(1), part(2), 255]
 }
 
 fn on_plain_land(pixels: &mut [u8], coverage: &[u8], ramp: &[[u8; 4]; 256]) {
