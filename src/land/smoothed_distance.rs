@@ -269,6 +269,17 @@ mod tests {
     }
 
     #[test]
+    fn water_is_as_low_as_the_lowest_that_it_reaches_and_land_hands_nothing_on() {
+        // Two waters beside each other, with land between, and a deep place in one of them.
+        let row = [-1.0, -1.0, -9.0, -1.0, -1.0, 2.0, -3.0];
+        let field = SmoothedDistance { heights: row.repeat(2), columns: 7, rows: 2, spacing: 2.0, margin: 0 };
+        let lowered = |units: f32| field.lowered(units).heights[..7].to_vec();
+        assert_eq!(lowered(1.9), row);
+        assert_eq!(lowered(2.0), [-1.0, -9.0, -9.0, -9.0, -1.0, -3.0, -3.0]);
+        assert_eq!(lowered(40.0), [-9.0, -9.0, -9.0, -9.0, -9.0, -9.0, -3.0]);
+    }
+
+    #[test]
     fn surface_has_neither_steps_nor_facets() {
         for land in lands() {
             let shown = SmoothedDistance::of(land.coast_distance());

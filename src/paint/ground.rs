@@ -161,7 +161,7 @@ enum Holds {
 #[derive(Clone, Debug)]
 struct Shades {
     colours: Vec<[u8; 4]>,
-    /// The colours of the sea where rings have no room, and that room; `None` if there are no rings.
+    /// The colours of the sea without rings, which show where a ring has no room; and that room, `None` if there are no rings.
     bare: Vec<[u8; 4]>,
     room: Option<RingRoom>,
     rings: &'static [(f32, f32)],
@@ -292,10 +292,11 @@ impl Shades {
 
     /// Returns the colour at a height near that of a line. A ring is fainter where it hardly has room.
     fn near_line(&self, line: f32, height: f32, (at, rise): (Vec2, Vec2)) -> [u8; 4] {
-        let off = line + self.apart(height - line, rise);
-        let with = self.at(off);
+        let with = self.at(line + self.apart(height - line, rise));
         let Some(room) = self.room.as_ref().filter(|_| line < 0.0).map(|room| room.at(-line, at)) else { return with };
-        let Some(&[red, green, blue, _]) = self.bare.get(self.index(off)).filter(|_| room < 1.0) else { return with };
+        let Some(&[red, green, blue, _]) = self.bare.get(self.index(height)).filter(|_| room < 1.0) else {
+            return with;
+        };
         let [r, g, b, ashore] = with;
         let [r, g, b] = mix([red, green, blue], [r, g, b], room);
         [r, g, b, ashore]
@@ -333,7 +334,7 @@ impl Shades {
     }
 }
 
-/// The shortest piece of a ring that is drawn in files, in units.
+/// The shortest piece of a ring that is drawn in files, in units. In pictures what there is room for is longer.
 pub(crate) const SHORTEST_RING: f32 = 8.0 * RING_WIDTH;
 
 /// The room that rings have at sea. A ring has room where the water goes on to deepen beyond it, if only some way off. In a
@@ -351,9 +352,9 @@ impl RingRoom {
     pub fn of(smooth: &SmoothedDistance, rings: &[(f32, f32)]) -> Option<Self> {
         /// How much deeper that is, in units, and in steps from one ring to the next where rings are close.
         const DEEPER: f32 = 3.5;
-        const STEPS: f32 = 1.0;
+        const STEPS: f32 = 1.4;
         /// How far off, in units.
-        const AROUND: f32 = 12.0;
+        const AROUND: f32 = 8.0;
         let step = rings.windows(2).fold(rings.first()?.0, |least, pair| least.min(pair[1].0 - pair[0].0));
         Some(Self { deepest: smooth.lowered(AROUND), enough: DEEPER.min(step * STEPS) })
     }
@@ -464,6 +465,47 @@ mod tests {
                 coast / length
             );
         }
+    }
+
+    #[test]
+    fn lines_of_depth_run_where_there_is_room_for_them() {
+        let domain = Domain::with_aspect(1.0);
+        let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
+        let rings = palette(Style::Atlas.into()).rings;
+        let nearest = rings[0].0;
+        let room = |width: f32, distance: f32| {
+            let shown = SmoothedDistance::of(&CoastDistance::of_strait(&domain, from, to, width));
+            let off_coast = (to - from).perp().normalize() * (width / 2.0 - distance);
+            RingRoom::of(&shown, rings).unwrap().at(distance, from.midpoint(to) + off_coast)
+        };
+        assert_eq!([9.0, 11.0].map(|width| room(width, nearest)), [0.0; 2], "narrower than three steps");
+        assert_eq!([18.0, 60.0].map(|width| room(width, nearest)), [1.0; 2]);
+        assert_eq!([18.0, 30.0].map(|width| room(width, rings[1].0)), [0.0, 1.0]);
+        let shown = SmoothedDistance::of(&CoastDistance::of_strait(&domain, from, to, 60.0));
+        assert!(RingRoom::of(&shown, &[]).is_none());
+    }
+
+    #[test]
+    fn a_strait_without_room_has_the_colours_of_one_without_rings() {
+        let domain = Domain::with_aspect(1.0);
+        let view = View::new(&domain, 500, 500).unwrap();
+        let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
+        let pixels = |width: f32, palette: &Palette| {
+            let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
+            let shown = SmoothedDistance::of(&coast_distance);
+            let land = Land::new(&domain, coast_distance, Vec::new());
+            let (mut pixels, coast) = (Vec::new(), ShownCoast { smooth: &shown, detail: None });
+            Ground::new(&view, &land, &shown, (palette, None)).paint(&view, coast, 0..500, &mut pixels);
+            pixels
+        };
+        let atlas = palette(Style::Atlas.into());
+        let bare = Palette { rings: &[], ..atlas };
+        let most = |width: f32| {
+            let pairs = pixels(width, &atlas).into_iter().zip(pixels(width, &bare));
+            pairs.map(|(with, without)| with[0].abs_diff(without[0])).max().unwrap()
+        };
+        assert!(most(10.0) <= 1, "but for rounding: {}", most(10.0));
+        assert!(most(40.0) > 20, "{}", most(40.0));
     }
 
     #[test]

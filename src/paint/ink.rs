@@ -109,3 +109,72 @@ fn river_over(ground: [u8; 4], river: Colour, coverage: u8) -> [u8; 4] {
     let [red, green, blue, ashore] = ground;
     over([red, green, blue], river, (u32::from(coverage) * u32::from(river_share(ashore)) + 127) / 255)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::paint::coverage::Coverage;
+    use crate::paint::palette::mix;
+    use crate::paint::styles::palette;
+    use crate::paint::waters::Opening;
+    use crate::recipe::Style;
+    use glam::Vec2;
+
+    const SIDE: u32 = 60;
+
+    /// Paints ink on plain land, and returns the colours of some pixels.
+    fn painted<const N: usize>(draw: impl FnOnce(&mut Waters), at: [(u32, u32); N]) -> [Colour; N] {
+        let (palette, view) = (palette(Style::Ink.into()), View::new(&Domain::with_aspect(1.0), SIDE, SIDE).unwrap());
+        let mut waters = Waters::of(Coverage::new(SIDE, SIDE).unwrap());
+        waters.clear(Opening::of(&palette, 1.0));
+        draw(&mut waters);
+        let (mut pixmap, rects) = (Pixmap::new(SIDE, SIDE).unwrap(), waters.banks.take_touched());
+        compose(&mut pixmap, (&waters, &view), None, &palette, &rects);
+        at.map(|(x, y)| {
+            let pixel = pixmap.pixel(x, y).unwrap();
+            [pixel.red(), pixel.green(), pixel.blue()]
+        })
+    }
+
+    /// Draws a river with its banks from one place to another.
+    fn river(waters: &mut Waters, from: (f32, f32), to: (f32, f32), half: f32) {
+        let [from, to] = [from, to].map(Vec2::from);
+        waters.banks.capsule(from, half, to, half);
+        let (mask, opening) = waters.open_mut().unwrap();
+        let half = opening.half_px(half);
+        mask.capsule(from, half, to, half);
+    }
+
+    #[test]
+    fn a_wide_river_is_two_banks_and_a_narrow_one_a_line() {
+        let draw = |waters: &mut Waters| {
+            river(waters, (0.0, 20.0), (60.0, 20.0), 8.0);
+            river(waters, (0.0, 45.0), (60.0, 45.0), 2.0);
+        };
+        let ink = palette(Style::Ink.into());
+        let [above, bank, water, narrow] = painted(draw, [(30, 10), (30, 12), (30, 20), (30, 45)]);
+        assert_eq!([above, water, narrow], [ink.plain, ink.shallows, ink.river]);
+        assert!(bank[0] < 100, "{bank:?} is no bank");
+    }
+
+    #[test]
+    fn no_bank_crosses_water_where_rivers_meet() {
+        let draw = |waters: &mut Waters| {
+            river(waters, (30.0, 0.0), (30.0, 30.0), 7.0);
+            river(waters, (0.0, 30.0), (60.0, 30.0), 7.0);
+        };
+        let shallows = palette(Style::Ink.into()).shallows;
+        assert_eq!(painted(draw, [(30, 10), (30, 23), (30, 24), (30, 30), (10, 30)]), [shallows; 5]);
+    }
+
+    #[test]
+    fn what_has_faded_shows_land_and_no_bank_under_its_water() {
+        let draw = |waters: &mut Waters| {
+            waters.set_strength(0.4);
+            river(waters, (0.0, 20.0), (60.0, 20.0), 8.0);
+        };
+        let ink = palette(Style::Ink.into());
+        assert_eq!(painted(draw, [(30, 20)]), [mix(ink.plain, ink.shallows, 0.4)]);
+    }
+}

@@ -268,6 +268,9 @@ mod tests {
     use crate::paint::styles::palette;
     use crate::recipe::Style;
 
+    /// The pixels of a unit in which rivers open.
+    const SCALE: f32 = 2.0;
+
     /// Makes the tongue of a river that runs east through a coast at x = 500.
     fn tongue_of(width: f32, end: f32, style: Style) -> Option<Tongue> {
         let domain = Domain::with_aspect(1.0);
@@ -283,8 +286,8 @@ mod tests {
             Network { vertices: (0..30).rev().map(vertex).collect(), rivers: vec![river], ..Network::default() };
         let drawn = Drawn {
             palette: &palette(style.into()),
-            opening: Opening::of(&palette(style.into()), 2.0),
-            scale: 2.0,
+            opening: Opening::of(&palette(style.into()), SCALE),
+            scale: SCALE,
             past: None,
             times: 1.0,
             margin: 0.0,
@@ -304,10 +307,15 @@ mod tests {
 
     #[test]
     fn a_tongue_leaves_the_banks_and_opens_the_whole_line_of_the_coast() {
-        let tongue = tongue_of(4.0, 500.0, Style::Ink).unwrap();
+        let ink = Opening::of(&palette(Style::Ink.into()), SCALE).unwrap();
+        assert!(ink.half_px(2.0 * SCALE) > 0.0);
+        for (style, half) in [(Style::Night, 1.5), (Style::Ink, ink.half_px(2.0 * SCALE) / SCALE)] {
+            let tongue = tongue_of(4.0, 500.0, style).unwrap();
+            assert!(tongue.whole_line().iter().all(|place| place.at.x >= 500.0 || place.half == half), "{style:?}");
+        }
+        let tongue = tongue_of(4.0, 500.0, Style::Night).unwrap();
         let line = tongue.whole_line();
         assert!((tongue.at() - Vec2::new(500.0, 400.0)).length() < 0.6, "{}", tongue.at());
-        assert!(line.iter().filter(|place| place.at.x < 500.0).all(|place| place.half == 1.5), "{line:?}");
         assert!(line[0].at.x < 500.0 - tongue.reach, "{line:?}");
         let (first, last) = (line[0], line[line.len() - 1]);
         assert!(last.at.x > 500.0 + COAST_WIDTH * 0.5 && last.half > first.half, "{line:?}");
