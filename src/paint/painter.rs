@@ -163,7 +163,7 @@ impl Painter {
         self.round = None;
     }
 
-    /// Drops all drawings of trees and rivers, for others that open like those of the last style.
+    /// Drops all drawings of trees and rivers. The next ones open as those of a scheme do; `None` if that is not known yet.
     fn forget_drawing(&mut self, scheme: Option<Scheme>) {
         self.waters.clear(scheme.and_then(|scheme| self.opening(scheme)));
         self.drawn.clear();
