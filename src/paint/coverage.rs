@@ -163,6 +163,9 @@ impl Coverage {
     ///
     /// A line thinner than a pixel is drawn one pixel wide and paler.
     pub fn capsule(&mut self, a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) {
+        if radius_a <= 0.0 && radius_b <= 0.0 {
+            return;
+        }
         let margin = rim(larger(radius_a, radius_b));
         let Some(rect) = Rect::between([a.min(b) - margin, a.max(b) + margin], self.mask.width(), self.mask.height())
         else {

@@ -32,6 +32,7 @@ mod skeleton;
 mod strokes;
 mod styles;
 mod view;
+pub(crate) mod waters;
 
 pub use annotation::masks::{AnnotationMasks, SparseMask};
 pub use coverage::Rect;

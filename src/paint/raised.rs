@@ -12,6 +12,7 @@ use super::rivers::{Rivers, Widening, draw_network};
 use super::settings::PaintSettings;
 use super::styles::palette;
 use super::view::{Rows, View};
+use super::waters::Waters;
 use crate::land::Land;
 use crate::relief::{Relief, Wind};
 
@@ -84,12 +85,12 @@ impl RaisedGround {
     pub fn new(look: ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
         let PaintSettings { scheme, relief: display, wind, .. } = rivers.settings;
         let palette = palette(scheme);
-        let mut mask = Coverage::new(view.width, view.height)?;
+        let mut cased = Waters::of(Coverage::new(view.width, view.height)?);
         if look.minds_rivers() {
-            let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
-            draw_network(&mut mask, view, rivers.network, rivers.settings.courses, palette.lines, cased);
+            let wider = Widening { margin: look.casing.margin, ..Widening::NONE };
+            draw_network(&mut cased, view, rivers.network, rivers.settings.courses, palette.lines, wider);
         }
-        let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: mask, inks: None });
+        let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: cased.banks, inks: None });
         let (relief, pixels) = (relief.clone(), Vec::with_capacity(view.pixels()));
         Some(Self { relief, display, wind, palette, making, pixels })
     }

@@ -12,6 +12,7 @@ use super::settings::PaintSettings;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
+use super::waters::Waters;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::CourseShape;
@@ -53,31 +54,43 @@ impl Widening {
     pub const NONE: Self = Self { times: 1.0, margin: 0.0 };
 }
 
-/// Draws a network.
+/// Draws a network: its banks, and the water between them where rivers are wide.
 pub(super) fn draw_network(
-    coverage: &mut Coverage,
+    waters: &mut Waters,
     view: &View,
     network: &Network,
     courses: CourseShape,
     lines: Lines,
     Widening { times, margin }: Widening,
 ) {
-    let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| draw_line(coverage, &line, courses);
     if lines == Lines::Skeleton {
         // Unchanged courses: widths and varying banks make no difference in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
-        network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
+        let line = |river| network.course(river).map(in_pixels).collect::<Vec<_>>();
+        network.rivers.iter().for_each(|river| draw_line(&mut waters.banks, &line(river), courses));
     } else {
         let share = lines.share() * times;
         let in_pixels = |place: &Place| (view.pixel(place.at), (place.half * share + margin) * view.scale + VISIBLE_PX);
-        let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
-        network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
+        let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect::<Vec<_>>();
+        network.rivers.iter().for_each(|river| draw_water(waters, &in_pixels(network.middle(river)), courses));
         let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
         for oxbow in lakes {
-            coverage.set_strength(1.0 - oxbow.silt);
-            draw_line(coverage, in_pixels(oxbow.middle()));
+            waters.set_strength(1.0 - oxbow.silt);
+            draw_water(waters, &in_pixels(oxbow.middle()), courses);
         }
-        coverage.set_strength(1.0);
+        waters.set_strength(1.0);
+    }
+}
+
+/// Draws a line with its widths, and the water between its banks.
+fn draw_water(waters: &mut Waters, line: &[Vertex], courses: CourseShape) {
+    draw_line(&mut waters.banks, line, courses);
+    let Some((mask, opening)) = waters.open_mut() else { return };
+    let between: Vec<Vertex> = line.iter().map(|&(at, half)| (at, opening.half_px(half))).collect();
+    // Of most rivers nothing is open, of others a part.
+    let is_open = |pair: &[Vertex]| pair[0].1.max(pair[1].1) > 0.0;
+    if between.windows(2).any(is_open) {
+        draw_line(mask, &between, courses);
     }
 }
 
