@@ -81,7 +81,7 @@ impl GroundCache {
     pub fn shows(&self, rivers: &Rivers<'_>) -> bool {
         match (&self.raised, rivers.relief) {
             (None, None) => true,
-            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, &rivers.settings),
+            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.lakes, &rivers.settings),
             (None, Some(_)) | (Some(_), None) => false,
         }
     }
@@ -178,7 +178,7 @@ impl GroundCache {
         if prepared.prepare(&look, (display, wind), rivers.network, view) {
             return true;
         }
-        self.raised.take_if(|raised| !raised.is_of(relief, &rivers.settings));
+        self.raised.take_if(|raised| !raised.is_of(relief, rivers.lakes, &rivers.settings));
         let Some(raised) = &mut self.raised else {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();

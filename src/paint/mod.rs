@@ -18,6 +18,7 @@ pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;
+mod lakes;
 pub(crate) mod mouths;
 pub(crate) mod neatline;
 mod painter;

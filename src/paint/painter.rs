@@ -18,7 +18,7 @@ use super::ground_cache::GroundCache;
 use super::mouths::{self, Drawn, SeaShares, TonguePainter};
 use super::palette::Lines;
 use super::paper::WaterColour;
-use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network};
+use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network, is_same_lakes};
 use super::settings::PaintSettings;
 use super::strokes::{Pen, Widths};
 use super::styles::{Scheme, palette};
@@ -27,6 +27,7 @@ use super::waters::{Opening, Waters};
 use super::{ink, skeleton};
 use crate::base::memory;
 use crate::domain::Domain;
+use crate::lakes::Lakes;
 use crate::land::Land;
 use crate::network::{Network, PastCourses};
 use crate::prune::{self, Trim};
@@ -91,11 +92,20 @@ pub struct Painter {
     round: Option<u32>,
     /// The relief that belongs to the finished rivers in the masks, the kind of their lines, and how they open; `None` if
     /// the masks hold anything else.
-    drawn_rivers: Option<(Arc<Relief>, Lines, Option<Opening>)>,
+    drawn_rivers: Option<DrawnRivers>,
     /// The sea in the mouths of the rivers that the picture shows.
     tongues: SeaShares,
     /// The annotation that the picture shows.
     annotation: Option<Arc<AnnotationMasks>>,
+}
+
+/// The finished rivers in the masks: the relief that they belong to, and what they are drawn with.
+#[derive(Clone, Debug)]
+struct DrawnRivers {
+    relief: Arc<Relief>,
+    lakes: Option<Arc<Lakes>>,
+    lines: Lines,
+    opening: Option<Opening>,
 }
 
 impl Painter {
@@ -262,7 +272,12 @@ impl Painter {
     /// Paints rivers at once as a preview: `times` as wide as they are, without an annotation, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
-    pub fn paint_draft(&mut self, network: &Network, settings: &PaintSettings, times: f32) -> Option<Rect> {
+    pub fn paint_draft(
+        &mut self,
+        (network, lakes): (&Network, Option<&Lakes>),
+        settings: &PaintSettings,
+        times: f32,
+    ) -> Option<Rect> {
         let PaintSettings { scheme, courses, .. } = *settings;
         if !self.ground.is_ready_for_draft(&self.view, scheme) {
             return None;
@@ -271,7 +286,7 @@ impl Painter {
         self.is_finished = true;
         self.waters.clear(self.opening(scheme));
         let widening = Widening { times, ..Widening::NONE };
-        draw_network(&mut self.waters, &self.view, network, courses, palette(scheme).lines, widening);
+        draw_network(&mut self.waters, &self.view, (network, lakes), courses, palette(scheme).lines, widening);
         self.waters.banks.touch_all();
         let changed = self.compose(scheme);
         self.open_mouths(network, None, settings, times);
@@ -320,14 +335,18 @@ impl Painter {
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
         let (lines, relief) = (palette(rivers.settings.scheme).lines, rivers.relief);
         let opening = self.opening(rivers.settings.scheme);
-        let is_drawn = |(of, as_lines, opens): &(Arc<Relief>, Lines, Option<Opening>)| {
-            relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && (*as_lines, *opens) == (lines, opening)
+        let is_drawn = |drawn: &DrawnRivers| {
+            relief.is_some_and(|relief| Arc::ptr_eq(&drawn.relief, relief))
+                && is_same_lakes(drawn.lakes.as_ref(), rivers.lakes)
+                && (drawn.lines, drawn.opening) == (lines, opening)
         };
         if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
             self.waters.clear(opening);
             let courses = rivers.settings.courses;
-            draw_network(&mut self.waters, &self.view, rivers.network, courses, lines, Widening::NONE);
-            self.drawn_rivers = relief.map(|relief| (relief.clone(), lines, opening));
+            let along = rivers.lakes.map(Arc::as_ref);
+            draw_network(&mut self.waters, &self.view, (rivers.network, along), courses, lines, Widening::NONE);
+            let lakes = rivers.lakes.cloned();
+            self.drawn_rivers = relief.cloned().map(|relief| DrawnRivers { relief, lakes, lines, opening });
         }
     }
 

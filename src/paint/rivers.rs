@@ -7,12 +7,14 @@ use std::sync::Arc;
 
 use super::annotation::masks::AnnotationMasks;
 use super::coverage::Coverage;
+use super::lakes;
 use super::palette::Lines;
 use super::settings::PaintSettings;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
 use super::waters::Waters;
+use crate::lakes::Lakes;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::CourseShape;
@@ -33,10 +35,21 @@ pub struct Rivers<'a> {
     pub land: Option<&'a Land>,
     /// The relief; `None` while there is none.
     pub relief: Option<&'a Arc<Relief>>,
+    /// The lakes along them; `None` while there are none.
+    pub lakes: Option<&'a Arc<Lakes>>,
     /// The annotation to lay over them.
     pub annotation: Option<&'a Arc<AnnotationMasks>>,
     /// The settings.
     pub settings: PaintSettings,
+}
+
+/// Returns `true` if both are the same shared lakes, or both are `None`.
+pub(super) fn is_same_lakes(lakes: Option<&Arc<Lakes>>, other: Option<&Arc<Lakes>>) -> bool {
+    match (lakes, other) {
+        (Some(lakes), Some(other)) => Arc::ptr_eq(lakes, other),
+        (None, None) => true,
+        _ => false,
+    }
 }
 
 /// The margin added to each bank, in pixels, so that brooks can be seen.
@@ -54,11 +67,11 @@ impl Widening {
     pub const NONE: Self = Self { times: 1.0, margin: 0.0 };
 }
 
-/// Draws a network: its banks, and the water between them where rivers are wide.
+/// Draws a network with its lakes: banks and shores, and the water between them where rivers are wide.
 pub(super) fn draw_network(
     waters: &mut Waters,
     view: &View,
-    network: &Network,
+    (network, lakes): (&Network, Option<&Lakes>),
     courses: CourseShape,
     lines: Lines,
     Widening { times, margin }: Widening,
@@ -73,8 +86,9 @@ pub(super) fn draw_network(
         let in_pixels = |place: &Place| (view.pixel(place.at), (place.half * share + margin) * view.scale + VISIBLE_PX);
         let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect::<Vec<_>>();
         network.rivers.iter().for_each(|river| draw_water(waters, &in_pixels(network.middle(river)), courses));
-        let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
-        for oxbow in lakes {
+        lakes.into_iter().for_each(|along| lakes::draw(waters, view, along, margin));
+        let oxbows = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
+        for oxbow in oxbows {
             waters.set_strength(1.0 - oxbow.silt);
             draw_water(waters, &in_pixels(oxbow.middle()), courses);
         }

@@ -30,6 +30,11 @@ impl Opening {
         palette.is_open.then_some(Self { bank_px })
     }
 
+    /// Returns the width of the line of a bank, in pixels.
+    pub fn bank_px(self) -> f32 {
+        self.bank_px
+    }
+
     /// Returns half the width of the water between the banks of a river, given half the river's width, in pixels. It opens
     /// twice as fast as the river widens until the lines of the banks have their own width, and never falls when
     /// the river's grows.

@@ -1,5 +1,7 @@
 //! Drafts: previews that a picture shows while a slider moves. `paint` removes all traces of them.
 
+use std::sync::Arc;
+
 use super::{Picture, Source, is_same, rivers_of};
 use crate::paint::{PaintSettings, Painted, Rivers};
 use crate::recipe::{Key, Recipe};
@@ -55,7 +57,8 @@ impl Picture {
         if !self.is_on_land_of(session) {
             return None;
         }
-        let changed = self.painter.paint_draft(network, &PaintSettings::of(session.recipe()), times)?;
+        let lakes = session.lakes().map(Arc::as_ref);
+        let changed = self.painter.paint_draft((network, lakes), &PaintSettings::of(session.recipe()), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(Painted::Whole(Some(changed)))
     }

@@ -2,7 +2,7 @@
 //!
 //! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
-//! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! discharge. Lakes are `lake-2`, those that rivers have left `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
 //! In `water` is what lies between the banks of wide rivers, over all banks. The line of the coast lies over the rivers, and in
 //! `mouths` the sea lies over both.
 //! The link of the recipe is in the file's metadata.
@@ -109,6 +109,11 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         out.text("</g>\n");
     }
     out.written(&annotation.halo);
+    let opening = Opening::of(&palette, water::SCALE);
+    let lakes = map.lakes();
+    water::shores(&mut out, lakes, (&palette, opening), (has_shore, has_halo), |out, river| {
+        fill(out, basins.as_ref(), river);
+    });
     out.text("<g id=\"rivers");
     cut(&mut out, has_shore, has_halo);
     out.text("\" fill=\"").colour(palette.river).text("\">\n");
@@ -118,9 +123,8 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
-    let opening = Opening::of(&palette, water::SCALE);
     if let Some(opening) = opening {
-        water::draw(&mut out, network, (&palette, opening), (has_shore, has_halo), courses);
+        water::draw(&mut out, (network, lakes), (&palette, opening), (has_shore, has_halo), courses);
     }
     if let Some((past, look)) = past {
         out.text("<g id=\"great");

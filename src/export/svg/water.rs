@@ -5,6 +5,7 @@ use super::outline;
 use super::path::Path;
 use super::text::Text;
 use super::{VISIBLE, cut};
+use crate::lakes::{Lake, Lakes};
 use crate::network::{Banks, Network, Place};
 use crate::paint::Lines;
 use crate::paint::palette::Palette;
@@ -17,7 +18,7 @@ pub(super) const SCALE: f32 = 1.0;
 /// Draws the water of all rivers and lakes that open, within the shore and without what letters mask.
 pub(super) fn draw(
     out: &mut Text,
-    network: &Network,
+    (network, lakes): (&Network, &Lakes),
     (palette, opening): (&Palette, Opening),
     (has_shore, has_halo): (bool, bool),
     courses: CourseShape,
@@ -33,8 +34,11 @@ pub(super) fn draw(
     if !path.is_empty() {
         out.text("<path d=\"").path(&path).text("\"/>\n");
     }
-    let lakes = if palette.lines == Lines::Wide { &network.oxbows[..] } else { &[] };
-    for oxbow in lakes {
+    for lake in &lakes.list {
+        out.text("<path fill-rule=\"evenodd\" d=\"").path(&rings(lake)).text("\"/>\n");
+    }
+    let oxbows = if palette.lines == Lines::Wide { &network.oxbows[..] } else { &[] };
+    for oxbow in oxbows {
         let mut path = Path::default();
         add(&mut path, &between(oxbow.middle(), 1.0, opening), CourseShape::Smooth);
         if !path.is_empty() {
@@ -42,6 +46,40 @@ pub(super) fn draw(
         }
     }
     out.text("</g>\n");
+}
+
+/// Draws the shores of lakes, under all rivers: lines that are left of a bank outside the water, or all of the lake in styles whose
+/// rivers do not open.
+pub(super) fn shores(
+    out: &mut Text,
+    lakes: &Lakes,
+    (palette, opening): (&Palette, Option<Opening>),
+    (has_shore, has_halo): (bool, bool),
+    mut coloured: impl FnMut(&mut Text, u32),
+) {
+    if lakes.is_empty() || palette.lines == Lines::Skeleton {
+        return;
+    }
+    out.text("<g id=\"lakes");
+    cut(out, has_shore, has_halo);
+    out.text("\" fill=\"").colour(palette.river).text("\" fill-rule=\"evenodd");
+    if let Some(opening) = opening {
+        out.text("\" stroke=\"").colour(palette.river).text("\" stroke-width=\"").units(2.0 * opening.bank_px() / SCALE);
+        out.text("\" stroke-linejoin=\"round");
+    }
+    out.text("\">\n");
+    for (id, lake) in (0..).zip(&lakes.list) {
+        out.text("<path id=\"lake-").whole(id).text("\" data-river=\"").whole(lake.outlet.river);
+        coloured(out, lake.outlet.river);
+        out.text("\" d=\"").path(&rings(lake)).text("\"/>\n");
+    }
+    out.text("</g>\n");
+}
+
+fn rings(lake: &Lake) -> Path {
+    let mut path = Path::default();
+    lake.rings.iter().for_each(|ring| path.ring(ring));
+    path
 }
 
 /// Returns a line with the width of the water between its banks.
