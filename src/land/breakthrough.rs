@@ -178,7 +178,8 @@ impl Search {
         AROUND.into_iter().filter_map(move |(east, south, length)| {
             let column = (node % columns).wrapping_add_signed(east);
             let row = (node / columns).wrapping_add_signed(south);
-            (column < columns && row < rows).then_some((row * columns + column, length))
+            // Beyond the first row the product would be too large a number.
+            (column < columns && row < rows).then(|| (row * columns + column, length))
         })
     }
 }
