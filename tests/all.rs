@@ -24,6 +24,7 @@ mod grown;
 mod growth;
 mod hypsometry;
 mod identity;
+mod inner_waters;
 mod inspect;
 mod label_places;
 mod labels;

@@ -74,7 +74,7 @@ fn land(shape: &Shape, form: &Form, today: &CoastDistance, sea: f32) -> Land {
     let low = form.with_sea(today.spacing(), sea);
     let mut kept = straits(today);
     kept.extend(lost_seas(today, &low));
-    Land::new(&shape.domain, low.flooded(&kept).settled(), shape.ridges())
+    Land::new(&shape.domain, form.opened(low.flooded(&kept)).settled(), shape.ridges())
 }
 
 /// Returns `true` if every part of a land that is large enough for rivers has a coast.

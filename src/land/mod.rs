@@ -10,6 +10,7 @@
 //! any size, and rivers end at it.
 
 mod archipelago;
+mod breakthrough;
 mod cell;
 mod coast_detail;
 mod coast_distance;

@@ -5,7 +5,7 @@
 use super::beds::GroundWithBeds;
 use super::beyond;
 use super::flat::FlatGround;
-use super::ground::ShownCoast;
+use super::ground::{COAST_WIDTH, ShownCoast, thinned};
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
 use super::rivers::Rivers;
@@ -127,8 +127,9 @@ impl GroundCache {
         let line = |river| rivers.network.middle(river).iter().map(|place| (place.at, place.half)).collect();
         let lines = rivers.network.rivers.iter().map(line);
         let land = rivers.land.filter(|_| rivers.finished);
-        let detail =
-            land.and_then(|land| CoastDetail::of(land, view.domain(), rivers.settings.coast, view.scale, lines));
+        let line = COAST_WIDTH * thinned(view.scale);
+        let of = |land| CoastDetail::of(land, view.domain(), rivers.settings.coast, (view.scale, line), lines);
+        let detail = land.and_then(of);
         if detail.is_some() {
             (self.flat, self.shares, self.raised) = (None, None, None);
         }
