@@ -345,7 +345,7 @@ impl<'a, G: Background> Map<'a, G> {
             }
         }
         let waters = sort::sorted_by(&waters, |(_, region)| sort::key(-region.area()));
-        let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape);
+        let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape | Kind::Tarn);
         for (place, region) in waters {
             if self.area(is_of_water) < *most {
                 self.label_place(place, region);

@@ -37,10 +37,10 @@ pub fn beside<G: Background>(
     let usual = SIZES.iter().find(|(least, _)| region.area() >= *least).map_or(0.0, |(_, em)| *em);
     let (em, corners) = (input.em(usual, 1.0), region.corners()?);
     forms(&place.name).into_iter().filter(|name| !name.is_empty()).find_map(|name| {
-        let text = Text::new(name, Kind::Water);
+        let text = Text::new(name, Kind::Tarn);
         let search = Search { input, background, coast, corners, taken, em, text };
         let (letters, to) = search.best()?;
-        let label = Label::new(Kind::Water, None, name, em, letters);
+        let label = Label::new(Kind::Tarn, None, name, em, letters);
         Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks: Shrinks::ToPoint(to) })
     })
 }
