@@ -74,7 +74,10 @@ impl Found {
             assert_eq!(self.surface[cell].to_bits(), level.to_bits(), "{link}: a lake is not level");
             for beside in self.around(cell, 2) {
                 assert!(self.lakes[beside] == NONE || self.lakes[beside] == lake, "{link}: two lakes touch");
-                assert!(self.relief.heights()[beside] > 0.0 || !self.around(cell, 1).contains(&beside), "{link}: the sea");
+                assert!(
+                    self.relief.heights()[beside] > 0.0 || !self.around(cell, 1).contains(&beside),
+                    "{link}: the sea"
+                );
             }
         }
         assert!(outlets.iter().all(|outlets| *outlets == 1), "{link}: {outlets:?}");
@@ -139,7 +142,8 @@ fn lakes_are_as_many_and_as_indented_as_in_nature() {
     let (mut areas, mut shores, mut asked) = (Vec::new(), Vec::new(), Vec::new());
     for i in one_in(4, 0..24) {
         let map = map(&format!("seed=lakes-{i}&country=lakeland"));
-        let land: f32 = map.make_relief().unwrap().heights().iter().filter(|height| **height > 0.0).count() as f32 * 4.0;
+        let land: f32 =
+            map.make_relief().unwrap().heights().iter().filter(|height| **height > 0.0).count() as f32 * 4.0;
         let lakes = &map.lakes().list;
         asked.push(lakes.iter().map(|lake| lake.area).sum::<f32>() / (0.7 * 0.12 * land));
         for lake in lakes.iter().filter(|lake| lake.area >= 80.0) {

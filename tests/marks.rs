@@ -133,7 +133,11 @@ fn check_heights(session: &Session, width: f32) -> Result<[usize; 2], TestCaseEr
         for at in points(label) {
             let clear = from_bank(&pieces, at);
             prop_assert!(clear >= 0.15 * label.em, "{} m is {clear} from a bank", label.text);
-            prop_assert!(input.map.coast().is_none_or(|coast| coast.height(at) > 0.0), "{} m is in the sea", label.text);
+            prop_assert!(
+                input.map.coast().is_none_or(|coast| coast.height(at) > 0.0),
+                "{} m is in the sea",
+                label.text
+            );
             prop_assert!(at.cmpge(input.frame[0]).all() && at.cmple(input.frame[1]).all());
         }
     }

@@ -101,7 +101,8 @@ const OVER_SEA: f32 = 0.6;
 impl Dam {
     /// Makes the dam of a lake of so many cells at a cell of a river.
     pub fn new(relief: &Relief, cell: usize, cells: usize, course: impl Iterator<Item = Vec2>) -> Self {
-        let (at, reach) = (middle(&relief.grid(), cell), MORAINE + MORAINE_BY_AREA * (cells as f32).sqrt() * relief.cell_size());
+        let (at, reach) =
+            (middle(&relief.grid(), cell), MORAINE + MORAINE_BY_AREA * (cells as f32).sqrt() * relief.cell_size());
         let mut from = at;
         for above in course {
             from = above;

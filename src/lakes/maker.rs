@@ -124,7 +124,8 @@ impl LakeMaker {
         let unevenness = Unevenness::of(self.seed, Known::from_mut(&mut unevenness[..]).as_slice_of_cells());
         let cell = relief.cell_size() * relief.cell_size();
         while let Some(area) = areas.pop() {
-            let ground = Ground { relief, upstream, is_taken: &self.is_taken, made: &self.made, unevenness: &unevenness };
+            let ground =
+                Ground { relief, upstream, is_taken: &self.is_taken, made: &self.made, unevenness: &unevenness };
             if let Some(found) = find(&ground, network, sites, too_many, (area / cell) as usize) {
                 let lake = make(&ground, &sites[found.site], &found, network, self.seed);
                 too_many[found.site] = 0;
@@ -150,8 +151,7 @@ impl LakeMaker {
         }
         let mut edge = flooded.cells.clone();
         for _ in 0..APART {
-            let mut beside: Vec<usize> =
-                edge.iter().flat_map(|cell| around(&relief.grid(), *cell)).flatten().collect();
+            let mut beside: Vec<usize> = edge.iter().flat_map(|cell| around(&relief.grid(), *cell)).flatten().collect();
             beside.retain(|cell| !std::mem::replace(&mut self.is_taken[*cell], true));
             edge = beside;
         }
@@ -175,13 +175,7 @@ struct Found {
 
 /// Finds a site for a lake of so many cells: the first of some that are tried, and for a great lake, of the first few that can hold it the
 /// one with the longest shore.
-fn find(
-    ground: &Ground<'_>,
-    network: &Network,
-    sites: &[Site],
-    too_many: &mut [usize],
-    cells: usize,
-) -> Option<Found> {
+fn find(ground: &Ground<'_>, network: &Network, sites: &[Site], too_many: &mut [usize], cells: usize) -> Option<Found> {
     let (mut tries, mut left) = (TRIES, if cells >= GREAT { FEW } else { 1 });
     let mut best: Option<(usize, Found)> = None;
     for (i, site) in sites.iter().enumerate() {

@@ -47,8 +47,10 @@ impl Ground<'_> {
         let Grid { cell_size, columns, rows } = self.relief.grid();
         let across = || flooded.cells.iter().map(|cell| cell % columns);
         let down = || flooded.cells.iter().map(|cell| cell / columns);
-        let (left, right) = (across().min().unwrap_or(0).saturating_sub(1), (across().max().unwrap_or(0) + 1).min(columns - 1));
-        let (top, bottom) = (down().min().unwrap_or(0).saturating_sub(1), (down().max().unwrap_or(0) + 1).min(rows - 1));
+        let (left, right) =
+            (across().min().unwrap_or(0).saturating_sub(1), (across().max().unwrap_or(0) + 1).min(columns - 1));
+        let (top, bottom) =
+            (down().min().unwrap_or(0).saturating_sub(1), (down().max().unwrap_or(0) + 1).min(rows - 1));
         let (width, height) = (right - left + 1, bottom - top + 1);
         work::count(width * height);
         let cell = |i: usize| (top + i / width) * columns + left + i % width;
@@ -64,8 +66,10 @@ impl Ground<'_> {
         let corner = Vec2::new(left as f32, top as f32);
         let place = |at: Vec2| (at * size + corner) * cell_size;
         let rings = trace::rings(width, water, speck);
-        let mut shores: Vec<Vec<Vec2>> =
-            rings.iter().map(|ring| smoothed(&smoothed(&ring.iter().map(|at| place(*at)).collect::<Vec<_>>()))).collect();
+        let mut shores: Vec<Vec<Vec2>> = rings
+            .iter()
+            .map(|ring| smoothed(&smoothed(&ring.iter().map(|at| place(*at)).collect::<Vec<_>>())))
+            .collect();
         let greatest = (0..shores.len()).max_by(|a, b| area(&shores[*a]).abs().total_cmp(&area(&shores[*b]).abs()));
         greatest.into_iter().for_each(|outer| shores.swap(0, outer));
         shores
@@ -76,7 +80,11 @@ impl Ground<'_> {
         let grid = self.relief.grid();
         let mut left = sorted_cells(flooded);
         loop {
-            let is_inner = |cell: &usize| around(&grid, *cell).into_iter().all(|beside| beside.is_some_and(|beside| left.binary_search(&beside).is_ok()));
+            let is_inner = |cell: &usize| {
+                around(&grid, *cell)
+                    .into_iter()
+                    .all(|beside| beside.is_some_and(|beside| left.binary_search(&beside).is_ok()))
+            };
             let inner: Vec<usize> = left.iter().copied().filter(is_inner).collect();
             work::count(8 * left.len());
             if inner.is_empty() {

@@ -52,12 +52,7 @@ pub(super) fn sites(network: &Network, relief: &Relief, seed: Seed) -> Vec<Site>
 }
 
 /// Iterates over the sites along a river.
-fn along<'a>(
-    network: &'a Network,
-    id: u32,
-    river: &'a River,
-    relief: &'a Relief,
-) -> impl Iterator<Item = Site> + 'a {
+fn along<'a>(network: &'a Network, id: u32, river: &'a River, relief: &'a Relief) -> impl Iterator<Item = Site> + 'a {
     let vertices = river.vertex_range().rev().step_by(VERTICES);
     let site = move |(number, vertex): (u32, usize)| Site {
         cell: relief.cell(network.vertices[vertex].at),

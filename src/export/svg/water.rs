@@ -64,7 +64,10 @@ pub(super) fn shores(
     cut(out, has_shore, has_halo);
     out.text("\" fill=\"").colour(palette.river).text("\" fill-rule=\"evenodd");
     if let Some(opening) = opening {
-        out.text("\" stroke=\"").colour(palette.river).text("\" stroke-width=\"").units(2.0 * opening.bank_px() / SCALE);
+        out.text("\" stroke=\"")
+            .colour(palette.river)
+            .text("\" stroke-width=\"")
+            .units(2.0 * opening.bank_px() / SCALE);
         out.text("\" stroke-linejoin=\"round");
     }
     out.text("\">\n");
