@@ -179,8 +179,9 @@ fn find(ground: &Ground<'_>, network: &Network, sites: &[Site], too_many: &mut [
     let (mut tries, mut left) = (TRIES, if cells >= GREAT { FEW } else { 1 });
     let mut best: Option<(usize, Found)> = None;
     for (i, site) in sites.iter().enumerate() {
-        let is_known = too_many[i] <= cells;
-        if is_known || (ground.upstream.count(site.cell) as usize) < BASIN * cells {
+        let is_unfit =
+            too_many[i] <= cells || site.least > cells as f32 * ground.relief.cell_size() * ground.relief.cell_size();
+        if is_unfit || (ground.upstream.count(site.cell) as usize) < BASIN * cells {
             continue;
         }
         match attempt(ground, network, (i, site), cells) {
