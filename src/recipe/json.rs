@@ -119,6 +119,7 @@ const NETWORK: [&str; 11] = [
     "nodes",
     "rivers",
     "oxbows",
+    "lakes",
     "names",
     "attractors",
 ];
