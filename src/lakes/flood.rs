@@ -5,8 +5,9 @@ use std::cell::Cell;
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
+use super::cells::{around, middle};
+use super::list::{Cell as Place, Lakes, SHORE, raised};
 use super::upstream::Upstream;
-use super::{Cell as Place, Lakes, SHORE, raised};
 use crate::base::geometry::{direction, distance};
 use crate::base::queue::Queue;
 use crate::base::random::{Purpose, Seed};
@@ -224,26 +225,10 @@ impl Ground<'_> {
     }
 }
 
-/// Returns the middle of a cell, in units.
-pub(super) fn middle(grid: &Grid, cell: usize) -> Vec2 {
-    (Vec2::new((cell % grid.columns) as f32, (cell / grid.columns) as f32) + 0.5) * grid.cell_size
-}
-
 /// Returns `true` if a cell lies close to the border of the map.
 fn is_at_border(grid: &Grid, cell: usize) -> bool {
     let is_near = |place: usize, count: usize| place < FROM_BORDER || place + FROM_BORDER >= count;
     is_near(cell % grid.columns, grid.columns) || is_near(cell / grid.columns, grid.rows)
-}
-
-/// Returns the eight cells around a cell; `None` for those beyond the grid.
-pub(super) fn around(grid: &Grid, cell: usize) -> [Option<usize>; 8] {
-    const OFFSETS: [(isize, isize); 8] = [(-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)];
-    let (column, row) = (cell % grid.columns, cell / grid.columns);
-    OFFSETS.map(|(east, south)| {
-        let column = column.checked_add_signed(east).filter(|column| *column < grid.columns)?;
-        let row = row.checked_add_signed(south).filter(|row| *row < grid.rows)?;
-        Some(row * grid.columns + column)
-    })
 }
 
 /// Lists the cells of a lake by their numbers.

@@ -3,11 +3,12 @@
 use std::cell::Cell as Known;
 
 use super::areas::areas;
-use super::flood::{Dam, Flooded, Ground, Unevenness, around};
+use super::cells::around;
+use super::flood::{Dam, Flooded, Ground, Unevenness};
+use super::list::{Cell, Lake, Lakes, Outlet};
 use super::shores::area;
 use super::sites::{Site, sites};
 use super::upstream::Upstream;
-use super::{Cell, Lake, Lakes, Outlet};
 use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::random::{Purpose, Seed};
 use crate::base::work;

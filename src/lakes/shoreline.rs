@@ -1,6 +1,7 @@
 //! The distance from all shores, those of the sea and of lakes, for what stands on the land or lies on the water.
 
-use super::{Lakes, fill};
+use super::cells::fill;
+use super::list::Lakes;
 use crate::base::geometry::fast_min;
 use crate::base::work;
 use crate::domain::Domain;

@@ -2,7 +2,8 @@
 
 use glam::Vec2;
 
-use super::flood::{Dam, Flooded, Ground, around, middle, sorted_cells};
+use super::cells::{around, middle};
+use super::flood::{Dam, Flooded, Ground, sorted_cells};
 use crate::base::work;
 use crate::land::trace;
 use crate::relief::Grid;

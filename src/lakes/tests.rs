@@ -1,11 +1,16 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::areas::areas;
-use super::flood::{Dam, Ground, Unevenness};
+use glam::Vec2;
+
+use super::cells::{fill, is_within, middle};
+use super::flood::{Dam, Flooded, Ground, Unevenness};
+use super::list::{Cell, Lakes, raised};
 use super::upstream::Upstream;
-use super::*;
 use crate::base::random::Seed;
 use crate::domain::Domain;
+use crate::network::NONE;
+use crate::relief::{Grid, Relief};
 
 /// A valley that falls to the south along the middle column, 1 unit of height a cell, between sides that rise by 4 a cell.
 struct Valley {
@@ -39,10 +44,10 @@ impl Valley {
         Self { relief, upstream, unevenness: vec![0.0; grid.columns * grid.rows] }
     }
 
-    fn flood(&mut self, cells: usize) -> Option<(flood::Flooded, usize)> {
+    fn flood(&mut self, cells: usize) -> Option<(Flooded, usize)> {
         let grid = self.relief.grid();
         let dam = DAM_ROW * grid.columns + grid.columns / 2;
-        let course = (1..40).map(|up| flood::middle(&grid, dam - up * grid.columns));
+        let course = (1..40).map(|up| middle(&grid, dam - up * grid.columns));
         let known = std::cell::Cell::from_mut(&mut self.unevenness[..]).as_slice_of_cells();
         let is_taken = vec![false; known.len()];
         let made = Lakes { cells: vec![Cell::DRY; known.len()], grid: Some(grid), ..Lakes::default() };
@@ -131,7 +136,7 @@ fn cells_that_are_filled_are_those_within_the_rings() {
     let mut filled = vec![0; grid.columns * grid.rows];
     fill(&rings, &grid, |cell| filled[cell] += 1);
     for (cell, filled) in filled.into_iter().enumerate() {
-        let at = flood::middle(&grid, cell);
+        let at = middle(&grid, cell);
         let within = rings.iter().filter(|ring| is_within(ring, at)).count() % 2;
         assert_eq!(filled, within, "{at}");
     }

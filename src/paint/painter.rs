@@ -95,6 +95,8 @@ pub struct Painter {
     drawn_rivers: Option<DrawnRivers>,
     /// The sea in the mouths of the rivers that the picture shows.
     tongues: SeaShares,
+    /// The lakes that the picture shows.
+    lakes: Option<Arc<Lakes>>,
     /// The annotation that the picture shows.
     annotation: Option<Arc<AnnotationMasks>>,
 }
@@ -138,6 +140,7 @@ impl Painter {
             round: None,
             drawn_rivers: None,
             tongues: SeaShares::new(),
+            lakes: None,
             annotation: None,
         })
     }
@@ -245,7 +248,8 @@ impl Painter {
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         let has_annotation = masks::is_same(self.annotation.as_ref(), rivers.annotation);
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers) && has_annotation {
+        let has_lakes = is_same_lakes(self.lakes.as_ref(), rivers.lakes);
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers) && has_lakes && has_annotation {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -254,6 +258,7 @@ impl Painter {
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.annotation = rivers.annotation.cloned();
+        self.lakes = rivers.lakes.cloned();
         self.draw_rivers(rivers);
         if let Some(annotation) = rivers.annotation {
             self.waters.for_each(|mask| masks::take_away(mask, annotation));
