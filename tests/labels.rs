@@ -98,7 +98,7 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
         let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
         prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
     }
-    let depth = |at: Vec2| input.map.coast().map_or(-1.0, |coast| -coast.height(at));
+    let depth = |at: Vec2| input.map.sea.map_or(-1.0, |sea| -sea.height(at));
     let is_sea = |from: Vec2, least: f32| {
         let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
         points.all(|share| depth(from + share * (to - from)) >= least)
@@ -126,8 +126,25 @@ fn is_named(place: &PlaceName, text: &str) -> bool {
     place.name == text || place.name.strip_prefix("The ") == Some(text)
 }
 
+/// Level and on dry land, beside its lake.
+fn check_tarn(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let (_, region) = areas(input).find(|(place, _)| is_named(place, &label.text)).unwrap();
+    let coast = input.map.coast().unwrap();
+    let corners = || boxes(label).into_iter().flat_map(|around| around.corners());
+    prop_assert!(label.letters.iter().all(|letter| degrees(letter.along).abs() < 0.1), "{} climbs", label.text);
+    prop_assert!(corners().all(|corner| coast.height(corner) > 0.0), "{} stands in water", label.text);
+    let is_near = |corner: Vec2| {
+        (-8..=8).any(|x| (-8..=8).any(|y| region.holds(corner + Vec2::new(x as f32, y as f32) * label.em * 0.25)))
+    };
+    prop_assert!(corners().any(is_near), "{} is far from its lake", label.text);
+    Ok(())
+}
+
 /// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
 fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    if label.kind == Kind::Tarn {
+        return check_tarn(label, input);
+    }
     if matches!(label.kind, Kind::Region | Kind::Inlet | Kind::Cape) {
         return check_landmark(label, input);
     }

@@ -60,8 +60,10 @@ fn check_flow(session: &Session, rasters: &Rasters) {
         assert_eq!(flow.directions[cell].count_ones(), 1, "water stays on land at {cell}");
         // Lower at every step, it reaches the sea.
         if let Some(next) = next(rasters, cell) {
-            assert!(heights[next] < heights[cell], "water runs uphill");
-            assert!(words[next] < words[cell], "water runs on the level in 16 bits, from {cell} to {next}");
+            // In a lake it runs along the bed.
+            let is_level = rasters.is_level(cell);
+            assert!(is_level || heights[next] < heights[cell], "water runs uphill");
+            assert!(is_level || words[next] < words[cell], "water runs on the level in 16 bits, from {cell} to {next}");
             let stays = heights[next] > 0.0;
             assert!(!stays || flow.basins[next] == flow.basins[cell], "a basin leaks");
             assert!(!stays || flow.rivers[cell] == NONE || flow.rivers[next] != NONE, "a river ends on land");
@@ -372,6 +374,8 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
                 let (column, row) = (i % 708, i / 708);
                 if columns.contains(&column) && rows.contains(&row) {
                     assert_eq!(value, small[(row - rows.start) * own.columns + column - columns.start]);
+                } else if layer == Layer::Water {
+                    assert_eq!(value, 255);
                 } else if layer == Layer::Heights {
                     assert!(value <= own.scale.sea_level, "no land beyond the map: {value}");
                 } else {
@@ -413,8 +417,8 @@ fn pack_holds_every_file() {
         let moment = entry.last_modified();
         assert_eq!((moment.year(), moment.month(), moment.day()), (1980, 1, 1), "a date that there is");
     }
-    let wanted =
-        ["README.txt", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "map.geojson", "map.png"];
+    let rasters_of_pack = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png"];
+    let wanted = [&["README.txt"], &rasters_of_pack[..], &["map.geojson", "map.png"]].concat();
     assert_eq!(names, wanted);
     let readme = pack::readme(&rasters);
     for name in &wanted[1..] {

@@ -120,6 +120,7 @@ fn map_input<'a>(
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
         coast: shoreline(map),
+        sea: land.map(|land| land.coast_distance()),
         marks,
     }
 }

@@ -163,7 +163,8 @@ impl Rasters {
         let flow = Flow::new(&relief, network, settings)?;
         let (grid, lakes) = (relief.grid(), map.lakes());
         let is_lake = lakes.is_water_on(&grid);
-        let relief = if lakes.is_empty() { relief } else { lakes.filled(&relief).into() };
+        let relief =
+            if lakes.is_empty() { relief } else { lakes.filled(&relief, |cell| flow.next(&grid, cell)).into() };
         let map_scale = map.scale();
         let is_level = |cell: usize| is_lake.get(cell) == Some(&true);
         let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell), is_level);

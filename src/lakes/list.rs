@@ -151,9 +151,15 @@ impl Lakes {
         heights
     }
 
-    /// Returns a relief of the map with the surface of the water in place of its bed.
-    pub(crate) fn filled(&self, relief: &Relief) -> Relief {
-        relief.with_heights(self.surface(relief))
+    /// Returns a relief of the map with the surface of the water in place of its bed. `next` is the cell that a cell's water runs to: on
+    /// grids other than the map's own, land that would not be higher is raised a little over it.
+    pub(crate) fn filled(&self, relief: &Relief, next: impl Fn(usize) -> Option<usize>) -> Relief {
+        let mut heights = self.surface(relief);
+        if self.grid != Some(relief.grid()) {
+            let is_level = self.is_water_on(&relief.grid());
+            let_fall(&mut heights, next, |cell| is_level[cell]);
+        }
+        relief.with_heights(heights)
     }
 
     /// Returns the depth of the water in each cell of a relief of the map, in units; 0 where there is no lake.
@@ -184,4 +190,23 @@ impl Lakes {
 pub(super) fn raised((level, bed): (f32, f32), height: f32) -> f32 {
     let share = (height - bed) / (level - bed + SHORE);
     if share < 1.0 { level + share.max(0.0) * SHORE } else { height }
+}
+
+/// Raises land that is not higher than the cell that its water runs to. What `is_level` stays as high as it is.
+fn let_fall(heights: &mut [f32], next: impl Fn(usize) -> Option<usize>, is_level: impl Fn(usize) -> bool) {
+    let mut is_done: Vec<bool> = (0..heights.len()).map(|cell| heights[cell] <= 0.0 || is_level(cell)).collect();
+    let mut upstream = Vec::new();
+    for start in 0..heights.len() {
+        let mut cell = Some(start);
+        while let Some(open) = cell.filter(|cell| !is_done[*cell]) {
+            is_done[open] = true;
+            upstream.push(open);
+            cell = next(open);
+        }
+        let mut below = cell.map_or(f32::NEG_INFINITY, |cell| heights[cell]);
+        while let Some(cell) = upstream.pop() {
+            heights[cell] = heights[cell].max(below.next_up());
+            below = heights[cell];
+        }
+    }
 }

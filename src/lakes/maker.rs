@@ -55,8 +55,8 @@ const WORK_A_STEP: u64 = 500_000;
 const TRIES: usize = 150;
 
 /// The number of cells from which on a lake is great, and the number of sites for a great lake among which the best is chosen.
-const GREAT: usize = 100;
-const FEW: usize = 4;
+const GREAT: usize = 70;
+const FEW: usize = 6;
 
 /// The number of cells that lakes keep from each other.
 const APART: usize = 2;

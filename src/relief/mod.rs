@@ -16,6 +16,7 @@ mod channels;
 mod contours;
 mod creep;
 mod draft;
+mod error;
 mod finer;
 mod flow;
 mod front;
@@ -39,6 +40,7 @@ use crate::base::sort::quantile;
 use crate::network::Network;
 
 pub(crate) use draft::ReliefDrafts;
+pub use error::ReliefError;
 pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
@@ -46,7 +48,7 @@ pub(crate) use low_stand::LowStandRelief;
 pub(crate) use rain::{Rainfall, Wind};
 pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
-pub use solver::{ReliefError, ReliefSolver};
+pub use solver::ReliefSolver;
 
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;

@@ -1,10 +1,9 @@
 //! The relief stage as a stepper: no step keeps a page waiting for long.
 
-use thiserror::Error;
-
 use super::cells::Cells;
 use super::channels::Channels;
 use super::creep::Creep;
+use super::error::ReliefError;
 use super::flow::ways_on;
 use super::front::{Front, TILE};
 use super::profile::elevations;
@@ -17,18 +16,6 @@ use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::network::Network;
-
-/// The reason why there can be no relief.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum ReliefError {
-    /// There was not enough memory.
-    #[error("the relief needs about {megabytes} MB, and the allocation failed")]
-    OutOfMemory {
-        /// The memory that is needed, approximately.
-        megabytes: u32,
-    },
-}
 
 /// A relief in the making.
 #[derive(Clone, Debug)]

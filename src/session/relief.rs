@@ -22,6 +22,8 @@ pub(super) enum ReliefStage {
 pub(super) enum LakeStage {
     #[default]
     Waiting,
+    /// The solver of the relief knows the ways of water.
+    Begun(Box<ReliefSolver>),
     Making(Box<LakeMaker>),
     Made(Arc<Lakes>),
 }
@@ -39,9 +41,9 @@ impl ReliefStage {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
             Self::Solving(solver) => {
                 if let Some(relief) = solver.step(network)? {
-                    let ways = || solver.ways(network);
-                    let lakes = lakes().map(|lakes| Ok(lakes.along(ways()?))).transpose()?;
-                    *self = Self::Solved(relief.into(), LakeStage::begin(lakes));
+                    let is_dry = lakes().is_none();
+                    let lakes = if is_dry { LakeStage::begin(None) } else { LakeStage::Begun(solver.clone()) };
+                    *self = Self::Solved(relief.into(), lakes);
                 }
             }
             Self::Solved(relief, stage) => stage.step(relief, network, settings, lakes)?,
@@ -104,6 +106,10 @@ impl LakeStage {
     ) -> Result<(), ReliefError> {
         match self {
             Self::Waiting => *self = Self::begin(lakes()),
+            Self::Begun(solver) => {
+                let ways = solver.ways(network)?;
+                *self = Self::begin(lakes().map(|lakes| lakes.along(ways)));
+            }
             Self::Making(maker) => {
                 if let Some(made) = maker.step(relief, network, settings)? {
                     *self = Self::Made(made.into());

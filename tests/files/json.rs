@@ -24,12 +24,13 @@ fn members_are_those_that_are_told_of() {
             "nodes",
             "rivers",
             "oxbows",
+            "lakes",
             "names",
             "attractors",
         ];
         assert_eq!(names(&file), members);
         let without = written(|text| to_json::write(text, &session.map().unwrap(), None));
-        assert_eq!(names(&without), members[..10]);
+        assert_eq!(names(&without), members[..11]);
     });
 }
 

@@ -211,6 +211,8 @@ pub struct MapInput<'a> {
     pub ridges: Vec<Vec<Place>>,
     /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there is neither.
     pub coast: Option<Cow<'a, CoastDistance>>,
+    /// The distance of each point from the coast of the sea; `None` if there is none.
+    pub sea: Option<&'a CoastDistance>,
     /// The title; `None` if it is to have none.
     pub cartouche: Option<Cartouche>,
     /// The marks besides names.
