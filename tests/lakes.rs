@@ -138,9 +138,11 @@ fn lakes_follow_their_parameter_on_the_same_relief() {
 
 /// Pooled lakes of 24 maps: the exponent of their areas, and the dimension of their shores, both by the rank and the area-perimeter
 /// relations of Cael and Seekell (2016), who find 2.14 and 1.4 in nature.
+#[test]
+#[ignore = "second tier"]
 fn lakes_are_as_many_and_as_indented_as_in_nature() {
     let (mut areas, mut shores, mut asked) = (Vec::new(), Vec::new(), Vec::new());
-    for i in one_in(4, 0..24) {
+    for i in 0..24 {
         let map = map(&format!("seed=lakes-{i}&country=lakeland"));
         let land: f32 =
             map.make_relief().unwrap().heights().iter().filter(|height| **height > 0.0).count() as f32 * 4.0;
@@ -166,5 +168,3 @@ fn lakes_are_as_many_and_as_indented_as_in_nature() {
     assert!((1.25..=1.5).contains(&dimension), "{dimension}");
     assert!((0.75..=1.25).contains(&asked[asked.len() / 2]), "{asked:?}");
 }
-
-tiers!(lakes_are_as_many_and_as_indented_as_in_nature);

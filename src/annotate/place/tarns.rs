@@ -38,7 +38,7 @@ pub fn beside<G: Background>(
     let (em, corners) = (input.em(usual, 1.0), region.corners()?);
     forms(&place.name).into_iter().filter(|name| !name.is_empty()).find_map(|name| {
         let text = Text::new(name, Kind::Tarn);
-        let search = Search { input, background, coast, corners, taken, em, text };
+        let search = Search { input, background, coast, region, corners, taken, em, text };
         let (letters, to) = search.best()?;
         let label = Label::new(Kind::Tarn, None, name, em, letters);
         Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks: Shrinks::ToPoint(to) })
@@ -49,6 +49,7 @@ struct Search<'a, G> {
     input: &'a Input<'a>,
     background: &'a G,
     coast: &'a CoastDistance,
+    region: &'a Region,
     /// The corners of the box around the lake.
     corners: [Vec2; 2],
     taken: &'a [(u32, Box)],
@@ -57,11 +58,11 @@ struct Search<'a, G> {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// Returns the letters in the best place, with the point of the lake's box that they stand beside.
+    /// Returns the letters in the best place, with the point of their edge that is nearest to the lake.
     fn best(&self) -> Option<(Vec<Placed>, Vec2)> {
         let mut best: Option<(f32, Vec<Placed>, Vec2)> = None;
         for (base, from, to) in self.tries() {
-            if best.as_ref().is_some_and(|(least, ..)| base >= *least) {
+            if best.as_ref().is_some_and(|(least, ..)| base >= *least) || !self.is_beside(to) {
                 continue;
             }
             let letters = self.text.level(from, self.em);
@@ -73,8 +74,17 @@ impl<G: Background> Search<'_, G> {
         best.map(|(_, letters, to)| (letters, to))
     }
 
-    /// Lists where a name may begin, each with its cost and the point of the box that it stands beside: to the right of the lake or the
-    /// left, then above or below.
+    /// Returns `true` if there is water of the lake close to a point.
+    fn is_beside(&self, at: Vec2) -> bool {
+        const NEAR: f32 = 1.6;
+        const STEPS: i32 = 6;
+        let step = NEAR * self.em / STEPS as f32;
+        let mut around = (-STEPS..=STEPS).flat_map(|row| (-STEPS..=STEPS).map(move |column| (column, row)));
+        around.any(|(column, row)| self.region.holds(at + Vec2::new(column as f32, row as f32) * step))
+    }
+
+    /// Lists where a name may begin, each with its cost and the point of its own edge that is nearest to the lake: to the right of the lake
+    /// or the left, then above or below.
     fn tries(&self) -> Vec<(f32, Vec2, Vec2)> {
         let ([least, most], em, long) = (self.corners, self.em, self.text.length * self.em);
         let (middle, height) = ((least + most) * 0.5, most.y - least.y);
@@ -84,14 +94,15 @@ impl<G: Background> Search<'_, G> {
                 let y = middle.y + aside * height;
                 let line = y + MIDDLE * em;
                 let cost = gap + aside.abs();
-                tries.push((cost, Vec2::new(most.x + gap * em, line), Vec2::new(most.x, y)));
-                tries.push((cost + 0.2, Vec2::new(least.x - gap * em - long, line), Vec2::new(least.x, y)));
+                tries.push((cost, Vec2::new(most.x + gap * em, line), Vec2::new(most.x + gap * em, y)));
+                let left = least.x - gap * em;
+                tries.push((cost + 0.2, Vec2::new(left - long, line), Vec2::new(left, y)));
             }
-            for (cost, y, line) in [
-                (0.5, least.y, least.y + (MIDDLE - OVER - gap) * em),
-                (0.6, most.y, most.y + (MIDDLE + OVER + gap) * em),
-            ] {
-                tries.push((gap + cost, Vec2::new(middle.x - 0.5 * long, line), Vec2::new(middle.x, y)));
+            for (cost, line) in
+                [(0.5, least.y + (MIDDLE - OVER - gap) * em), (0.6, most.y + (MIDDLE + OVER + gap) * em)]
+            {
+                let to = Vec2::new(middle.x, line - MIDDLE * em);
+                tries.push((gap + cost, Vec2::new(middle.x - 0.5 * long, line), to));
             }
         }
         tries
