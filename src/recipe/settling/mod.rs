@@ -56,7 +56,6 @@ const DECIDED: u128 = set(&[
     Key::Mountains,
     Key::Plains,
     Key::Rills,
-    Key::Lakes,
     Key::Shade,
     Key::Warmth,
     Key::Rain,
