@@ -134,7 +134,7 @@ fn check_tarn(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     prop_assert!(label.letters.iter().all(|letter| degrees(letter.along).abs() < 0.1), "{} climbs", label.text);
     prop_assert!(corners().all(|corner| coast.height(corner) > 0.0), "{} stands in water", label.text);
     let is_near = |corner: Vec2| {
-        (-8..=8).any(|x| (-8..=8).any(|y| region.holds(corner + Vec2::new(x as f32, y as f32) * label.em * 0.25)))
+        (-8..=8).any(|x| (-8..=8).any(|y| region.holds(corner + Vec2::new(x as f32, y as f32) * label.em * 0.5)))
     };
     prop_assert!(corners().any(is_near), "{} is far from its lake", label.text);
     Ok(())

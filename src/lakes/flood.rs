@@ -89,7 +89,7 @@ const FUNNEL: f32 = 0.7;
 
 /// The greatest unevenness of the ground that is too fine for the relief, its longest wavelength, both in units, and the number of its
 /// octaves.
-const UNEVEN: f32 = 8.0;
+const UNEVEN: f32 = 10.0;
 const WAVELENGTH: f32 = 72.0;
 const OCTAVES: i32 = 5;
 

@@ -145,16 +145,16 @@ impl LakeMaker {
             self.made.cells[cell] = Cell(number);
             self.is_taken[cell] = true;
         }
-        for &(cell, _) in shore {
-            // No other lake may lie there.
-            self.made.cells[cell as usize] = Cell(number | Cell::SHORE);
-            self.is_taken[cell as usize] = true;
-        }
         let mut edge = flooded.cells.clone();
         for _ in 0..APART {
             let mut beside: Vec<usize> = edge.iter().flat_map(|cell| around(&relief.grid(), *cell)).flatten().collect();
             beside.retain(|cell| !std::mem::replace(&mut self.is_taken[*cell], true));
             edge = beside;
+        }
+        for &(cell, _) in shore {
+            // No other lake may lie there.
+            self.made.cells[cell as usize] = Cell(number | Cell::SHORE);
+            self.is_taken[cell as usize] = true;
         }
         self.made.raised.extend(shore);
         self.made.list.push(lake);
