@@ -373,8 +373,12 @@ impl<'a, G: Background> Map<'a, G> {
         let chosen = match place.kind {
             _ if is_region(place) => regions::region(input, background, place, taken),
             PlaceKind::Island => islands::island(input, background, (place, region), taken),
-            PlaceKind::Lake => areas::water(input, place, region, taken)
-                .or_else(|| tarns::beside(input, background, (place, region), taken)),
+            PlaceKind::Lake => {
+                // Beside one at the level of the sea is its coast.
+                let is_inland = input.map.sea.is_none_or(|sea| sea.height(place.at) > 0.0);
+                let beside = || tarns::beside(input, background, (place, region), taken);
+                areas::water(input, place, region, taken).or_else(|| beside().filter(|_| is_inland))
+            }
             PlaceKind::Sea => {
                 let taken: Vec<(u32, Box)> =
                     taken.iter().copied().chain(self.beside.map(|beside| (NONE, beside))).collect();
