@@ -152,11 +152,11 @@ fn lakes_are_as_many_and_as_indented_as_in_nature() {
             let ring = &lake.rings[0];
             let length: f32 = ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b)).sum();
             areas.push(f64::from(lake.area));
-            shores.push((f64::from(lake.area).ln(), f64::from(length).ln()));
+            shores.push((libm::log(f64::from(lake.area)), libm::log(f64::from(length))));
         }
     }
     // The estimate of greatest likelihood for areas from 80 square units on.
-    let tau = 1.0 + areas.len() as f64 / areas.iter().map(|area| (area / 80.0).ln()).sum::<f64>();
+    let tau = 1.0 + areas.len() as f64 / areas.iter().map(|area| libm::log(area / 80.0)).sum::<f64>();
     let mean = |of: fn(&(f64, f64)) -> f64| shores.iter().map(of).sum::<f64>() / shores.len() as f64;
     let (x, y) = (mean(|pair| pair.0), mean(|pair| pair.1));
     let slope = shores.iter().map(|pair| (pair.0 - x) * (pair.1 - y)).sum::<f64>()

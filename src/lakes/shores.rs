@@ -109,12 +109,13 @@ impl Ground<'_> {
 /// Blurs the cells of a grid, but for those at its border.
 fn blurred(values: &[f32], width: usize) -> Vec<f32> {
     let mut blurred = values.to_vec();
-    for i in width + 1..values.len().saturating_sub(width + 1) {
+    let inner = values.len().saturating_sub(width + 1);
+    for (i, blurred) in blurred.iter_mut().enumerate().take(inner).skip(width + 1) {
         if i % width == 0 || i % width == width - 1 {
             continue;
         }
         let row = |i: usize| values[i - 1] + 2.0 * values[i] + values[i + 1];
-        blurred[i] = (row(i - width) + 2.0 * row(i) + row(i + width)) / 16.0;
+        *blurred = (row(i - width) + 2.0 * row(i) + row(i + width)) / 16.0;
     }
     blurred
 }
