@@ -9,6 +9,7 @@ pub(crate) mod numbers;
 pub(crate) mod parallel;
 pub(crate) mod queue;
 pub mod random;
+pub(crate) mod rings;
 pub(crate) mod simplify;
 pub(crate) mod skeletonize;
 pub(crate) mod sort;

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::base::sort;
+use crate::base::rings::stretches;
 use crate::relief::Grid;
 
 /// Returns the middle of a cell, in units.
@@ -28,20 +28,10 @@ pub(super) fn fill(rings: &[Vec<Vec2>], grid: &Grid, mut found: impl FnMut(usize
     let last = points().fold(f32::NEG_INFINITY, f32::max).floor() as usize;
     for row in first..=last.min(grid.rows - 1) {
         let y = (row as f32 + 0.5) * grid.cell_size;
-        let crossings = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-        let crossings = crossings.filter(|(a, b)| (a.y > y) != (b.y > y));
-        let crossings: Vec<f32> = crossings.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
-        for pair in sort::sorted(&crossings).as_chunks::<2>().0 {
-            let [from, to] = pair.map(|x| (x / grid.cell_size - 0.5).ceil().clamp(0.0, grid.columns as f32) as usize);
+        for stretch in stretches(rings, y) {
+            let [from, to] =
+                stretch.map(|x| (x / grid.cell_size - 0.5).ceil().clamp(0.0, grid.columns as f32) as usize);
             (from..to).for_each(|column| found(row * grid.columns + column));
         }
     }
-}
-
-/// Returns `true` if a point lies within a ring.
-pub(super) fn is_within(ring: &[Vec2], point: Vec2) -> bool {
-    let crosses = |(a, b): (&Vec2, &Vec2)| {
-        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)
-    };
-    ring.iter().zip(ring.iter().cycle().skip(1)).filter(|edge| crosses(*edge)).count() % 2 == 1
 }

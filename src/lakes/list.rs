@@ -2,9 +2,10 @@
 
 use glam::Vec2;
 
-use super::cells::{around, fill, is_within};
+use super::cells::{around, fill};
+use crate::base::rings::are_around;
 use crate::network::{NONE, Network, River};
-use crate::relief::{Grid, Relief};
+use crate::relief::{Grid, Relief, let_fall};
 
 /// A lake through which a river runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,8 +113,7 @@ impl Lakes {
         let index = |x: f32, count: usize| ((x / own.cell_size).max(0.0) as usize).min(count - 1);
         let cell = index(point.y, own.rows) * own.columns + index(point.x, own.columns);
         let near = around(own, cell).into_iter().flatten().chain([cell]).find_map(|cell| self.cells[cell].water())?;
-        let rings = self.list[near].rings.iter().filter(|ring| is_within(ring, point)).count();
-        (rings % 2 == 1).then_some(near)
+        are_around(&self.list[near].rings, point).then_some(near)
     }
 
     /// Finds the lake that covers each cell of a grid, by its index: of the map's own grid as its relief says, of others by the middle
@@ -190,23 +190,4 @@ impl Lakes {
 pub(super) fn raised((level, bed): (f32, f32), height: f32) -> f32 {
     let share = (height - bed) / (level - bed + SHORE);
     if share < 1.0 { level + share.max(0.0) * SHORE } else { height }
-}
-
-/// Raises land that is not higher than the cell that its water runs to. What `is_level` stays as high as it is.
-fn let_fall(heights: &mut [f32], next: impl Fn(usize) -> Option<usize>, is_level: impl Fn(usize) -> bool) {
-    let mut is_done: Vec<bool> = (0..heights.len()).map(|cell| heights[cell] <= 0.0 || is_level(cell)).collect();
-    let mut upstream = Vec::new();
-    for start in 0..heights.len() {
-        let mut cell = Some(start);
-        while let Some(open) = cell.filter(|cell| !is_done[*cell]) {
-            is_done[open] = true;
-            upstream.push(open);
-            cell = next(open);
-        }
-        let mut below = cell.map_or(f32::NEG_INFINITY, |cell| heights[cell]);
-        while let Some(cell) = upstream.pop() {
-            heights[cell] = heights[cell].max(below.next_up());
-            below = heights[cell];
-        }
-    }
 }

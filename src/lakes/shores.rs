@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::cells::{around, middle};
 use super::flood::{Dam, Flooded, Ground, sorted_cells};
+use crate::base::rings::area;
 use crate::base::work;
 use crate::land::trace;
 use crate::relief::Grid;
@@ -127,11 +128,4 @@ fn smoothed(ring: &[Vec2]) -> Vec<Vec2> {
         cut.extend([a.lerp(*b, 0.25), a.lerp(*b, 0.75)]);
     }
     cut
-}
-
-/// Returns the area within a ring, in square units; negative if it runs the other way round.
-pub(super) fn area(ring: &[Vec2]) -> f32 {
-    let origin = ring.first().copied().unwrap_or_default();
-    let edges = ring.iter().zip(ring.iter().skip(1));
-    edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>() / 2.0
 }

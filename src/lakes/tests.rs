@@ -3,7 +3,7 @@
 use super::areas::areas;
 use glam::Vec2;
 
-use super::cells::{fill, is_within, middle};
+use super::cells::{fill, middle};
 use super::flood::{Dam, Flooded, Ground, Unevenness};
 use super::list::{Cell, Lakes, raised};
 use super::upstream::Upstream;
@@ -140,4 +140,12 @@ fn cells_that_are_filled_are_those_within_the_rings() {
         let within = rings.iter().filter(|ring| is_within(ring, at)).count() % 2;
         assert_eq!(filled, within, "{at}");
     }
+}
+
+/// Returns `true` if a point lies within a ring: a line to the east crosses it an odd number of times.
+fn is_within(ring: &[Vec2], point: Vec2) -> bool {
+    let crosses = |(a, b): (&Vec2, &Vec2)| {
+        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)
+    };
+    ring.iter().zip(ring.iter().cycle().skip(1)).filter(|edge| crosses(*edge)).count() % 2 == 1
 }

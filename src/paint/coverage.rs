@@ -8,7 +8,7 @@ use glam::Vec2;
 use tiny_skia::Mask;
 use wide::f32x4;
 
-use crate::base::sort;
+use crate::base::rings::stretches;
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -197,7 +197,7 @@ impl Coverage {
             shares.fill(0.0);
             for line in 0..LINES {
                 let y = row as f32 + (f32::from(line) + HALF) / f32::from(LINES);
-                for [from, to] in crossings(rings, y) {
+                for [from, to] in stretches(rings, y) {
                     cover(&mut shares, from - rect.left as f32, to - rect.left as f32, 1.0 / f32::from(LINES));
                 }
             }
@@ -213,14 +213,6 @@ impl Coverage {
             }
         }
     }
-}
-
-/// Returns the stretches of a level line that lie within an odd number of rings.
-fn crossings(rings: &[Vec<Vec2>], y: f32) -> Vec<[f32; 2]> {
-    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-    let crossed = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
-    let places: Vec<f32> = crossed.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
-    sort::sorted(&places).as_chunks::<2>().0.to_vec()
 }
 
 /// Adds a weight to the pixels of a row between two places, as far as they lie between them.

@@ -17,6 +17,7 @@ mod contours;
 mod creep;
 mod draft;
 mod error;
+mod falling;
 mod finer;
 mod flow;
 mod front;
@@ -41,6 +42,7 @@ use crate::network::Network;
 
 pub(crate) use draft::ReliefDrafts;
 pub use error::ReliefError;
+pub use falling::let_fall;
 pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;

@@ -40,11 +40,10 @@ impl ReliefStage {
         match self {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
             Self::Solving(solver) => {
-                if let Some(relief) = solver.step(network)? {
-                    let is_dry = lakes().is_none();
-                    let lakes = if is_dry { LakeStage::begin(None) } else { LakeStage::Begun(solver.clone()) };
-                    *self = Self::Solved(relief.into(), lakes);
-                }
+                let Some(relief) = solver.step(network)? else { return Ok(()) };
+                let Self::Solving(solver) = std::mem::take(self) else { return Ok(()) };
+                let lakes = if lakes().is_some() { LakeStage::Begun(solver) } else { LakeStage::begin(None) };
+                *self = Self::Solved(relief.into(), lakes);
             }
             Self::Solved(relief, stage) => stage.step(relief, network, settings, lakes)?,
         }
@@ -87,6 +86,7 @@ impl ReliefStage {
     pub fn bytes(&self) -> usize {
         match self {
             Self::Solving(solver) => solver.bytes(),
+            Self::Solved(_, LakeStage::Begun(solver)) => solver.bytes(),
             Self::Waiting | Self::Solved(..) => 0,
         }
     }

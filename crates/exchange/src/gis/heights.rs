@@ -1,6 +1,7 @@
 //! Heights in metres in which water still runs down.
 
 use riverseed::export::rasters::Rasters;
+use riverseed::relief::let_fall;
 
 /// Returns the heights of a map's cells in metres over the sea.
 pub fn metres(rasters: &Rasters) -> Vec<f32> {
@@ -20,21 +21,7 @@ fn falling(
     is_level: impl Fn(usize) -> bool,
 ) -> Vec<f32> {
     let mut metres: Vec<f32> = heights.iter().map(|height| height * metres_up).collect();
-    let mut is_done: Vec<bool> = (0..heights.len()).map(|cell| heights[cell] <= 0.0 || is_level(cell)).collect();
-    let mut upstream = Vec::new();
-    for start in 0..heights.len() {
-        let mut cell = Some(start);
-        while let Some(open) = cell.filter(|&cell| !is_done[cell]) {
-            is_done[open] = true;
-            upstream.push(open);
-            cell = next(open);
-        }
-        let mut below = cell.map(|cell| metres[cell]);
-        while let Some(cell) = upstream.pop() {
-            metres[cell] = below.map_or(metres[cell], |below| metres[cell].max(below.next_up()));
-            below = Some(metres[cell]);
-        }
-    }
+    let_fall(&mut metres, next, is_level);
     metres
 }
 
