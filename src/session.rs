@@ -180,7 +180,7 @@ impl Session {
     /// Fails like [`Session::new`] and [`Session::on_land`]; the session is then unchanged.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
-        let keeps_relief = self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
+        let keeps_relief = stage.is_some() && self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
             let coasts = match (stage, self.coasts.planted()) {
                 (_, Some(land)) if self.coasts.are_given => {

@@ -290,15 +290,17 @@ impl Shades {
         }));
     }
 
-    /// Returns the colour at a height near that of a line. A ring is fainter where it hardly has room.
+    /// Returns the colour at a height near that of a line. A ring is fainter where it hardly has room, also beside the
+    /// line of the coast.
     fn near_line(&self, line: f32, height: f32, (at, rise): (Vec2, Vec2)) -> [u8; 4] {
-        let with = self.at(line + self.apart(height - line, rise));
-        let Some(room) = self.room.as_ref().filter(|_| line < 0.0).map(|room| room.at(-line, at)) else { return with };
-        let Some(&[red, green, blue, _]) = self.bare.get(self.index(height)).filter(|_| room < 1.0) else {
+        let off = line + self.apart(height - line, rise);
+        let with = self.at(off);
+        let plain = self.bare.get(self.index(if line < 0.0 { height } else { off })).filter(|plain| **plain != with);
+        let (Some(&[red, green, blue, _]), Some(room), Some(nearest)) = (plain, &self.room, self.rings.first()) else {
             return with;
         };
         let [r, g, b, ashore] = with;
-        let [r, g, b] = mix([red, green, blue], [r, g, b], room);
+        let [r, g, b] = mix([red, green, blue], [r, g, b], room.at(nearest.0.max(-line), at));
         [r, g, b, ashore]
     }
 

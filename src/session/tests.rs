@@ -320,6 +320,16 @@ fn progress_of_a_relief_never_goes_back() {
 }
 
 #[test]
+fn a_change_that_changes_nothing_leaves_relief_and_lakes() {
+    for text in ["&style=atlas", "&style=atlas&lakes=0.4", "&style=ink&lakes=0.4"] {
+        let mut session = finished(&format!("{BENDS}{text}"));
+        let lakes = session.lakes().cloned();
+        assert_eq!(session.change(session.recipe().clone()).unwrap(), None);
+        assert_eq!((session.phase(), session.lakes()), (Phase::Finished, lakes.as_ref()), "{text}");
+    }
+}
+
+#[test]
 fn change_of_a_late_stage_makes_no_step() {
     let mut session = finished(BENDS);
     for change in ["&width=30", "&width=30&simplify=20", "&width=30&simplify=20&neck=2"] {

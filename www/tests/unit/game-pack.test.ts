@@ -45,7 +45,7 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
     expect(picture.text).toEqual(texts);
     return picture.depth;
   });
-  expect(depths).toEqual([16, 8, 16, 8, 16]);
+  expect(depths).toEqual([16, 8, 16, 8, 16, 8]);
   expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.\d{6}$/);
 });
 
