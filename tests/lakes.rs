@@ -10,10 +10,10 @@ use riverseed::{Recipe, Session};
 
 /// Words, each in a country of its own, and links with many lakes.
 const LINKS: [&str; 6] = [
-    "seed=kauri&lakes=0.3",
-    "seed=Veldemar&lakes=0.3",
-    "seed=saimaa&country=lakeland&lakes=0.7",
-    "seed=Oriel&country=young-land&lakes=0.6",
+    "seed=kauri",
+    "seed=Veldemar",
+    "seed=saimaa&country=lakeland",
+    "seed=Oriel&country=young-land",
     "seed=weka&growth=colonize&country=usual&lakes=0.5",
     "seed=moa&land=rectangle&lakes=0.6",
 ];
@@ -105,7 +105,7 @@ tiers!(lakes_are_level_and_apart_on_many_maps);
 
 #[test]
 fn rivers_run_through_their_lakes_and_leave_them_at_the_outlet() {
-    let map = map("seed=saimaa&country=lakeland&lakes=0.7");
+    let map = map("seed=saimaa&country=lakeland");
     let (network, lakes) = (map.network(), map.lakes());
     for lake in &lakes.list {
         let river = &network.rivers[lake.outlet.river as usize];
@@ -143,7 +143,7 @@ fn lakes_follow_their_parameter_on_the_same_relief() {
 fn lakes_are_as_many_and_as_indented_as_in_nature() {
     let (mut areas, mut shores, mut asked) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..24 {
-        let map = map(&format!("seed=lakes-{i}&country=lakeland&lakes=0.7"));
+        let map = map(&format!("seed=lakes-{i}&country=lakeland"));
         let land: f32 =
             map.make_relief().unwrap().heights().iter().filter(|height| **height > 0.0).count() as f32 * 4.0;
         let lakes = &map.lakes().list;

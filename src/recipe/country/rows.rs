@@ -11,11 +11,11 @@ pub(in crate::recipe) const COUNT: usize = 34;
 /// joining. Few points are removed, so that courses keep their small turns, as rivers on maps do.
 pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35>0.2 \
-    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 simplify=10 rills~0.15";
+    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 simplify=10 rills~0.15 lakes=0.1:0.3";
 
 /// Draws about the usual values, for land that is in no row: the rectangle, and what somebody has drawn.
 pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
-    tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6>0.2 simplify=20:75";
+    tributary-spacing~0.35 head-variation~0.4 valleys~0.5 hardness~0.5 fall~0.6>0.2 simplify=20:75 lakes=0:0.3";
 
 /// The draws of each climate.
 pub(in crate::recipe) static CLIMATES: &[(&str, &str)] = &[
@@ -78,7 +78,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers run down a steep cone on all sides.",
         weight: 3,
         climates: "volcanic",
-        draws: "span=35~0.4 land=island sea=0.64:0.76 pattern=radial drowning=0.03 roughness=0.35:0.7 bending=1 channel-area=8 \
+        draws: "lakes=0:0.1 span=35~0.4 land=island sea=0.64:0.76 pattern=radial drowning=0.03 roughness=0.35:0.7 bending=1 channel-area=8 \
            trim=30 width=22 meander-rounds=10 mountains=3:4 plains=20:90 rills=0.9",
         style: None,
     },
@@ -138,7 +138,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "More sea than land: islets and rocks with short streams.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "span=16~0.4 land=archipelago sea=0.68:0.78 drowning=0.85:1 roughness=1 pattern=deranged hardness=1.2 \
+        draws: "lakes=0.2:0.5 span=16~0.4 land=archipelago sea=0.68:0.78 drowning=0.85:1 roughness=1 pattern=deranged hardness=1.2 \
            hardness-scale=14 valley-spacing=12 bending=1.2 channel-area=5 trim=18 width=16 meander-rounds=12 \
            mountains=0.35:0.9 plains=100",
         style: None,
@@ -149,7 +149,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A low coast of bare rock, broken into islets.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "span=40~0.4 land=continent sides=n|e|s|w|se|sw sea=0.45:0.6 drowning=0.85:1 roughness=1 pattern=deranged \
+        draws: "lakes=0.3:0.6 span=40~0.4 land=continent sides=n|e|s|w|se|sw sea=0.45:0.6 drowning=0.85:1 roughness=1 pattern=deranged \
            hardness=1.2 hardness-scale=16 bending=1.4 channel-area=5 trim=20 width=18 meander-rounds=12 \
            mountains=0.35:0.9 plains=150",
         style: None,
@@ -181,7 +181,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A steep coast with long inlets between mountains.",
         weight: 5,
         climates: "cold",
-        draws: "span=110~0.35 land=continent sea=0.36:0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
+        draws: "lakes=0.3:0.5 span=110~0.35 land=continent sea=0.36:0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
            meander-rounds=20 mountains=2.8:4 plains=0 \
            sides,strike,pattern,hardness=w,80,trellis,1.3|e,100,trellis,1.3|n,172,trellis,1.3|w,0,dendritic,1|e,0,dendritic,1|s,0,dendritic,1.1|n,0,dendritic,0.9",
         style: None,
@@ -213,7 +213,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "One river drains nearly all of the land.",
         weight: 7,
         climates: "wet wet temperate temperate dry",
-        draws: "span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12:0.24 drowning=0.12 roughness=0.9 bending=2 \
+        draws: "lakes=0.05:0.2 span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12:0.24 drowning=0.12 roughness=0.9 bending=2 \
            concavity=0.6 channel-area=7 trim=28 width=26 meander-rounds=56 flat-share=0.5 great-rivers=6 \
            mountains=1.6~0.35 plains=120:350 \
            pattern,captures,valleys,fall=dendritic,20,0.4,0.25|dendritic,20,0.5,0.2|centripetal,6,0.2,0.3",
@@ -236,7 +236,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Few rivers, wide and old: loops, cut necks and oxbow lakes.",
         weight: 3,
         climates: "wet temperate",
-        draws: "span=60~0.3 land=valley sides=e|w|s|n mouths=1 sea=0.12 drowning=0 roughness=0.5 attractors=5000 bending=1 \
+        draws: "lakes=0 span=60~0.3 land=valley sides=e|w|s|n mouths=1 sea=0.12 drowning=0 roughness=0.5 attractors=5000 bending=1 \
            bending-variation=0 channel-area=20 width=30 meander-rounds=120 great-rivers=5 flat-share=0.6 neck=2.5 \
            oxbows=1 mountains=0.3:1 plains=400",
         style: Some(Style::PastCourses),
@@ -269,7 +269,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A lake, and rivers that run to it from all around.",
         weight: 5,
         climates: "temperate temperate cold cold wet",
-        draws: "span=110~0.35 land=basin sea=0.08:0.24 drowning=0.3:0.9 roughness=1 bending=1.6 channel-area=6 trim=24 width=24 \
+        draws: "lakes=0.7 span=110~0.35 land=basin sea=0.08:0.24 drowning=0.3:0.9 roughness=1 bending=1.6 channel-area=6 trim=24 width=24 \
            meander-rounds=40 flat-share=0.3 mountains=1.3~0.4 plains=80",
         style: None,
     },
@@ -299,7 +299,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers run to a lake without an outlet, in a dry climate.",
         weight: 3,
         climates: "dry",
-        draws: "span=300~0.35 land=basin sea=0.06:0.16 drowning=0.3 roughness=0.8 bending=2.2 channel-area=12 trim=32 width=16 \
+        draws: "lakes=0 span=300~0.35 land=basin sea=0.06:0.16 drowning=0.3 roughness=0.8 bending=2.2 channel-area=12 trim=32 width=16 \
            meander-rounds=20 mountains=0.8:2 plains=300 rills=0.4 \
            pattern,hardness,center-x=centripetal,0.9,35|centripetal,0.9,64|dendritic,0.6,50",
         style: None,
@@ -352,7 +352,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Rivers without order, as ice leaves them.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "span=130~0.35 land=continent sides=n|e|s|w|se sea=0.25:0.42 drowning=0.6 roughness=1 pattern=deranged attractors=10000 \
+        draws: "lakes=0.6 span=130~0.35 land=continent sides=n|e|s|w|se sea=0.25:0.42 drowning=0.6 roughness=1 pattern=deranged attractors=10000 \
            bending=1.8 channel-area=6 trim=24 width=20 meander-rounds=20 mountains=0.4:1.1 plains=150",
         style: None,
     },
@@ -362,7 +362,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Few rivers, far apart, in dry country.",
         weight: 4,
         climates: "dry",
-        draws: "span=420~0.3 land=continent sides=n|e|s|w sea=0.15:0.35 drowning=0.08 roughness=0.8 attractors=9000 bending=2 \
+        draws: "lakes=0 span=420~0.3 land=continent sides=n|e|s|w sea=0.15:0.35 drowning=0.08 roughness=0.8 attractors=9000 bending=2 \
            channel-area=20 trim=40 width=14 meander-rounds=30 mountains=0.7:2 plains=350 rills=0.3 fall=0.6",
         style: None,
     },
@@ -372,7 +372,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Water everywhere: a fine network of broad rivers.",
         weight: 4,
         climates: "wet",
-        draws: "span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12:0.25 \
+        draws: "lakes=0.05:0.15 span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12:0.25 \
            drowning=0.2 roughness=0.9 attractors=14000:19000 bending=2 channel-area=5 trim=22 width=28 \
            meander-rounds=48 flat-share=0.6 great-rivers=6 mountains=0.5:1.2 plains=350 fall=0.2",
         style: None,
@@ -383,7 +383,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A low island where streams wander everywhere: a Brownian tree.",
         weight: 2,
         climates: "wet",
-        draws: "span=45~0.35 land=island growth=brownian sensitivity=12 sea=0.42:0.6 drowning=0.3 roughness=0.9 width=24 trim=26 \
+        draws: "lakes=0.2:0.5 span=45~0.35 land=island growth=brownian sensitivity=12 sea=0.42:0.6 drowning=0.3 roughness=0.9 width=24 trim=26 \
            meander-rounds=30 mountains=0.2 plains=400 rills=0.1",
         style: None,
     },

@@ -56,6 +56,7 @@ const DECIDED: u128 = set(&[
     Key::Mountains,
     Key::Plains,
     Key::Rills,
+    Key::Lakes,
     Key::Shade,
     Key::Warmth,
     Key::Rain,
