@@ -11,6 +11,7 @@ use super::figures::{arms, crescent, long, twins};
 use super::gulf::outlet;
 use super::island::{island, lake};
 use super::kinds::Shape;
+use super::ragged::Ragged;
 use super::rock::{Amplitudes, Relief, Rock};
 use super::room::centred;
 use super::sides::Coasts;
@@ -22,7 +23,7 @@ impl Shape {
     /// drawn land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
         let form = Form::of(self)?;
-        Some(form.opened(form.with_sea(spacing, self.sea)).settled())
+        Some(form.finished(form.with_sea(spacing, self.sea)))
     }
 }
 
@@ -55,9 +56,15 @@ impl<'a> Form<'a> {
         CoastDistance::with_sea(&self.shape.domain, spacing, sea, &|point| self.height(point))
     }
 
+    /// Gives each inner water of a land of this form its outlet, [settles](CoastDistance::settled) the land, and makes coasts
+    /// ragged where they are straight.
+    pub fn finished(&self, land: CoastDistance) -> CoastDistance {
+        Ragged::of(self.shape).applied(self.opened(land).settled())
+    }
+
     /// Joins the inner waters of a land of this form to the open sea, but for a basin, whose waters are closed. The result
     /// has yet to be [settled](CoastDistance::settled).
-    pub fn opened(&self, land: CoastDistance) -> CoastDistance {
+    fn opened(&self, land: CoastDistance) -> CoastDistance {
         /// The waves of ways and banks across the shorter side of the domain.
         const BUMPS: f32 = 24.0;
         if self.shape.kind == LandKind::Basin {

@@ -29,6 +29,7 @@ mod margin;
 mod obstacles;
 mod outline;
 mod queries;
+mod ragged;
 mod regions;
 mod risen;
 mod rock;
