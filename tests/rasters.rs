@@ -367,6 +367,7 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
             Values::Bytes(bytes) => bytes.into_iter().map(u16::from).collect(),
             Values::Words(words) => words,
         };
+        let heights = numbers(&square, Layer::Heights);
         for layer in Layer::ALL {
             let (small, large) = (numbers(&own, layer), numbers(&square, layer));
             assert_eq!(large.len(), 708 * 708);
@@ -376,6 +377,9 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
                     assert_eq!(value, small[(row - rows.start) * own.columns + column - columns.start]);
                 } else if layer == Layer::Water {
                     assert_eq!(value, 255);
+                } else if layer == Layer::Depth {
+                    // As deep as the floor of the sea says, which goes on: a cell of height and one of depth add up.
+                    assert_eq!(u32::from(value) + u32::from(heights[i]), u32::from(own.scale.sea_level));
                 } else if layer == Layer::Heights {
                     assert!(value <= own.scale.sea_level, "no land beyond the map: {value}");
                 } else {
@@ -417,7 +421,7 @@ fn pack_holds_every_file() {
         let moment = entry.last_modified();
         assert_eq!((moment.year(), moment.month(), moment.day()), (1980, 1, 1), "a date that there is");
     }
-    let rasters_of_pack = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png"];
+    let rasters_of_pack = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png", "depth.png"];
     let wanted = [&["README.txt"], &rasters_of_pack[..], &["map.geojson", "map.png"]].concat();
     assert_eq!(names, wanted);
     let readme = pack::readme(&rasters);

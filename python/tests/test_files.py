@@ -23,6 +23,7 @@ MAKERS: dict[str, Callable[[riverseed.Map], bytes]] = {
     "flow.png": lambda map_: map_.raster("flow"),
     "basins.png": lambda map_: map_.raster("basins"),
     "water.png": lambda map_: map_.raster("water"),
+    "depth.png": lambda map_: map_.raster("depth"),
 }
 
 LANDSCAPES = {"unreal.zip": 1009, "unity.zip": 1025, "godot.zip": 1025}

@@ -45,6 +45,8 @@ pub struct Rasters {
     flow: Flow,
     /// `true` for cells in a lake; empty if there are none.
     is_lake: Vec<bool>,
+    /// The depth of lakes over their beds, in units; empty if there are none.
+    depths: Vec<f32>,
     /// The number of columns west of the map and of rows north of it.
     before: (usize, usize),
     /// The height of each cell in steps of the scale.
@@ -71,6 +73,8 @@ pub enum Layer {
     Basins,
     /// 255 where water stands, in the sea or in a lake; 0 on dry land and in rivers.
     Water,
+    /// The depth of standing water, in steps of the scale of heights.
+    Depth,
 }
 
 /// The values of a raster, row by row, from north to south.
@@ -84,7 +88,8 @@ pub enum Values {
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 6] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins, Self::Water];
+    pub const ALL: [Self; 7] =
+        [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins, Self::Water, Self::Depth];
 
     /// Returns the subject of a layer's values, in English. [`Rasters::meaning`] begins with these words, and no two
     /// layers have the same.
@@ -96,6 +101,7 @@ impl Layer {
             Self::Flow => "Where water runs",
             Self::Basins => "16-bit number of the river basin",
             Self::Water => "255 is standing water",
+            Self::Depth => "16-bit depth of water",
         }
     }
 
@@ -108,6 +114,7 @@ impl Layer {
             Self::Flow => "flow",
             Self::Basins => "basins",
             Self::Water => "water",
+            Self::Depth => "depth",
         }
     }
 }
@@ -163,6 +170,7 @@ impl Rasters {
         let flow = Flow::new(&relief, network, settings)?;
         let (grid, lakes) = (relief.grid(), map.lakes());
         let is_lake = lakes.is_water_on(&grid);
+        let depths = if lakes.is_empty() { Vec::new() } else { lakes.depths(&relief) };
         let relief =
             if lakes.is_empty() { relief } else { lakes.filled(&relief, |cell| flow.next(&grid, cell)).into() };
         let map_scale = map.scale();
@@ -184,6 +192,7 @@ impl Rasters {
             relief,
             flow,
             is_lake,
+            depths,
             before: (0, 0),
         })
     }
@@ -219,6 +228,11 @@ impl Rasters {
                 Values::Words(self.widened(&steps, |nearest| nearest.min(self.scale.sea_level)))
             }
             (Values::Bytes(bytes), Layer::Water) => Values::Bytes(self.widened(&bytes, |_| 255)),
+            (Values::Words(depths), Layer::Depth) => {
+                let depths: Vec<_> = depths.into_iter().zip(self.steps.iter().map(|&step| self.depth_at_sea(step))).collect();
+                let widened = self.widened(&depths, |(_, at_sea)| (at_sea, at_sea));
+                Values::Words(widened.into_iter().map(|(depth, _)| depth).collect())
+            }
             (Values::Words(words), _) => Values::Words(self.widened(&words, |_| 0)),
             (Values::Bytes(bytes), _) => Values::Bytes(self.widened(&bytes, |_| 0)),
         }
@@ -251,6 +265,14 @@ impl Rasters {
                 let heights = self.relief.heights().iter().enumerate();
                 Values::Bytes(heights.map(|cell| if is_water(cell) { 255 } else { 0 }).collect())
             }
+            Layer::Depth => {
+                let step_units = self.scale.metres_a_step / f64::from(self.map_scale.metres_up);
+                let depth = |(cell, &step): (usize, &u16)| match self.depth(cell) {
+                    0.0 => self.depth_at_sea(step),
+                    depth => (f64::from(depth) / step_units).round() as u16,
+                };
+                Values::Words(self.steps.iter().enumerate().map(depth).collect())
+            }
             Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
         }
     }
@@ -264,6 +286,9 @@ impl Rasters {
                  0 is the deepest place, {sea_level} the sea's surface.",
                 decimal(metres_a_step, 6)
             ),
+            Layer::Depth => {
+                format!(" in the sea and in lakes: metres = value * {}. 0 where there is none.", decimal(metres_a_step, 6))
+            }
             Layer::Land => ", 0 is sea.".into(),
             Layer::Water => ", of the sea or of a lake; 0 is dry land and rivers.".into(),
             Layer::Rivers => format!(
@@ -293,8 +318,10 @@ impl Rasters {
                 format!("{} x {} from {}, {}", columns.len(), rows.len(), columns.start, rows.start),
             ));
         }
-        if layer == Layer::Heights {
+        if matches!(layer, Layer::Heights | Layer::Depth) {
             texts.push(("metres-a-step", decimal(self.scale.metres_a_step, 6)));
+        }
+        if layer == Layer::Heights {
             texts.push(("sea-level", self.scale.sea_level.to_string()));
         }
         texts
@@ -324,6 +351,22 @@ impl Rasters {
     /// Returns `true` if a cell of the map lies in a lake, whose water is level.
     pub fn is_level(&self, cell: usize) -> bool {
         self.is_lake.get(cell) == Some(&true)
+    }
+
+    /// Returns the depth of a lake over its bed in a cell of the map, in units; 0 where there is no lake.
+    pub fn depth(&self, cell: usize) -> f32 {
+        self.depths.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// Returns the depth of the sea over ground of a height, both in steps of the scale; 0 on land.
+    fn depth_at_sea(&self, step: u16) -> u16 {
+        self.scale.sea_level.saturating_sub(step)
+    }
+
+    /// Computes the depth of standing water in each cell of the map, in metres; 0 on dry land and in rivers.
+    pub fn metres_of_water(&self) -> Vec<f32> {
+        let at_sea = self.relief.heights().iter().map(|&height| (-height).max(0.0));
+        at_sea.enumerate().map(|(cell, sea)| self.depth(cell).max(sea) * self.map_scale.metres_up).collect()
     }
 
     /// Returns the relief that the rasters are made from, with lakes as high as their water.

@@ -79,7 +79,7 @@ impl LakeMaker {
     /// Does a step of the work on a finished relief, made of these rivers with these settings. Returns the lakes once they are made.
     ///
     /// # Errors
-    /// If there is not enough memory. A further call begins again.
+    /// If there is not enough memory. A further call tries the same step again.
     pub fn step(
         &mut self,
         relief: &Relief,
@@ -88,11 +88,14 @@ impl LakeMaker {
     ) -> Result<Option<Lakes>, ReliefError> {
         self.next = match std::mem::replace(&mut self.next, Part::Ways) {
             Part::Ways => Part::Order(Flow::ways(relief, network, &settings())?),
-            Part::Order(ways) => {
-                let bytes = ways.len() * BYTES_A_CELL;
-                let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
-                Part::Flood(self.begin(ways, relief, network).map_err(refused)?.into())
-            }
+            Part::Order(ways) => match self.begin(&ways, relief, network) {
+                Ok(search) => Part::Flood(search.into()),
+                Err(Refused) => {
+                    let bytes = ways.len() * BYTES_A_CELL;
+                    self.next = Part::Order(ways);
+                    return Err(ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 });
+                }
+            },
             Part::Flood(mut search) => match self.advance(&mut search, relief, network) {
                 true => Part::Flood(search),
                 false => return Ok(Some(std::mem::take(&mut self.made))),
@@ -101,7 +104,7 @@ impl LakeMaker {
         Ok(None)
     }
 
-    fn begin(&mut self, ways: Vec<u32>, relief: &Relief, network: &Network) -> Result<Search, Refused> {
+    fn begin(&mut self, ways: &[u32], relief: &Relief, network: &Network) -> Result<Search, Refused> {
         ask(ways.len() * BYTES_A_CELL)?;
         self.made = Lakes { grid: Some(relief.grid()), ..Lakes::default() };
         lengthen(&mut self.made.cells, ways.len(), Cell::DRY)?;
@@ -162,7 +165,7 @@ impl LakeMaker {
 }
 
 /// The memory of a cell: the order of cells, and what is told of each.
-const BYTES_A_CELL: usize = 36;
+const BYTES_A_CELL: usize = 40;
 
 /// A place that has been found for a lake.
 struct Found {

@@ -38,7 +38,7 @@ impl Valley {
             (_, row) if row + 1 < grid.rows => (cell + grid.columns) as u32,
             _ => NONE,
         };
-        let upstream = Upstream::of((0..grid.columns * grid.rows).map(way).collect()).unwrap();
+        let upstream = Upstream::of(&(0..grid.columns * grid.rows).map(way).collect::<Vec<_>>()).unwrap();
         let relief = Relief::of_heights(&domain, heights).unwrap();
         // No unevenness.
         Self { relief, upstream, unevenness: vec![0.0; grid.columns * grid.rows] }
@@ -74,7 +74,7 @@ fn areas_fall_by_a_power_of_their_rank_and_sum_up_to_what_is_asked() {
 #[test]
 fn upstream_of_a_cell_is_all_whose_water_runs_through_it() {
     let to = vec![1, 2, NONE, 1, 5, 2, NONE, 6];
-    let upstream = Upstream::of(to.clone()).unwrap();
+    let upstream = Upstream::of(&to).unwrap();
     let runs_through = |mut cell: usize, dam: usize| loop {
         if cell == dam {
             return true;

@@ -75,7 +75,8 @@ impl Picture {
         }
         let relief = self.drafts.relief(session, wanted)?;
         self.rivers_of = Some(session.tree_generation());
-        Some(self.painter.paint_rivers(&Rivers { relief: Some(&relief), ..rivers }))
+        let lakes = self.drafts.lakes();
+        Some(self.painter.paint_rivers(&Rivers { relief: Some(&relief), lakes, ..rivers }))
     }
 
     /// Paints a part of the finished rivers, without a relief, on a preview of another recipe's coasts, or on the

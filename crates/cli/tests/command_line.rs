@@ -97,7 +97,7 @@ fn name_says_which_raster_is_written_and_zip_holds_them_all() {
         flate2::read::DeflateDecoder::new(content.data()).read_to_end(&mut bytes).unwrap();
         files.insert(name, bytes);
     }
-    for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png"] {
+    for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png", "depth.png"] {
         assert!(files[name] == written(&format!("map.{name}"), &[]), "{name}");
     }
     assert!(
