@@ -70,7 +70,8 @@ fn median(numbers: impl Iterator<Item = f32>) -> f32 {
 /// stay sharper.
 fn great_rivers_bend_as_natural_ones_do() {
     let (mut bends, mut radii) = (Vec::new(), Vec::new());
-    for (recipe, rounds) in one_in(3, pairs(ROOMY, ROUNDS)) {
+    // With a stride of three, each tier would see bends of some ages alone.
+    for (recipe, rounds) in one_in(4, pairs(ROOMY, ROUNDS)) {
         let map = finished(&format!("{recipe}&meander-rounds={rounds}"));
         bends.extend(measured::bends(map.network()));
         for course in great_rivers(&map) {

@@ -133,11 +133,16 @@ fn check_tarn(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     let corners = || boxes(label).into_iter().flat_map(|around| around.corners());
     prop_assert!(label.letters.iter().all(|letter| degrees(letter.along).abs() < 0.1), "{} climbs", label.text);
     prop_assert!(corners().all(|corner| coast.height(corner) > 0.0), "{} stands in water", label.text);
-    let is_near = |corner: Vec2| {
-        (-8..=8).any(|x| (-8..=8).any(|y| region.holds(corner + Vec2::new(x as f32, y as f32) * label.em * 0.5)))
-    };
-    prop_assert!(corners().any(is_near), "{} is far from its lake", label.text);
+    let nearest = corners().map(|corner| away(region, corner)).fold(f32::MAX, f32::min);
+    prop_assert!(nearest <= 2.5 * label.em, "{} is {nearest} from its lake, {} an em", label.text, label.em);
     Ok(())
+}
+
+/// The distance of a point from a region, in units.
+fn away(region: &Region, at: Vec2) -> f32 {
+    let corner = |x: u32, y: u32| Vec2::new(x as f32, y as f32) * CELL_SIZE;
+    let off = |run: &Run| at.clamp(corner(run.start, run.row), corner(run.end, run.row + 1)).distance(at);
+    region.runs.iter().map(off).fold(f32::MAX, f32::min)
 }
 
 /// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
@@ -191,12 +196,7 @@ fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError>
 /// Nearer to its island than to any other, on average.
 fn check_belonging(label: &Label, own: &Region, input: &Input<'_>) -> Result<(), TestCaseError> {
     let away = |region: &Region| -> f32 {
-        let off = |run: &Run, at: Vec2| {
-            let corner = |x: u32, y: u32| Vec2::new(x as f32, y as f32) * CELL_SIZE;
-            at.clamp(corner(run.start, run.row), corner(run.end, run.row + 1)).distance(at)
-        };
-        let from = |at: Vec2| region.runs.iter().map(|run| off(run, at)).fold(f32::MAX, f32::min);
-        boxes(label).iter().map(|around| from(around.middle)).sum::<f32>() / label.letters.len() as f32
+        boxes(label).iter().map(|around| away(region, around.middle)).sum::<f32>() / label.letters.len() as f32
     };
     for (other, region) in areas(input).filter(|(place, region)| place.kind == PlaceKind::Island && *region != own) {
         prop_assert!(away(own) < 1.35 * away(region) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);

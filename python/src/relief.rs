@@ -58,7 +58,11 @@ impl Columns {
         Ok(Self {
             heights: rasters.relief().heights().iter().map(|height| height * metres_up).collect(),
             depths: (0..cells).map(|cell| rasters.depth(cell) * metres_up).collect(),
-            lakes: if lakes.is_empty() { vec![-1; cells] } else { or_minus_one(lakes.on(&rasters.relief().grid()), NONE) },
+            lakes: if lakes.is_empty() {
+                vec![-1; cells]
+            } else {
+                or_minus_one(lakes.on(&rasters.relief().grid()), NONE)
+            },
             widths: widths(rasters),
             flow: rasters.flow().directions.clone(),
             basins: rasters.flow().basins.clone(),

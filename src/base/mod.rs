@@ -3,6 +3,7 @@
 pub(crate) mod case;
 pub mod dice;
 pub(crate) mod geometry;
+pub(crate) mod gradient_noise;
 pub(crate) mod hash;
 pub(crate) mod memory;
 pub(crate) mod numbers;

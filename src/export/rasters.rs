@@ -229,7 +229,8 @@ impl Rasters {
             }
             (Values::Bytes(bytes), Layer::Water) => Values::Bytes(self.widened(&bytes, |_| 255)),
             (Values::Words(depths), Layer::Depth) => {
-                let depths: Vec<_> = depths.into_iter().zip(self.steps.iter().map(|&step| self.depth_at_sea(step))).collect();
+                let depths: Vec<_> =
+                    depths.into_iter().zip(self.steps.iter().map(|&step| self.depth_at_sea(step))).collect();
                 let widened = self.widened(&depths, |(_, at_sea)| (at_sea, at_sea));
                 Values::Words(widened.into_iter().map(|(depth, _)| depth).collect())
             }

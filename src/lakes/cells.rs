@@ -10,6 +10,12 @@ pub(super) fn middle(grid: &Grid, cell: usize) -> Vec2 {
     (Vec2::new((cell % grid.columns) as f32, (cell / grid.columns) as f32) + 0.5) * grid.cell_size
 }
 
+/// Returns the cell of a point in units; for points beyond the grid, the nearest.
+pub(super) fn cell_at(grid: &Grid, at: Vec2) -> usize {
+    let index = |x: f32, count: usize| ((x / grid.cell_size).max(0.0) as usize).min(count - 1);
+    index(at.y, grid.rows) * grid.columns + index(at.x, grid.columns)
+}
+
 /// Returns the eight cells around a cell; `None` for those beyond the grid.
 pub(super) fn around(grid: &Grid, cell: usize) -> [Option<usize>; 8] {
     const OFFSETS: [(isize, isize); 8] = [(-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)];

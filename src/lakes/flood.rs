@@ -9,8 +9,9 @@ use super::cells::{around, middle};
 use super::list::{Cell as Place, Lakes, SHORE, raised};
 use super::upstream::Upstream;
 use crate::base::geometry::{direction, distance};
+use crate::base::gradient_noise::noise;
 use crate::base::queue::Queue;
-use crate::base::random::{Purpose, Seed};
+use crate::base::random::{ItemHash, Purpose, Seed};
 use crate::base::sort;
 use crate::base::work;
 use crate::relief::{Grid, Relief};
@@ -30,6 +31,7 @@ pub(super) struct Ground<'a> {
 /// The unevenness of the ground that is too fine for the relief, in units for each cell, found where it is asked for.
 pub(super) struct Unevenness<'a> {
     noise: FastNoiseLite,
+    hash: ItemHash,
     known: &'a [Cell<f32>],
 }
 
@@ -39,7 +41,18 @@ impl<'a> Unevenness<'a> {
 
     /// Goes on with what is known of each cell.
     pub fn of(seed: Seed, known: &'a [Cell<f32>]) -> Self {
-        Self { noise: seed.noise(Purpose::Lakes, 1, 1.0 / WAVELENGTH, OCTAVES), known }
+        let noise = seed.noise(Purpose::Lakes, 1, 1.0 / WAVELENGTH, OCTAVES);
+        Self { noise, hash: seed.item_hash(Purpose::Lakes), known }
+    }
+
+    /// Returns the shift of a shore at a place, in units: so little that lakes which are apart stay apart, and so evenly that no two
+    /// places change sides.
+    pub fn shift(&self, at: Vec2) -> Vec2 {
+        /// Half the lengths of its waves, and their heights, in units.
+        const WAVES: [(f32, f32); 2] = [(11.0, 1.4), (4.0, 0.6)];
+        let wave = |number: u32, (half, high): (f32, f32)| high * noise(self.hash, number, at / half).0;
+        let along = |axis: u32| (0..).zip(WAVES).map(|(i, waves)| wave(2 * i + axis, waves)).sum();
+        Vec2::new(along(0), along(1))
     }
 
     fn at(&self, grid: &Grid, cell: usize) -> f32 {

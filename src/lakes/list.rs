@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::cells::{around, fill};
+use super::cells::{around, cell_at, fill};
 use crate::base::rings::are_around;
 use crate::network::{NONE, Network, River};
 use crate::relief::{Grid, Relief, let_fall};
@@ -108,11 +108,13 @@ impl Lakes {
 
     /// Returns the index of the lake at a point in units.
     pub fn at(&self, point: Vec2) -> Option<usize> {
-        // No shore is farther than a cell from the water of its lake, so most points need no look at shores.
+        // No shore is farther than two cells from the water of its lake, so most points need no look at shores.
         let own = self.grid.as_ref()?;
-        let index = |x: f32, count: usize| ((x / own.cell_size).max(0.0) as usize).min(count - 1);
-        let cell = index(point.y, own.rows) * own.columns + index(point.x, own.columns);
-        let near = around(own, cell).into_iter().flatten().chain([cell]).find_map(|cell| self.cells[cell].water())?;
+        let beside = |cell: usize| around(own, cell).into_iter().flatten();
+        let cell = cell_at(own, point);
+        let water = |cell: usize| self.cells[cell].water();
+        let near = water(cell).or_else(|| beside(cell).find_map(water));
+        let near = near.or_else(|| beside(cell).flat_map(beside).find_map(water))?;
         are_around(&self.list[near].rings, point).then_some(near)
     }
 
@@ -180,9 +182,7 @@ impl Lakes {
     fn shore_at(&self, grid: &Grid, cell: usize) -> Option<&Lake> {
         let own = self.grid.as_ref()?;
         let at = (Vec2::new((cell % grid.columns) as f32, (cell / grid.columns) as f32) + 0.5) * grid.cell_size;
-        let index = |x: f32, count: usize| ((x / own.cell_size) as usize).min(count - 1);
-        let cell = self.cells[index(at.y, own.rows) * own.columns + index(at.x, own.columns)];
-        cell.lake().map(|lake| &self.list[lake])
+        self.cells[cell_at(own, at)].lake().map(|lake| &self.list[lake])
     }
 }
 

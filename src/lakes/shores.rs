@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::cells::{around, middle};
+use super::cells::{around, cell_at, middle};
 use super::flood::{Dam, Flooded, Ground, sorted_cells};
 use crate::base::rings::area;
 use crate::base::work;
@@ -68,13 +68,32 @@ impl Ground<'_> {
         let corner = Vec2::new(left as f32, top as f32);
         let place = |at: Vec2| (at * size + corner) * cell_size;
         let rings = trace::rings(width, water, speck);
-        let mut shores: Vec<Vec<Vec2>> = rings
-            .iter()
-            .map(|ring| smoothed(&smoothed(&ring.iter().map(|at| place(*at)).collect::<Vec<_>>())))
-            .collect();
+        let traced = |ring: &Vec<Vec2>| ring.iter().map(|at| place(*at)).collect::<Vec<_>>();
+        let smooth = rings.iter().map(|ring| smoothed(&smoothed(&evened(&evened(&traced(ring)))))).collect();
+        let mut shores = self.bent(smooth);
         let greatest = (0..shores.len()).max_by(|a, b| area(&shores[*a]).abs().total_cmp(&area(&shores[*b]).abs()));
         greatest.into_iter().for_each(|outer| shores.swap(0, outer));
         shores
+    }
+
+    /// Bends shores by a field of shifts, as ground does that is too fine for the relief: what runs straight along cells or divides does
+    /// not stay straight, and no two shores cross that did not. Where a shore would come to the sea all are bent less.
+    fn bent(&self, shores: Vec<Vec<Vec2>>) -> Vec<Vec<Vec2>> {
+        let amounts = [1.0, 0.5, 0.0];
+        let bend = |amount: f32| -> Vec<Vec<Vec2>> {
+            let shifted = |at: &Vec2| *at + self.unevenness.shift(*at) * amount;
+            shores.iter().map(|ring| ring.iter().map(shifted).collect()).collect()
+        };
+        work::count(8 * shores.iter().map(Vec::len).sum::<usize>());
+        let bent = amounts.into_iter().map(bend).find(|bent| bent.iter().flatten().all(|at| self.is_inland(*at)));
+        bent.unwrap_or(shores)
+    }
+
+    /// Returns `true` if neither the cell of a place nor one beside it lies in the sea.
+    fn is_inland(&self, at: Vec2) -> bool {
+        let (grid, heights) = (self.relief.grid(), self.relief.heights());
+        let cell = cell_at(&grid, at);
+        around(&grid, cell).into_iter().flatten().chain([cell]).all(|cell| heights[cell] > 0.0)
     }
 
     /// Returns the middle of the cell of a lake that is farthest from its shores, in units; the first of equals.
@@ -119,6 +138,13 @@ fn blurred(values: &[f32], width: usize) -> Vec<f32> {
         *blurred = (row(i - width) + 2.0 * row(i) + row(i + width)) / 16.0;
     }
     blurred
+}
+
+/// Moves each point of a ring half of the way to the middle between its neighbours.
+fn evened(ring: &[Vec2]) -> Vec<Vec2> {
+    let count = ring.len();
+    let at = |i: usize| ring[i % count];
+    (0..count).map(|i| at(i) * 0.5 + (at(i + 1) + at(i + count - 1)) * 0.25).collect()
 }
 
 /// Cuts the corners of a ring (Chaikin 1974).

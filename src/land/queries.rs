@@ -272,7 +272,7 @@ fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing
 }
 
 fn measured(shape: &Shape, drawing: &Drawing) -> Option<(Grid, CoastDistance)> {
-    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
+    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING).without_slivers();
     let grid = Grid::above_water(&shape.domain, &coast_distance);
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance))
 }

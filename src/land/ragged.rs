@@ -6,10 +6,10 @@
 use glam::Vec2;
 
 use super::cell::Cell;
-use super::coast_detail::noise;
 use super::coast_distance::CoastDistance;
 use super::kinds::Shape;
 use crate::base::geometry::smooth_step;
+use crate::base::gradient_noise::noise;
 use crate::base::random::{ItemHash, Purpose};
 use crate::base::work;
 

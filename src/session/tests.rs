@@ -344,7 +344,8 @@ fn progress_of_a_relief_never_goes_back() {
 
 #[test]
 fn a_change_that_changes_nothing_leaves_relief_and_lakes() {
-    for text in [BENDS, LAKES].into_iter().flat_map(|text| [format!("{text}&style=atlas"), format!("{text}&style=ink")]) {
+    for text in [BENDS, LAKES].into_iter().flat_map(|text| [format!("{text}&style=atlas"), format!("{text}&style=ink")])
+    {
         let mut session = finished(&text);
         let lakes = session.lakes().cloned();
         assert_eq!(session.change(session.recipe().clone()).unwrap(), None);

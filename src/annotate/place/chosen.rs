@@ -40,7 +40,7 @@ pub enum Shrinks {
     },
     /// About the middle between its ends.
     ToMiddle,
-    /// Towards the island or cape that it stands beside, on the water.
+    /// Towards the island, cape or lake that it stands beside.
     Towards(Vec2),
     /// Towards a point of its own edge, the one nearest to its river: it covers nothing then that it has not covered before.
     ToPoint(Vec2),

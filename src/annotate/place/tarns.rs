@@ -7,14 +7,14 @@ use super::chosen::{Chosen, Shrinks};
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::annotate::names::{PlaceName, forms};
-use crate::land::{CoastDistance, Region};
+use crate::land::{CELL_SIZE, CoastDistance, Region};
 
 /// The lengths of the em, in units, by the least area of a lake that has it, in square units.
 const SIZES: [(f32, f32); 3] = [(2000.0, 14.0), (700.0, 12.5), (0.0, 11.0)];
 
 /// The distances of letters from the lake that are tried, and the least ones from all shores, the frame and other labels, in ems.
 const GAPS: [f32; 3] = [0.35, 0.6, 1.0];
-const FROM_SHORE: f32 = 0.12;
+const FROM_SHORE: f32 = 0.18;
 const FROM_FRAME: f32 = 0.4;
 const FROM_LABELS: f32 = 0.3;
 
@@ -26,7 +26,11 @@ const OVER: f32 = 0.55;
 const WIDEST_UNDER: f32 = 1.6;
 const MOST_UNDER: f32 = 0.2;
 
-/// Finds a place for the name of a lake on the land beside it, off the boxes that are taken; `None` if there is no room.
+/// The side of a square as large as the least lake that has a name, in ems: what is smaller than its letters is hardly seen.
+const LEAST_SIDE: f32 = 0.8;
+
+/// Finds a place for the name of a lake on the land beside it, off the boxes that are taken; `None` if there is no room,
+/// or if the lake is too small for a name.
 pub fn beside<G: Background>(
     input: &Input<'_>,
     background: &G,
@@ -36,12 +40,15 @@ pub fn beside<G: Background>(
     let coast = input.map.coast()?;
     let usual = SIZES.iter().find(|(least, _)| region.area() >= *least).map_or(0.0, |(_, em)| *em);
     let (em, corners) = (input.em(usual, 1.0), region.corners()?);
+    if region.area().sqrt() < LEAST_SIDE * em {
+        return None;
+    }
     forms(&place.name).into_iter().filter(|name| !name.is_empty()).find_map(|name| {
         let text = Text::new(name, Kind::Tarn);
         let search = Search { input, background, coast, region, corners, taken, em, text };
         let (letters, to) = search.best()?;
         let label = Label::new(Kind::Tarn, None, name, em, letters);
-        Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks: Shrinks::ToPoint(to) })
+        Some(Chosen { label, text: search.text, usual, over_least: 1.0, shrinks: Shrinks::Towards(to) })
     })
 }
 
@@ -58,11 +65,11 @@ struct Search<'a, G> {
 }
 
 impl<G: Background> Search<'_, G> {
-    /// Returns the letters in the best place, with the point of their edge that is nearest to the lake.
+    /// Returns the letters in the best place, with the place on the shore that they stand beside.
     fn best(&self) -> Option<(Vec<Placed>, Vec2)> {
         let mut best: Option<(f32, Vec<Placed>, Vec2)> = None;
         for (base, from, to) in self.tries() {
-            if best.as_ref().is_some_and(|(least, ..)| base >= *least) || !self.is_beside(to) {
+            if best.as_ref().is_some_and(|(least, ..)| base >= *least) {
                 continue;
             }
             let letters = self.text.level(from, self.em);
@@ -74,38 +81,44 @@ impl<G: Background> Search<'_, G> {
         best.map(|(_, letters, to)| (letters, to))
     }
 
-    /// Returns `true` if there is water of the lake close to a point.
-    fn is_beside(&self, at: Vec2) -> bool {
-        const NEAR: f32 = 1.6;
-        const STEPS: i32 = 6;
-        let step = NEAR * self.em / STEPS as f32;
-        let mut around = (-STEPS..=STEPS).flat_map(|row| (-STEPS..=STEPS).map(move |column| (column, row)));
-        around.any(|(column, row)| self.region.holds(at + Vec2::new(column as f32, row as f32) * step))
-    }
-
-    /// Lists where a name may begin, each with its cost and the point of its own edge that is nearest to the lake: to the right of the lake
-    /// or the left, then above or below.
+    /// Lists where a name may begin, each with its cost and the place on the shore that it stands beside: to the right of the lake or
+    /// the left, then above or below.
     fn tries(&self) -> Vec<(f32, Vec2, Vec2)> {
         let ([least, most], em, long) = (self.corners, self.em, self.text.length * self.em);
-        let (middle, height) = ((least + most) * 0.5, most.y - least.y);
+        let (middle, size) = ((least + most) * 0.5, most - least);
         let mut tries = Vec::new();
         for gap in GAPS {
-            for aside in [0.0, -0.25, 0.25, -0.5, 0.5] {
-                let y = middle.y + aside * height;
-                let line = y + MIDDLE * em;
-                let cost = gap + aside.abs();
-                tries.push((cost, Vec2::new(most.x + gap * em, line), Vec2::new(most.x + gap * em, y)));
-                let left = least.x - gap * em;
-                tries.push((cost + 0.2, Vec2::new(left - long, line), Vec2::new(left, y)));
-            }
-            for (cost, line) in
-                [(0.5, least.y + (MIDDLE - OVER - gap) * em), (0.6, most.y + (MIDDLE + OVER + gap) * em)]
-            {
-                let to = Vec2::new(middle.x, line - MIDDLE * em);
-                tries.push((gap + cost, Vec2::new(middle.x - 0.5 * long, line), to));
+            for aside in [0.0, -0.2, 0.2, -0.4, 0.4_f32] {
+                let at = middle + size * aside;
+                let mut add = |to: Option<Vec2>, cost: f32, from: &dyn Fn(Vec2) -> Vec2| {
+                    tries.extend(to.map(|to| (gap + aside.abs() + cost, from(to), to)));
+                };
+                let [left, right] = self.across(at.y);
+                add(right, 0.0, &|to| to + Vec2::new(gap, MIDDLE) * em);
+                add(left, 0.2, &|to| to + Vec2::new(-gap, MIDDLE) * em - Vec2::X * long);
+                let [above, below] = self.down(at.x);
+                add(above, 0.5, &|to| to + Vec2::Y * (MIDDLE - OVER - gap) * em - Vec2::X * 0.5 * long);
+                add(below, 0.6, &|to| to + Vec2::Y * (MIDDLE + OVER + gap) * em - Vec2::X * 0.5 * long);
             }
         }
         tries
+    }
+
+    /// Returns the western and the eastern shore at a y.
+    fn across(&self, y: f32) -> [Option<Vec2>; 2] {
+        let row = (y / CELL_SIZE) as u32;
+        let runs = || self.region.runs.iter().filter(move |run| run.row == row);
+        let shore = |column: Option<u32>| column.map(|column| Vec2::new(column as f32 * CELL_SIZE, y));
+        [shore(runs().map(|run| run.start).min()), shore(runs().map(|run| run.end).max())]
+    }
+
+    /// Returns the northern and the southern shore at an x.
+    fn down(&self, x: f32) -> [Option<Vec2>; 2] {
+        let column = (x / CELL_SIZE) as u32;
+        let mut rows = self.region.runs.iter().filter(|run| (run.start..run.end).contains(&column)).map(|run| run.row);
+        let north = rows.next();
+        let south = rows.next_back().or(north).map(|row| row + 1);
+        [north, south].map(|row| row.map(|row| Vec2::new(x, row as f32 * CELL_SIZE)))
     }
 
     /// Returns the cost of what lies under letters; `None` if they cannot stand there.
