@@ -13,7 +13,7 @@ use crate::analyse::statistics::Drained;
 use crate::base::memory;
 use crate::domain::Domain;
 use crate::map::Map;
-use crate::network::{Network, Vertex};
+use crate::network::{NONE, Network, Vertex};
 use crate::recipe::link;
 use crate::relief::{Flow, Grid, Relief, ReliefError, ReliefSettings};
 use crate::scale::MapScale;
@@ -43,8 +43,8 @@ pub struct Rasters {
     /// The surface of the relief: the water where there is a lake.
     relief: Arc<Relief>,
     flow: Flow,
-    /// `true` for cells in a lake; empty if there are none.
-    is_lake: Vec<bool>,
+    /// The lake of each cell, [`NONE`] elsewhere; empty if there are none.
+    lakes: Vec<u32>,
     /// The depth of lakes over their beds, in units; empty if there are none.
     depths: Vec<f32>,
     /// The number of columns west of the map and of rows north of it.
@@ -169,13 +169,13 @@ impl Rasters {
     fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
         let (grid, lakes) = (relief.grid(), map.lakes());
-        let is_lake = lakes.is_water_on(&grid);
+        let covered = lakes.on(&grid);
         let depths = if lakes.is_empty() { Vec::new() } else { lakes.depths(&relief) };
         let relief =
             if lakes.is_empty() { relief } else { lakes.filled(&relief, |cell| flow.next(&grid, cell)).into() };
         let map_scale = map.scale();
-        let is_level = |cell: usize| is_lake.get(cell) == Some(&true);
-        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell), is_level);
+        let next = |cell: usize| flow.next(&grid, cell);
+        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), next, &covered);
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
             link: link::write_for_file(map.recipe()),
@@ -191,7 +191,7 @@ impl Rasters {
             drained: Drained::of(map),
             relief,
             flow,
-            is_lake,
+            lakes: covered,
             depths,
             before: (0, 0),
         })
@@ -262,7 +262,9 @@ impl Rasters {
             Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
             Layer::Water => {
-                let is_water = |(cell, &height): (usize, &f32)| height <= 0.0 || self.is_level(cell);
+                let is_water = |(cell, &height): (usize, &f32)| {
+                    height <= 0.0 || self.lakes.get(cell).is_some_and(|lake| *lake != NONE)
+                };
                 let heights = self.relief.heights().iter().enumerate();
                 Values::Bytes(heights.map(|cell| if is_water(cell) { 255 } else { 0 }).collect())
             }
@@ -349,9 +351,9 @@ impl Rasters {
         widths(&self.relief, &self.flow, &self.network, width)
     }
 
-    /// Returns `true` if a cell of the map lies in a lake, whose water is level.
-    pub fn is_level(&self, cell: usize) -> bool {
-        self.is_lake.get(cell) == Some(&true)
+    /// Returns the index of the lake of each cell of the map, [`NONE`] elsewhere; empty if there are no lakes.
+    pub fn lakes(&self) -> &[u32] {
+        &self.lakes
     }
 
     /// Returns the depth of a lake over its bed in a cell of the map, in units; 0 where there is no lake.

@@ -158,8 +158,7 @@ impl Lakes {
     pub(crate) fn filled(&self, relief: &Relief, next: impl Fn(usize) -> Option<usize>) -> Relief {
         let mut heights = self.surface(relief);
         if self.grid != Some(relief.grid()) {
-            let is_level = self.is_water_on(&relief.grid());
-            let_fall(&mut heights, next, |cell| is_level[cell]);
+            let_fall(&mut heights, |height| height <= 0.0, next, &self.on(&relief.grid()), f32::next_up);
         }
         relief.with_heights(heights)
     }
@@ -171,11 +170,6 @@ impl Lakes {
             self.list.get(*lake as usize).map_or(0.0, |lake| (lake.level - height).max(0.0))
         };
         covered.iter().zip(relief.heights()).map(depth).collect()
-    }
-
-    /// Returns `true` for each cell of a grid that a lake covers; empty if there are no lakes.
-    pub fn is_water_on(&self, grid: &Grid) -> Vec<bool> {
-        self.on(grid).into_iter().map(|lake| lake != NONE).collect()
     }
 
     /// Returns the lake on whose shore a cell of a grid lies, in it or beside it.

@@ -7,21 +7,14 @@ use riverseed::relief::let_fall;
 pub fn metres(rasters: &Rasters) -> Vec<f32> {
     let (relief, flow) = (rasters.relief(), rasters.flow());
     let grid = relief.grid();
-    let is_level = |cell: usize| rasters.is_level(cell);
-    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell), is_level)
+    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell), rasters.lakes())
 }
 
 /// Converts heights in units to metres, of which a unit has `metres_up`. `next` is the cell that a cell's water runs to. Multiplying can round two
-/// heights to one, so a cell that would not be higher than that is raised by the least step there is, unless `is_level` says that it
-/// lies in a lake.
-fn falling(
-    heights: &[f32],
-    metres_up: f32,
-    next: impl Fn(usize) -> Option<usize>,
-    is_level: impl Fn(usize) -> bool,
-) -> Vec<f32> {
+/// heights to one, so a cell that would not be higher than that is raised by the least step there is; lakes as wholes.
+fn falling(heights: &[f32], metres_up: f32, next: impl Fn(usize) -> Option<usize>, lakes: &[u32]) -> Vec<f32> {
     let mut metres: Vec<f32> = heights.iter().map(|height| height * metres_up).collect();
-    let_fall(&mut metres, next, is_level);
+    let_fall(&mut metres, |height| height <= 0.0, next, lakes, f32::next_up);
     metres
 }
 
@@ -40,7 +33,7 @@ mod tests {
             .collect();
         let plain: Vec<f32> = heights.iter().map(|height| height * METRES).collect();
         assert!(plain.windows(2).any(|pair| pair[0] == pair[1]), "or this proves nothing");
-        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1), |_| false);
+        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1), &[]);
         assert!(metres.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(metres.iter().zip(plain).all(|(metres, plain)| (metres - plain).abs() < 1e-3));
     }
@@ -48,11 +41,11 @@ mod tests {
     #[test]
     fn land_that_is_far_enough_apart_and_the_sea_are_as_high_as_they_are() {
         assert_eq!(
-            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1), |_| false),
+            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1), &[]),
             [-100.0, 50.0, 50.0f32.next_up(), 0.0]
         );
         assert_eq!(
-            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3), |_| false),
+            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3), &[]),
             [75.0, 50.0, 25.0]
         );
     }
