@@ -1,6 +1,7 @@
 //! Rasters: water runs down from every cell of land to the sea, along rivers, and files hold what was computed.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeMap;
 use std::io::Cursor;
 
 use crate::common::lands::every_land;
@@ -107,10 +108,16 @@ fn check_heights(rasters: &Rasters) {
     assert_eq!((columns, rows, text(LINK_KEYWORD)), (rasters.columns, rasters.rows, &rasters.link));
     let (step, sea) = (text("metres-a-step").parse::<f64>().unwrap(), text("sea-level").parse::<f64>().unwrap());
     let Values::Words(values) = values else { panic!("no 16 bits") };
+    let mut levels = BTreeMap::new();
     for (cell, &height) in rasters.relief().heights().iter().enumerate() {
         let (value, rounded) = (values[cell], rasters.scale.step(height));
-        let is_raised = || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
+        let lake = rasters.lakes().get(cell).filter(|lake| **lake != NONE);
+        let is_raised = || lake.is_some() || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
         assert!(value == rounded || (value > rounded && is_raised()), "{value} for {rounded} at {cell}");
+        if let Some(lake) = lake {
+            let level = levels.entry(lake).or_insert(value);
+            assert_eq!(*level, value, "a lake slopes at {cell}");
+        }
         let (value, metres) = (rounded, (f64::from(rounded) - sea) * step);
         let off = (metres - f64::from(height * rasters.map_scale.metres_up)).abs();
         // The step is written with six decimals.
