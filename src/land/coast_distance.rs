@@ -472,7 +472,7 @@ mod tests {
     #[test]
     fn slivers_of_water_are_filled_and_ponds_stay() {
         let size = Vec2::splat(80.0);
-        let heights = |depth: f32| (0..121).map(|i| if i == 60 { -depth } else { 6.0 }).collect();
+        let heights = |depth: f32| (0..144).map(|i| if i == 78 { -depth } else { 6.0 }).collect();
         let filled = |depth: f32| CoastDistance::of_heights(size, 8.0, heights(depth)).unwrap().without_slivers();
         assert_eq!([0.2, 1.9, 2.1].map(|depth| filled(depth).regions(Cell::Water).len()), [0, 0, 1]);
     }
