@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Water that enters a level lake with an outlet goes in circles there, and the river below the outlet has nearly none of it.
+# Water that enters a level lake with an outlet goes to and fro there for ever, and the river below the outlet has nearly none of it.
 #
 # Version:  landlab 2.11.0 with py-richdem 2.2.0rc3; NumPy 2.2.6, Python 3.11.
 # Input:    60 by 41 heights: a valley, in it a lake of 519 cells at one level with an island, and one outlet, lower than the lake. No cell is
@@ -7,10 +7,10 @@
 # Guess:    `PriorityFloodFlowRouter` with `depression_handler="breach"`, all else by default, leads the lake to its outlet as it does with "fill":
 #           the documentation says that breaching gives every cell a way to the border, and `epsilon`, on by default, every flat a gradient. At
 #           worst each cell of the lake drains to itself, as a note in its source says and as its other metrics do.
-# Seen:     only 7 of 519 cells reach the outlet. From the others water goes round and round between two neighbours or in a ring: the receiver
-#           may be as high as the cell itself. The outlet drains 6 cells instead of 1,592, and of 2,262 cells that have rain only 676 are
-#           counted at the border. By Rho8, Quinn, Freeman and D-infinity 516 cells drain to themselves. No warning. The same with "fill" and
-#           `epsilon=False`: what is level is left level by both, as it is no depression.
+# Seen:     only 7 of 519 cells reach the outlet. From the others water goes to and fro between two neighbours, as a receiver may be as high as
+#           the cell itself. The outlet drains 6 cells instead of 1,592, and of 2,262 cells that have rain only 676 are counted at the border.
+#           By Rho8, Quinn, Freeman and D-infinity 516 cells drain to themselves. No warning. The same with "fill" and `epsilon=False`: what is
+#           level is left level by both, as it is no depression.
 # So:       loops over receivers never end in such a lake. Keep "fill" with `epsilon`, or take FlowAccumulator with a depression finder.
 set -euo pipefail
 folder=$(mktemp -d)
@@ -82,7 +82,7 @@ def measures(made):
 
 
 assert all(heights[y - 1 : y + 2, x - 1 : x + 2].min() < heights[y, x] or lake[y, x] for y in range(1, 59) for x in range(1, 40))
-print(f"{lake.sum()} cells of a lake; reach the outlet, end, circle; cells above the outlet; cells counted at the border")
+print(f"{lake.sum()} cells of a lake; reach the outlet, end, go to and fro; cells above the outlet; cells counted at the border")
 seen = {
     "FlowAccumulator": measures(by_accumulator()),
     "fill": measures(by_flood()),
