@@ -148,6 +148,7 @@ impl Picture {
             finished: true,
             land: map.land().map(Arc::as_ref),
             relief: relief.as_ref(),
+            lakes: Some(map.lakes()),
             annotation: None,
             settings: PaintSettings::of(map.recipe()),
         })
@@ -330,6 +331,7 @@ fn rivers_of(session: &Session) -> Option<Rivers<'_>> {
         finished: false,
         land: session.land().map(Arc::as_ref),
         relief: None,
+        lakes: session.lakes(),
         annotation: None,
         settings: PaintSettings::of(session.recipe()),
     })

@@ -191,7 +191,7 @@ impl Session {
         // What fills valleys decides where the sea ends, to which the tree is cut.
         let has_other_sediment = self.recipe.number(NumberKey::Deltas) != recipe.number(NumberKey::Deltas)
             && stage.is_some_and(|stage| stage > Stage::Grow);
-        let keeps_relief = self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
+        let keeps_relief = stage.is_some() && self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
             let coasts = match (stage, self.coasts.planted()) {
                 (_, Some(land)) if self.coasts.are_given => {

@@ -70,7 +70,8 @@ fn median(numbers: impl Iterator<Item = f32>) -> f32 {
 /// stay sharper.
 fn great_rivers_bend_as_natural_ones_do() {
     let (mut bends, mut radii) = (Vec::new(), Vec::new());
-    for (recipe, rounds) in one_in(3, pairs(ROOMY, ROUNDS)) {
+    // With a stride of three, each tier would see bends of some ages alone.
+    for (recipe, rounds) in one_in(4, pairs(ROOMY, ROUNDS)) {
         let map = finished(&format!("{recipe}&meander-rounds={rounds}"));
         bends.extend(measured::bends(map.network()));
         for course in great_rivers(&map) {
@@ -115,7 +116,7 @@ fn meander_mix_can_be_seen_over_its_whole_range() {
         for (pair, rise) in mixed.windows(2).zip([0.07, 0.07, 0.07, -0.02]) {
             let [(before, winding), (after, more)] = pair else { unreachable!() };
             let moved = share_beyond(5.0, after, before);
-            assert!(more - winding > rise && moved > 0.02, "{recipe}: {winding}, then {more}; {moved} elsewhere");
+            assert!(more - winding > rise && moved > 0.015, "{recipe}: {winding}, then {more}; {moved} elsewhere");
         }
     }
 }

@@ -58,7 +58,13 @@ fn names_at_sea_stay() {
 
 #[test]
 fn without_its_paper_a_drawing_has_its_lines_alone() {
-    for (style, paper) in [("ink", [0xf6u8, 0xf0, 0xe2]), ("dark", [0x16, 0x1f, 0x2b]), ("skeleton", [0; 3])] {
+    // Between the banks of ink's rivers there is water, which is taken out like the paper.
+    let papers = [
+        ("ink", [[0xf6u8, 0xf0, 0xe2], [0xdd, 0xe6, 0xe4]]),
+        ("dark", [[0x16, 0x1f, 0x2b]; 2]),
+        ("skeleton", [[0; 3]; 2]),
+    ];
+    for (style, papers) in papers {
         for land in ["island", "rectangle"] {
             let [before, after] = both(&finished(&NAMED.replace("island", &format!("{land}&style={style}"))));
             let (bare, drawn) = (share(&after, |pixel| pixel[3] == 0), share(&after, |pixel| pixel[3] > 128));
@@ -67,15 +73,13 @@ fn without_its_paper_a_drawing_has_its_lines_alone() {
                 continue;
             }
             // Laid on its paper again it is what it was.
-            let back = after.iter().map(|pixel| -> [u8; 3] {
+            let apart = |pixel: &[u8; 4], before: &[u8; 4], paper: [u8; 3]| {
                 let [parts @ .., opacity] = pixel.map(u32::from);
-                std::array::from_fn(|i| {
-                    ((parts[i] * opacity + u32::from(paper[i]) * (255 - opacity) + 127) / 255) as u8
-                })
-            });
-            let apart =
-                |(back, before): ([u8; 3], &[u8; 4])| (0..3).map(|i| back[i].abs_diff(before[i])).max().unwrap();
-            let most = back.zip(&before).map(apart).max().unwrap();
+                let back = |i: usize| ((parts[i] * opacity + u32::from(paper[i]) * (255 - opacity) + 127) / 255) as u8;
+                (0..3).map(|i| back(i).abs_diff(before[i])).max().unwrap()
+            };
+            let nearest = |(after, before)| papers.map(|paper| apart(after, before, paper)).into_iter().min().unwrap();
+            let most = after.iter().zip(&before).map(nearest).max().unwrap();
             assert!(most <= 2, "{style}: {most}");
         }
     }

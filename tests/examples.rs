@@ -49,7 +49,7 @@ fn picture_is_drawn() {
 fn svg_holds_rivers() {
     let folder = folder("svg");
     svg::write(&folder).unwrap();
-    assert!(rivers_of_svg(folder.join("rimu.svg")) > 100);
+    assert!(rivers_of_svg(folder.join("kauri.svg")) > 100);
 }
 
 #[test]

@@ -21,13 +21,14 @@ const NAME = "Riverseed map, metres from its centre";
 const LINKS = {
   island: "country=usual&seed=kauri&attractors=900",
   lake: "country=usual&seed=leven&land=basin&attractors=300",
+  lakeland: "country=usual&seed=saimaa&sea=0.3&attractors=900&lakes=0.7",
   valley: "country=usual&seed=matai&land=valley&attractors=400&aspect=0.5",
   // Oxbow lakes, no sea, and a seed and a title that would like to be markup, a statement and a path.
   hostile:
     "country=usual&seed=%3Cb%3E%22%27%29%3B--..%2F..%2Fx&names=t.%3Cscript%3E%26%27&land=rectangle&attractors=500&oxbows=1" +
     "&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",
 };
-const LAYERS = ["heights", "land", "rivers", "flow", "basins"];
+const LAYERS = ["heights", "land", "rivers", "flow", "basins", "water", "depth"];
 const FEATURES = {
   land: ["land"],
   lakes: ["water"],
@@ -80,15 +81,17 @@ function place(file, [width, height], link, slack) {
   return pair("Size is");
 }
 
-/** Checks that every cell of land is higher than the one that its water runs to. Returns how many are. */
-function falls(heights, flow, [columns, rows]) {
+/** Checks that every cell of land is higher than the one that its water runs to, or as high in a lake. Returns how many are. */
+function falls(heights, flow, isLake, [columns, rows]) {
   let count = 0;
   for (let cell = 0; cell < heights.length; cell += 1) {
     const [east, south] = WAYS[flow[cell]] ?? [0, 0];
     const [column, row] = [(cell % columns) + east, Math.floor(cell / columns) + south];
     if (heights[cell] <= 0 || column < 0 || row < 0 || column >= columns || row >= rows) continue;
     assert.ok(east || south, `cell ${cell} has land and no way`);
-    assert.ok(heights[row * columns + column] < heights[cell], `water of cell ${cell} runs up`);
+    const next = row * columns + column;
+    const isLevel = isLake(cell) && isLake(next) && heights[next] === heights[cell];
+    assert.ok(heights[next] < heights[cell] || isLevel, `water of cell ${cell} runs up`);
     count += 1;
   }
   return count;
@@ -160,7 +163,14 @@ function check(name, link, folder) {
     heights.every((height, i) => height > 0 === land[i] > 0),
     "what is higher than the sea is land",
   );
-  const cells = falls(heights, values(out("flow.tif"), folder, Uint8Array), size);
+  const water = values(out("water.tif"), folder, Uint8Array);
+  const depths = values(out("depth.tif"), folder, Float32Array);
+  assert.ok(
+    heights.every((height, i) => (height > 0 ? water[i] > 0 || depths[i] === 0 : water[i] > 0 && depths[i] === -height)),
+    "there is a depth where water stands",
+  );
+  const isLake = (cell) => heights[cell] > 0 && water[cell] > 0;
+  const cells = falls(heights, values(out("flow.tif"), folder, Uint8Array), isLake, size);
   console.log(
     `${name}: ${collection.features.length} features in ${counts.filter(Boolean).length} layers, ${cells} cells fall`,
   );

@@ -39,6 +39,7 @@ LINKS = (
     "seed=kauri&growth=colonize",
     "seed=rimu&growth=brownian",
     "seed=kea&growth=colonize&curl=0.6&trim=12",
+    "seed=saimaa&country=lakeland&lakes=0.7",
 )
 # The same of a finer grid.
 FINER = ("seed=kauri", "--raster-size", "1500")

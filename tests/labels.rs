@@ -98,7 +98,7 @@ fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result
         let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
         prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
     }
-    let depth = |at: Vec2| input.map.coast.map_or(-1.0, |coast| -coast.height(at));
+    let depth = |at: Vec2| input.map.sea.map_or(-1.0, |sea| -sea.height(at));
     let is_sea = |from: Vec2, least: f32| {
         let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
         points.all(|share| depth(from + share * (to - from)) >= least)
@@ -126,8 +126,30 @@ fn is_named(place: &PlaceName, text: &str) -> bool {
     place.name == text || place.name.strip_prefix("The ") == Some(text)
 }
 
+/// Level and on dry land, beside its lake.
+fn check_tarn(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let (_, region) = areas(input).find(|(place, _)| is_named(place, &label.text)).unwrap();
+    let coast = input.map.coast().unwrap();
+    let corners = || boxes(label).into_iter().flat_map(|around| around.corners());
+    prop_assert!(label.letters.iter().all(|letter| degrees(letter.along).abs() < 0.1), "{} climbs", label.text);
+    prop_assert!(corners().all(|corner| coast.height(corner) > 0.0), "{} stands in water", label.text);
+    let nearest = corners().map(|corner| away(region, corner)).fold(f32::MAX, f32::min);
+    prop_assert!(nearest <= 2.5 * label.em, "{} is {nearest} from its lake, {} an em", label.text, label.em);
+    Ok(())
+}
+
+/// The distance of a point from a region, in units.
+fn away(region: &Region, at: Vec2) -> f32 {
+    let corner = |x: u32, y: u32| Vec2::new(x as f32, y as f32) * CELL_SIZE;
+    let off = |run: &Run| at.clamp(corner(run.start, run.row), corner(run.end, run.row + 1)).distance(at);
+    region.runs.iter().map(off).fold(f32::MAX, f32::min)
+}
+
 /// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
 fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    if label.kind == Kind::Tarn {
+        return check_tarn(label, input);
+    }
     if matches!(label.kind, Kind::Region | Kind::Inlet | Kind::Cape) {
         return check_landmark(label, input);
     }
@@ -142,7 +164,7 @@ fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
         prop_assert_eq!(region.holds(around.middle), is_in, "{}", label.text);
         for corner in around.corners() {
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
-            let inland = input.map.coast.unwrap().height(corner);
+            let inland = input.map.coast().unwrap().height(corner);
             let room = if label.kind == Kind::Island { inland } else { -inland };
             let least = if label.kind == Kind::Water { 0.7 } else { 0.15 };
             prop_assert!(room > least * label.em, "{} is {room} from the coast", label.text);
@@ -157,7 +179,7 @@ fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
 /// Regions on their land, bays and straits in their water, capes on the water near their tip; all upright and in the frame.
 fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
     let landmark = input.map.names.places.iter().find(|place| is_named(place, &label.text)).unwrap();
-    let (is_region, coast) = (label.kind == Kind::Region, input.map.coast.unwrap());
+    let (is_region, coast) = (label.kind == Kind::Region, input.map.coast().unwrap());
     let mut nearest = f32::MAX;
     for corner in boxes(label).into_iter().flat_map(|around| around.corners()) {
         prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
@@ -174,12 +196,7 @@ fn check_landmark(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError>
 /// Nearer to its island than to any other, on average.
 fn check_belonging(label: &Label, own: &Region, input: &Input<'_>) -> Result<(), TestCaseError> {
     let away = |region: &Region| -> f32 {
-        let off = |run: &Run, at: Vec2| {
-            let corner = |x: u32, y: u32| Vec2::new(x as f32, y as f32) * CELL_SIZE;
-            at.clamp(corner(run.start, run.row), corner(run.end, run.row + 1)).distance(at)
-        };
-        let from = |at: Vec2| region.runs.iter().map(|run| off(run, at)).fold(f32::MAX, f32::min);
-        boxes(label).iter().map(|around| from(around.middle)).sum::<f32>() / label.letters.len() as f32
+        boxes(label).iter().map(|around| away(region, around.middle)).sum::<f32>() / label.letters.len() as f32
     };
     for (other, region) in areas(input).filter(|(place, region)| place.kind == PlaceKind::Island && *region != own) {
         prop_assert!(away(own) < 1.35 * away(region) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);
@@ -211,7 +228,7 @@ fn check_place(label: &Label, river: u32, input: &Input<'_>, pieces: &Pieces) ->
     for around in boxes(label) {
         for corner in around.corners() {
             prop_assert!(
-                input.map.coast.is_none_or(|coast| coast.height(corner) > 0.0),
+                input.map.coast().is_none_or(|coast| coast.height(corner) > 0.0),
                 "{} is in the sea",
                 label.text
             );

@@ -73,7 +73,7 @@ fn the_smallest_pictures_of_islands_have_their_title_on_open_water() {
             ));
             let map = session.map().unwrap();
             let (labels, input) = placed(&map, 370.0);
-            let coast = input.as_ref().unwrap().map.coast.unwrap();
+            let coast = input.as_ref().unwrap().map.coast().unwrap();
             let Some(title) = title(&labels) else { continue };
             shown += 1;
             let [least, most] = around(title);

@@ -133,7 +133,11 @@ fn check_heights(session: &Session, width: f32) -> Result<[usize; 2], TestCaseEr
         for at in points(label) {
             let clear = from_bank(&pieces, at);
             prop_assert!(clear >= 0.15 * label.em, "{} m is {clear} from a bank", label.text);
-            prop_assert!(input.map.coast.is_none_or(|coast| coast.height(at) > 0.0), "{} m is in the sea", label.text);
+            prop_assert!(
+                input.map.coast().is_none_or(|coast| coast.height(at) > 0.0),
+                "{} m is in the sea",
+                label.text
+            );
             prop_assert!(at.cmpge(input.frame[0]).all() && at.cmple(input.frame[1]).all());
         }
     }
@@ -288,7 +292,7 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         let strokes = &of(&labels, Kind::Legend).next().unwrap().strokes;
         let length = |stroke: &Stroke| stroke.ends[0].distance(stroke.ends[1]);
         assert!(strokes.iter().any(|stroke| (length(stroke) - map.scale().units(10.0)).abs() < 1e-3));
-        let is_sea = |at: Vec2| input.map.coast.is_some_and(|coast| coast.height(at) < 0.0);
+        let is_sea = |at: Vec2| input.map.coast().is_some_and(|coast| coast.height(at) < 0.0);
         let is_at_sea = of(&labels, Kind::Legend).flat_map(points).all(is_sea);
         assert_eq!(is_at_sea, land != "rectangle", "{land}");
         check_apart(&labels).unwrap();
@@ -312,7 +316,7 @@ fn a_seal_has_the_seed_s_initials_or_the_map_s() {
             - corners.iter().map(|at| at.x).fold(f32::MAX, f32::min);
         let height = input.frame[1].y - input.frame[0].y;
         assert!((0.034..0.046).contains(&(side / height)), "{seed}: {side} of {height}");
-        assert!(corners.iter().all(|at| input.map.coast.unwrap().height(*at) < 0.0), "{seed} is on land");
+        assert!(corners.iter().all(|at| input.map.coast().unwrap().height(*at) < 0.0), "{seed} is on land");
         assert!(!seals[0].letters.is_empty());
         seals[0].text.clone()
     };
@@ -350,7 +354,7 @@ proptest! {
             for at in points(seal) {
                 let is_in_frame = at.cmpge(input.frame[0]).all() && at.cmple(input.frame[1]).all();
                 prop_assert!(is_in_frame, "the seal is at {at}, off {:?}", input.frame);
-                let is_sea = input.map.coast.is_some_and(|coast| coast.height(at) < 0.0);
+                let is_sea = input.map.coast().is_some_and(|coast| coast.height(at) < 0.0);
                 prop_assert!(is_sea || from_bank(&pieces, at) > 0.0, "the seal is on a river");
             }
         }

@@ -1,4 +1,4 @@
-//! Mouths of rivers in pictures: the line of the coast is open, and the river's water turns into the sea's.
+//! Mouths of rivers in pictures: the line of the coast is open, and the river's water is the sea's or turns into it.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::svg_ids::without_number;
@@ -113,7 +113,7 @@ fn the_line_of_the_coast_is_open_across_a_river_in_all_styles() {
 
 #[test]
 fn a_river_turns_into_the_sea_within_its_mouth() {
-    for style in ["ink", "atlas", "night", "blueprint", "parchment"] {
+    for style in ["dark", "night", "blueprint", "basins"] {
         let session = finished(&format!("{LINK}&style={style}"));
         let (at, seaward, width) = widest_mouth(&session);
         let close = Close::of(&session, at);
@@ -123,6 +123,51 @@ fn a_river_turns_into_the_sea_within_its_mouth() {
         assert!(apart(mouth, sea) * 8 < apart(river, sea), "{style}: {river:?}, {mouth:?}, {sea:?}");
         assert!(apart(above, river) * 8 < apart(river, sea), "{style}: {river:?}, {above:?}, {sea:?}");
     }
+}
+
+/// Styles whose wide rivers are two banks with water between.
+const OPEN: [&str; 6] = ["ink", "atlas", "survey", "parchment", "past-courses", "ink-wash"];
+
+#[test]
+fn between_the_banks_of_a_wide_river_is_the_water_of_the_sea() {
+    for style in OPEN {
+        let session = finished(&format!("{LINK}&style={style}&labels=none&woods=0&hills=0"));
+        let (at, seaward, width) = widest_mouth(&session);
+        let close = Close::of(&session, at);
+        let sea = close.pixel(at + seaward * OFFSHORE);
+        for tenth in 0..20 {
+            let at = above_mouth(&session, at, tenth as f32 * 0.1 * width);
+            // Paper is uneven, but it does not jump.
+            assert!(
+                apart(close.pixel(at), sea) < 24,
+                "{style}: {:?} is not the sea, {sea:?}, at {tenth}",
+                close.pixel(at)
+            );
+        }
+        // Two banks, one on either side, are all that crosses the way over the river.
+        let [below, middle] = [1.4, 1.5].map(|widths| above_mouth(&session, at, widths * width));
+        let aside = (middle - below).perp().normalize();
+        for side in [-1.0, 1.0] {
+            let dark = (0..12).map(|step| close.pixel(middle + aside * (side * (0.38 + step as f32 * 0.015) * width)));
+            let darkest = dark.map(|pixel| apart(pixel, sea)).max().unwrap();
+            assert!(darkest > 60, "{style}: no bank, {darkest}");
+        }
+    }
+}
+
+#[test]
+fn in_files_the_water_of_all_rivers_lies_over_all_banks() {
+    for style in OPEN {
+        let svg = without_number(
+            &riverseed::export::svg::svg(&finished(&format!("{LINK}&style={style}")).map().unwrap()).unwrap(),
+        );
+        let places = ["<g id=\"rivers\"", "<path id=\"river-", "<g id=\"water\"", "<use href=\"#coast\" fill=\"none\""]
+            .map(|part| svg.rfind(part).unwrap_or(0));
+        assert!(places[0] > 0 && places.is_sorted(), "{style}: {places:?}");
+        assert!(!svg.contains("radialGradient"), "{style}: something is handed over");
+    }
+    let closed = riverseed::export::svg::svg(&finished(&format!("{LINK}&style=night")).map().unwrap()).unwrap();
+    assert!(!closed.contains("<g id=\"water\"") && closed.contains("radialGradient"));
 }
 
 #[test]
@@ -164,11 +209,14 @@ fn in_files_the_line_of_the_coast_lies_over_rivers_and_mouths_lie_over_the_line(
             .map(|part| svg.rfind(part).unwrap_or(0));
         assert!(places[0] > 0 && places.is_sorted(), "{style}: {places:?}");
         let (at, ..) = widest_mouth(&session);
-        let is_here = |gradient: roxmltree::Node<'_, '_>| {
-            let number = |name: &str| gradient.attribute(name).and_then(|text| text.parse::<f32>().ok());
-            number("cx").zip(number("cy")).is_some_and(|(x, y)| Vec2::new(x, y).distance(at) < 1.0)
-        };
         let document = roxmltree::Document::parse(&svg).unwrap();
-        assert!(document.descendants().any(is_here), "{style}: {at}");
+        let mouths = document.descendants().find(|node| node.attribute("id") == Some("mouths")).unwrap();
+        // Each begins a river's width or two inland.
+        let is_here = |data: &str| {
+            let start = data.trim_start_matches('M').split(|c: char| c.is_ascii_alphabetic()).next().unwrap();
+            let (x, y) = start.split_once([' ', '-']).unwrap();
+            Vec2::new(x.parse().unwrap(), y.parse().unwrap()).distance(at) < 60.0
+        };
+        assert!(mouths.descendants().filter_map(|node| node.attribute("d")).any(is_here), "{style}: {at}");
     }
 }

@@ -49,7 +49,7 @@ fn outlines_of_rivers_and_lakes_are_valid_polygons() {
 #[test]
 fn outlines_of_wide_rivers_and_of_lakes_are_valid_polygons() {
     let wide = counted(
-        "country=usual&seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3&oxbows=1",
+        "country=usual&seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=900&trim=120&simplify=42&width=21&bank-variation=0.20&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3&oxbows=1",
     );
     let past = counted("country=usual&seed=kauri&land=island&style=past-courses&attractors=3000");
     assert!(wide.0 > 20 && past.0 > 20 && wide.1 + past.1 == 0, "{wide:?}, {past:?}");

@@ -118,6 +118,33 @@ tiers!(
     changing_to_another_recipe_gives_its_picture,
 );
 
+#[test]
+fn wide_rivers_that_open_while_they_grow_are_those_painted_at_once() {
+    for (style, water) in [("ink", [0xdd, 0xe6, 0xe4]), ("atlas", [0xcf, 0xe3, 0xe6])] {
+        let link = format!(
+            "country=usual&seed=kea&attractors=900&trim=40&land=rectangle&mouths=1&width=40&labels=none&style={style}"
+        );
+        let recipe = link::read(&link).unwrap();
+        let picture = || Picture::new(480, 300).unwrap();
+        let (mut session, mut kept, mut opened) = (Session::new(recipe).unwrap(), picture(), 0);
+        while session.phase() == Phase::Growing {
+            session.advance(9).unwrap();
+            kept.paint(&session);
+            opened += u32::from(count(kept.pixmap().data().as_chunks().0, water) > 20);
+        }
+        let mut fresh = picture();
+        fresh.paint(&session);
+        assert!(kept.pixmap().data() == fresh.pixmap().data(), "{style}");
+        assert!(opened > 3, "{style}: in {opened} pictures");
+        session.finish().unwrap();
+        for picture in [&mut kept, &mut fresh] {
+            picture.paint(&session);
+        }
+        assert!(kept.pixmap().data() == fresh.pixmap().data(), "{style}, finished");
+        assert!(count(kept.pixmap().data().as_chunks().0, water) > 500, "{style}");
+    }
+}
+
 /// Its picture was another once.
 #[test]
 fn changing_the_procedure_of_growth_alone_gives_its_picture() {

@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
-const LEFT: [Key; 30] = [
+const LEFT: [Key; 31] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -32,6 +32,7 @@ const LEFT: [Key; 30] = [
     Key::BankVariation,
     Key::Mountains,
     Key::Plains,
+    Key::Lakes,
     Key::Rills,
     Key::Shade,
     Key::Warmth,

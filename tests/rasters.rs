@@ -1,6 +1,7 @@
 //! Rasters: water runs down from every cell of land to the sea, along rivers, and files hold what was computed.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeMap;
 use std::io::Cursor;
 
 use crate::common::lands::every_land;
@@ -15,7 +16,7 @@ use riverseed::export::{ExportError, pack, png as to_png};
 use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::relief::Grid;
+use riverseed::relief::{CELL_SIZE, Grid};
 use riverseed::scale::USUAL_METRES;
 use riverseed::session::Session;
 
@@ -51,6 +52,7 @@ fn check_flow(session: &Session, rasters: &Rasters) {
     let mouths = session.network().unwrap().rivers.iter().filter(|river| river.parent == NONE).count();
     assert_eq!(flow.mouths.len(), mouths);
     let words = heights_of_16_bits(rasters);
+    let is_own = rasters.cell_size == CELL_SIZE;
     let has_sea = heights.iter().any(|height| *height <= 0.0);
     for cell in 0..heights.len() {
         if heights[cell] <= 0.0 {
@@ -60,8 +62,11 @@ fn check_flow(session: &Session, rasters: &Rasters) {
         assert_eq!(flow.directions[cell].count_ones(), 1, "water stays on land at {cell}");
         // Lower at every step, it reaches the sea.
         if let Some(next) = next(rasters, cell) {
-            assert!(heights[next] < heights[cell], "water runs uphill");
-            assert!(words[next] < words[cell], "water runs on the level in 16 bits, from {cell} to {next}");
+            // In a lake it runs along the bed, and on finer grids also where the shore cuts a corner.
+            let lake = |cell: usize| rasters.lakes().get(cell).filter(|lake| **lake != NONE);
+            let is_level = lake(cell).is_some() && (lake(next) == lake(cell) || !is_own);
+            assert!(is_level || heights[next] < heights[cell], "water runs uphill");
+            assert!(is_level || words[next] < words[cell], "water runs on the level in 16 bits, from {cell} to {next}");
             let stays = heights[next] > 0.0;
             assert!(!stays || flow.basins[next] == flow.basins[cell], "a basin leaks");
             assert!(!stays || flow.rivers[cell] == NONE || flow.rivers[next] != NONE, "a river ends on land");
@@ -103,10 +108,16 @@ fn check_heights(rasters: &Rasters) {
     assert_eq!((columns, rows, text(LINK_KEYWORD)), (rasters.columns, rasters.rows, &rasters.link));
     let (step, sea) = (text("metres-a-step").parse::<f64>().unwrap(), text("sea-level").parse::<f64>().unwrap());
     let Values::Words(values) = values else { panic!("no 16 bits") };
+    let mut levels = BTreeMap::new();
     for (cell, &height) in rasters.relief().heights().iter().enumerate() {
         let (value, rounded) = (values[cell], rasters.scale.step(height));
-        let is_raised = || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
+        let lake = rasters.lakes().get(cell).filter(|lake| **lake != NONE);
+        let is_raised = || lake.is_some() || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
         assert!(value == rounded || (value > rounded && is_raised()), "{value} for {rounded} at {cell}");
+        if let Some(lake) = lake {
+            let level = levels.entry(lake).or_insert(value);
+            assert_eq!(*level, value, "a lake slopes at {cell}");
+        }
         let (value, metres) = (rounded, (f64::from(rounded) - sea) * step);
         let off = (metres - f64::from(height * rasters.map_scale.metres_up)).abs();
         // The step is written with six decimals.
@@ -365,6 +376,7 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
             Values::Bytes(bytes) => bytes.into_iter().map(u16::from).collect(),
             Values::Words(words) => words,
         };
+        let heights = numbers(&square, Layer::Heights);
         for layer in Layer::ALL {
             let (small, large) = (numbers(&own, layer), numbers(&square, layer));
             assert_eq!(large.len(), 708 * 708);
@@ -372,6 +384,11 @@ fn square_rasters_hold_the_map_in_their_middle_and_sea_around_it() {
                 let (column, row) = (i % 708, i / 708);
                 if columns.contains(&column) && rows.contains(&row) {
                     assert_eq!(value, small[(row - rows.start) * own.columns + column - columns.start]);
+                } else if layer == Layer::Water {
+                    assert_eq!(value, 255);
+                } else if layer == Layer::Depth {
+                    // As deep as the floor of the sea says, which goes on: a cell of height and one of depth add up.
+                    assert_eq!(u32::from(value) + u32::from(heights[i]), u32::from(own.scale.sea_level));
                 } else if layer == Layer::Heights {
                     assert!(value <= own.scale.sea_level, "no land beyond the map: {value}");
                 } else {
@@ -413,8 +430,8 @@ fn pack_holds_every_file() {
         let moment = entry.last_modified();
         assert_eq!((moment.year(), moment.month(), moment.day()), (1980, 1, 1), "a date that there is");
     }
-    let wanted =
-        ["README.txt", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "map.geojson", "map.png"];
+    let rasters_of_pack = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png", "depth.png"];
+    let wanted = [&["README.txt"], &rasters_of_pack[..], &["map.geojson", "map.png"]].concat();
     assert_eq!(names, wanted);
     let readme = pack::readme(&rasters);
     for name in &wanted[1..] {

@@ -105,6 +105,55 @@ class Oxbows(_Lines):
 
 
 @dataclass(frozen=True, eq=False)
+class Lakes:
+    """The lakes that rivers run through, a column each, the greatest first, and their shores as rings.
+
+    A lake has one outlet. Shores run around the water; the last point of a ring is followed by its first.
+    """
+
+    identity: NDArray[np.uint32]
+    """The number that it keeps as long as its river and its dam stay."""
+    x: NDArray[np.float32]
+    """How far east a place in its midst is, in units."""
+    y: NDArray[np.float32]
+    """How far south, in units."""
+    level: NDArray[np.float32]
+    """The height of its water: metres above the sea."""
+    depth: NDArray[np.float32]
+    """Its greatest depth, in metres."""
+    area: NDArray[np.float32]
+    """The area of its water, in square units."""
+    river: NDArray[np.uint32]
+    """The river that runs out of it."""
+    point: NDArray[np.uint32]
+    """The point of that river's course at the outlet."""
+    name: list[str | None]
+    """Its name; None if it has none, as small lakes do."""
+    points: NDArray[np.float32]
+    """x and y of the points of all shores, in units: n rows of 2."""
+    offsets: NDArray[np.int64]
+    """Where each ring begins in `points`, and last where the last one ends."""
+    rings: NDArray[np.int64]
+    """Where the rings of each lake begin in `offsets`, and last where those of the last one end."""
+
+    def __len__(self) -> int:
+        """Return how many lakes there are."""
+        return len(self.identity)
+
+    def shores(self, number: int) -> list[NDArray[np.float32]]:
+        """Return x and y of the shores of one lake, as views: the outer ring, then those of islands.
+
+        Raises:
+            IndexError: There is no lake of this number.
+        """
+        if not 0 <= number < len(self):
+            message = f"there is no lake {number}: there are {len(self)}, counted from 0"
+            raise IndexError(message)
+        first, end = self.rings[number : number + 2]
+        return [self.points[self.offsets[ring] : self.offsets[ring + 1]] for ring in range(first, end)]
+
+
+@dataclass(frozen=True, eq=False)
 class Relief:
     """The land of a map, cell by cell: rows from north to south, in each the cells from west to east."""
 
@@ -115,7 +164,11 @@ class Relief:
     cell_size: float
     """The side of a cell, in units."""
     heights: NDArray[np.float32]
-    """Metres above the sea: more than 0 on land, 0 or less at sea."""
+    """Metres above the sea: more than 0 on land, 0 or less at sea. Lakes are as high as their water."""
+    depths: NDArray[np.float32]
+    """Metres of water over the bed in lakes, 0 elsewhere: `heights` less `depths` is the ground."""
+    lakes: NDArray[np.int32]
+    """The number of the lake in `riverseed.Lakes`; -1 elsewhere."""
     widths: NDArray[np.float32]
     """The width of the river, in units, rounded up to thousandths; 0 where there is none."""
     flow: NDArray[np.uint8]

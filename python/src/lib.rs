@@ -6,6 +6,7 @@
 mod arrays;
 mod failure;
 mod file;
+mod lakes;
 mod map;
 mod members;
 mod names;

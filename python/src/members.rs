@@ -7,7 +7,7 @@ use riverseed::scale::{MapScale, figures};
 
 use crate::map::Map;
 use crate::order::Parameters;
-use crate::{file, names, network, relief, values};
+use crate::{file, lakes, names, network, relief, values};
 
 /// Grows a map.
 #[pyfunction]
@@ -64,6 +64,10 @@ impl Map {
 
     fn oxbows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         network::oxbows(py, self)
+    }
+
+    fn lakes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        lakes::lakes(py, self)
     }
 
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -4,8 +4,10 @@ use numpy::{Element, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riverseed::export::rasters::{Layer, Rasters, Values};
+use riverseed::lakes::Lakes;
+use riverseed::network::NONE;
 
-use crate::arrays::{array, ask_for_memory};
+use crate::arrays::{array, ask_for_memory, or_minus_one};
 use crate::failure::{Done, Failure};
 use crate::map::Map;
 
@@ -21,13 +23,16 @@ pub fn rasters(py: Python<'_>, map: &Map, size: Option<u32>) -> PyResult<Rasters
 /// Makes the fields of `riverseed.Relief`.
 pub fn cells<'py>(py: Python<'py>, map: &Map, raster_size: Option<u32>) -> PyResult<Bound<'py, PyDict>> {
     let rasters = rasters(py, map, raster_size)?;
-    let columns = py.detach(|| Columns::of(&rasters))?;
+    let lakes = map.read(py, |map| Ok(map.lakes().clone()))?;
+    let columns = py.detach(|| Columns::of(&rasters, &lakes))?;
     let sides = [rasters.rows, rasters.columns];
     let fields = PyDict::new(py);
     fields.set_item("link", &rasters.link)?;
     fields.set_item("size", (rasters.size.x, rasters.size.y))?;
     fields.set_item("cell_size", rasters.cell_size)?;
     fields.set_item("heights", grid(py, columns.heights, sides)?)?;
+    fields.set_item("depths", grid(py, columns.depths, sides)?)?;
+    fields.set_item("lakes", grid(py, columns.lakes, sides)?)?;
     fields.set_item("widths", grid(py, columns.widths, sides)?)?;
     fields.set_item("flow", grid(py, columns.flow, sides)?)?;
     fields.set_item("basins", grid(py, columns.basins, sides)?)?;
@@ -37,18 +42,27 @@ pub fn cells<'py>(py: Python<'py>, map: &Map, raster_size: Option<u32>) -> PyRes
 /// The columns of a map's cells, row by row.
 struct Columns {
     heights: Vec<f32>,
+    depths: Vec<f32>,
+    lakes: Vec<i32>,
     widths: Vec<f32>,
     flow: Vec<u8>,
     basins: Vec<u32>,
 }
 
 impl Columns {
-    fn of(rasters: &Rasters) -> Done<Self> {
-        const BYTES_A_CELL: usize = 15;
-        ask_for_memory(rasters.columns * rasters.rows, BYTES_A_CELL)?;
+    fn of(rasters: &Rasters, lakes: &Lakes) -> Done<Self> {
+        const BYTES_A_CELL: usize = 23;
+        let cells = rasters.columns * rasters.rows;
+        ask_for_memory(cells, BYTES_A_CELL)?;
         let metres_up = rasters.map_scale.metres_up;
         Ok(Self {
             heights: rasters.relief().heights().iter().map(|height| height * metres_up).collect(),
+            depths: (0..cells).map(|cell| rasters.depth(cell) * metres_up).collect(),
+            lakes: if lakes.is_empty() {
+                vec![-1; cells]
+            } else {
+                or_minus_one(lakes.on(&rasters.relief().grid()), NONE)
+            },
             widths: widths(rasters),
             flow: rasters.flow().directions.clone(),
             basins: rasters.flow().basins.clone(),

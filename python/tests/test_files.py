@@ -22,6 +22,8 @@ MAKERS: dict[str, Callable[[riverseed.Map], bytes]] = {
     "rivers.png": lambda map_: map_.raster("rivers"),
     "flow.png": lambda map_: map_.raster("flow"),
     "basins.png": lambda map_: map_.raster("basins"),
+    "water.png": lambda map_: map_.raster("water"),
+    "depth.png": lambda map_: map_.raster("depth"),
 }
 
 LANDSCAPES = {"unreal.zip": 1009, "unity.zip": 1025, "godot.zip": 1025}

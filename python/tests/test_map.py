@@ -90,7 +90,41 @@ def test_a_tributary_ends_on_a_point_of_its_parent(small: riverseed.Map) -> None
         assert (parent[:, :2] == rivers.line(river)[-1, :2]).all(axis=1).any()
 
 
-def test_lakes_are_those_of_the_json_form(form: dict[str, Any], small: riverseed.Map) -> None:
+@pytest.fixture(scope="module")
+def lakeland() -> riverseed.Map:
+    """Return a small map with lakes along its rivers."""
+    return riverseed.grow(SMALL, lakes=0.7, attractors=3000)
+
+
+def test_lakes_along_rivers_are_those_of_the_json_form(lakeland: riverseed.Map) -> None:
+    lakes, listed = lakeland.lakes, json.loads(lakeland.json())["lakes"]
+    assert len(lakes) == len(listed) > 3
+    assert same(lakes.identity, [lake["identity"] for lake in listed])
+    assert same(lakes.area, [lake["area"] for lake in listed])
+    assert same(lakes.river, [lake["outlet"]["river"] for lake in listed])
+    assert same(lakes.point, [lake["outlet"]["point"] for lake in listed])
+    assert lakes.name == [lake["name"] for lake in listed]
+    metres = np.float32(lakeland.metres_a_unit_of_height)
+    assert np.allclose(lakes.level, np.array([lake["level"] for lake in listed], np.float32) * metres)
+    assert np.allclose(lakes.depth, np.array([lake["depth"] for lake in listed], np.float32) * metres)
+    for number, lake in enumerate(listed):
+        rings = [ring.tolist() for ring in lakes.shores(number)]
+        assert rings == [np.array(ring, np.float32).tolist() for ring in lake["rings"]]
+    with pytest.raises(IndexError, match=f"there is no lake {len(lakes)}: there are {len(lakes)}"):
+        lakes.shores(len(lakes))
+
+
+def test_a_relief_has_lakes_level_over_their_beds(lakeland: riverseed.Map) -> None:
+    relief, lakes = lakeland.relief, lakeland.lakes
+    for number in range(len(lakes)):
+        cells = relief.lakes == number
+        assert (relief.heights[cells] == lakes.level[number]).all()
+        assert relief.depths[cells].max() <= lakes.depth[number] * 1.0001
+    assert (relief.depths[relief.lakes < 0] == 0).all()
+    assert (relief.depths > 0).sum() > 100
+
+
+def test_oxbow_lakes_are_those_of_the_json_form(form: dict[str, Any], small: riverseed.Map) -> None:
     assert len(small.oxbows) == len(form["oxbows"]) > 0
     assert same(small.oxbows.river, [lake["river"] for lake in form["oxbows"]])
     assert same(small.oxbows.born, [lake["born"] for lake in form["oxbows"]])

@@ -1,5 +1,6 @@
 //! The labels of a map, and the input of their placement.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use crate::annotate::plates;
 use crate::base::memory;
 use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
-use crate::land::{Land, Region, margin_of};
+use crate::land::{CoastDistance, Land, Region, margin_of};
 use crate::map::Map;
 use crate::network::{Network, Oxbow, Place};
 use crate::recipe::Shown;
@@ -118,7 +119,8 @@ fn map_input<'a>(
         regions,
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
-        coast: land.map(|land| land.coast_distance()),
+        coast: shoreline(map),
+        sea: land.map(|land| land.coast_distance()),
         marks,
     }
 }
@@ -277,6 +279,12 @@ pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
         cell_size: relief.cell_size(),
         highest: relief.quantile(HIGHEST),
     }
+}
+
+/// Returns the distance of each place of a map from the nearest shore, of the sea or of a lake; `None` if there is neither.
+pub(crate) fn shoreline(map: &Map) -> Option<Cow<'_, CoastDistance>> {
+    let coast = map.land().map(|land| land.coast_distance());
+    map.lakes().shoreline(coast, &map.domain()).map(Cow::Owned).or(coast.map(Cow::Borrowed))
 }
 
 pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {

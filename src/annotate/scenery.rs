@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::annotate::labels::{heights, on_map, ridges};
+use crate::annotate::labels::{heights, on_map, ridges, shoreline};
 use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stroke, Weather};
 use crate::base::memory;
 use crate::base::random::Seed;
@@ -37,7 +37,7 @@ pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
         network,
         lakes: network.oxbows.iter().map(Oxbow::middle).chain(beds(map)).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
-        coast: land.map(|land| land.coast_distance()),
+        coast: shoreline(map),
         heights: map.shown_relief().map(|relief| heights(relief)),
         letters: boxes(labels).into_iter().chain(margins(map)).collect(),
     })

@@ -130,7 +130,7 @@ impl Stream {
 
 /// Random numbers by item. An item is identified by three numbers and always has the same random number, however often
 /// and in whatever order it is asked for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ItemHash(u64);
 
 impl ItemHash {

@@ -20,6 +20,7 @@ use super::{ExportError, rivers};
 use crate::analyse::statistics::Drained;
 use crate::annotate::names::Names;
 use crate::domain::Domain;
+use crate::lakes::Lake;
 use crate::land::SmoothedDistance;
 use crate::map::Map;
 use crate::network::Banks;
@@ -45,8 +46,9 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let relief = map.make_relief()?;
+    let surface = map.lakes().surface(&relief);
     // If a river passes another one's bend, its cell may be lower than the cells below it.
-    let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
+    let elevations = hydrology::upward(network, |i, below| surface[relief.cell(network.vertices[i].at)].max(below));
     let (domain, scale) = (map.domain(), map.scale());
     let grid = DegreeGrid::of(domain.size, &scale);
     let features = Features { network, domain, scale, grid, drained: Drained::of(map), elevations, names };
@@ -63,6 +65,7 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
         (Part::Basin, ground.basins.len()),
         (Part::Land, ground.land.len()),
         (Part::Water, ground.water.len()),
+        (Part::Lake, ground.lakes.len()),
         (Part::Ridge, map.land().map_or(0, |land| land.ridges().len())),
         (Part::Named, features.named()),
     ];
@@ -78,6 +81,7 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
             Part::Basin => ground.basin(at, &features),
             Part::Land => ground.land(at, grid),
             Part::Water => ground.water(at, &features),
+            Part::Lake => ground.lake(at, map, &features),
             Part::Ridge => features.ridge(map, at),
             Part::Named => features.name(at),
         };
@@ -106,6 +110,7 @@ enum Part {
     Basin,
     Land,
     Water,
+    Lake,
     Ridge,
     Named,
 }
@@ -220,6 +225,8 @@ struct Ground {
     land: Vec<Polygon>,
     /// The lakes at the sea's level, which are the holes of the land, with the islands in them as holes.
     water: Vec<Polygon>,
+    /// The lakes along rivers, each with its index among those of the map.
+    lakes: Vec<(usize, Polygon)>,
     /// For each basin with a cell: its number, the river at whose mouth it ends, its area in square units, and its
     /// parts.
     basins: Vec<(u32, u32, f32, Vec<Polygon>)>,
@@ -242,7 +249,10 @@ impl Ground {
         let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(&relief.grid()));
         let basins = basins.map(|((number, &mouth), rings)| (number, mouth, areas[number as usize], on_grid(rings)));
         let (land, basins) = (on_grid(land), basins.filter(|basin| !basin.3.is_empty()).collect());
-        Ok(Self { water: inside_out(&land), land, basins })
+        // A lake narrower than the last decimal place somewhere is more than one polygon, of which the first is the largest.
+        let lake = |(i, lake): (usize, &Lake)| Some((i, on_grid(lake.rings.clone()).into_iter().next()?));
+        let lakes = map.lakes().list.iter().enumerate().filter_map(lake).collect();
+        Ok(Self { water: inside_out(&land), lakes, land, basins })
     }
 
     fn land<'a>(&self, i: usize, grid: DegreeGrid) -> Feature<'a> {
@@ -266,6 +276,25 @@ impl Ground {
             coordinates: parts(lake.clone(), features.grid),
             properties,
         }
+    }
+
+    /// Writes a lake along rivers, numbered after those at the sea's level.
+    fn lake<'a>(&self, i: usize, map: &Map, features: &Features<'a>) -> Feature<'a> {
+        let ((id, polygon), scale) = (&self.lakes[i], features.scale);
+        let (lake, number) = (&map.lakes().list[*id], self.water.len() + i);
+        let is_here = |at: Vec2| map.lakes().at(at) == Some(*id);
+        let mut properties = Members::default();
+        properties
+            .text("kind", "water")
+            .whole("number", number as u32)
+            .whole("lake", *id as u32)
+            .whole("river", lake.outlet.river)
+            .double("level_m", rounded(lake.level * scale.metres_up, 1.0, 1.0))
+            .double("depth_m", rounded(lake.depth * scale.metres_up, 1.0, 1.0))
+            .double("area_m2", scale.square_metres(lake.area.into()).round());
+        names::lake(&mut properties, &features.names, is_here);
+        let coordinates = parts(polygon.clone(), features.grid);
+        Feature { id: format!("water-{number}"), shape: "Polygon", coordinates, properties }
     }
 
     fn basin<'a>(&self, i: usize, features: &Features<'a>) -> Feature<'a> {

@@ -1,7 +1,9 @@
 //! Heights as whole 16-bit numbers, in which water still runs down.
 
+use std::cell::Cell;
+
 use crate::base::memory::{Refused, lengthen};
-use crate::relief::CELL_SIZE;
+use crate::relief::{CELL_SIZE, let_fall};
 
 /// The scale of heights written as whole numbers, called steps. Step 0 is the map's deepest place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,9 +47,14 @@ pub(super) struct Levels {
 }
 
 impl Levels {
-    /// Rounds heights in units of so many metres to steps. `next` is the cell that a cell's water runs to; a cell that would not be
-    /// higher than that is raised to the step above it.
-    pub fn new(heights: &[f32], metres_up: f64, next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
+    /// Rounds heights in units of so many metres to steps. `next` is the cell that a cell's water runs to, and `lakes` the lake of each
+    /// cell, as for [`let_fall`]: what would not be higher than the cell that its water runs to is raised to the step above that.
+    pub fn new(
+        heights: &[f32],
+        metres_up: f64,
+        next: impl Fn(usize) -> Option<usize>,
+        lakes: &[u32],
+    ) -> Result<Self, Refused> {
         /// Numbers of steps to leave free at the top, tried in turn until raised land fits below it. Only a slope of
         /// tens of thousands of cells without a step of its own would need more than the last.
         const FREE: [u16; 6] = [0, 16, 128, 1024, 8192, 32_768];
@@ -56,7 +63,14 @@ impl Levels {
         let mut scale = Scale::of(heights, metres_up, 0);
         for free in FREE {
             scale = Scale::of(heights, metres_up, free);
-            if falls(&scale, heights, &next, &mut steps) {
+            steps.iter_mut().zip(heights).for_each(|(step, height)| *step = scale.step(*height));
+            let fits = Cell::new(true);
+            let above = |below: u16| {
+                fits.set(fits.get() && below < u16::MAX);
+                below.saturating_add(1)
+            };
+            let_fall(&mut steps, |step| step <= scale.sea_level, &next, lakes, above);
+            if fits.get() {
                 break;
             }
         }
@@ -64,40 +78,16 @@ impl Levels {
     }
 }
 
-/// Fills in the step of each cell, from the sea upstream. Returns `true` if all fit below the top of the scale.
-fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, steps: &mut [u16]) -> bool {
-    let is_land = |cell: usize| heights[cell] > 0.0;
-    for (step, &height) in steps.iter_mut().zip(heights) {
-        // Step 0 marks land cells that have no step yet; land never keeps it.
-        *step = if height > 0.0 { 0 } else { scale.step(height) };
-    }
-    let mut fits = true;
-    let mut upstream = Vec::new();
-    for start in 0..heights.len() {
-        let mut cell = Some(start);
-        while let Some(open) = cell.filter(|&cell| is_land(cell) && steps[cell] == 0) {
-            upstream.push(open);
-            cell = next(open);
-        }
-        let mut below = cell.map_or(0, |cell| steps[cell]);
-        while let Some(cell) = upstream.pop() {
-            fits &= below < u16::MAX;
-            below = scale.step(heights[cell]).max(below.saturating_add(1));
-            steps[cell] = below;
-        }
-    }
-    fits
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::network::NONE;
 
     const METRES: f64 = 25.0;
 
     /// Makes a slope whose first cell lies in the sea, and whose water runs to the cell before.
     fn slope(heights: &[f32]) -> Levels {
-        Levels::new(heights, METRES, |cell| cell.checked_sub(1)).unwrap()
+        Levels::new(heights, METRES, |cell| cell.checked_sub(1), &[]).unwrap()
     }
 
     fn rises(steps: &[u16]) -> bool {
@@ -116,6 +106,15 @@ mod tests {
         let levels = slope(&[-1.0, 1e-6, 2e-6, 3e-6, 50.0]);
         let sea = levels.scale.sea_level;
         assert_eq!(levels.steps[1..4], [sea + 1, sea + 2, sea + 3]);
+    }
+
+    #[test]
+    fn lakes_stay_level_and_land_above_them_rises() {
+        let heights = [-1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 50.0];
+        let lakes: Vec<u32> = (0..7).map(|cell| if (2..5).contains(&cell) { 0 } else { NONE }).collect();
+        let levels = Levels::new(&heights, METRES, |cell| cell.checked_sub(1), &lakes).unwrap();
+        let level = levels.scale.step(2.0);
+        assert_eq!(levels.steps[2..6], [level, level, level, level + 1]);
     }
 
     #[test]

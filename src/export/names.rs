@@ -6,7 +6,7 @@ use super::data::{Json, Members};
 use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName, RiverName};
 
 /// Writes a name as JSON: null if it is empty.
-fn name<'a>(name: &str) -> Json<'a> {
+pub(super) fn name<'a>(name: &str) -> Json<'a> {
     if name.is_empty() { Json::Null } else { Json::Owned(name.into()) }
 }
 

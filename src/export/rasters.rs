@@ -13,7 +13,7 @@ use crate::analyse::statistics::Drained;
 use crate::base::memory;
 use crate::domain::Domain;
 use crate::map::Map;
-use crate::network::{Network, Vertex};
+use crate::network::{NONE, Network, Vertex};
 use crate::recipe::link;
 use crate::relief::{Flow, Grid, Relief, ReliefError, ReliefSettings};
 use crate::scale::MapScale;
@@ -40,8 +40,13 @@ pub struct Rasters {
     pub scale: Scale,
     /// The real sizes of what is on the map.
     pub map_scale: MapScale,
+    /// The surface of the relief: the water where there is a lake.
     relief: Arc<Relief>,
     flow: Flow,
+    /// The lake of each cell, [`NONE`] elsewhere; empty if there are none.
+    lakes: Vec<u32>,
+    /// The depth of lakes over their beds, in units; empty if there are none.
+    depths: Vec<f32>,
     /// The number of columns west of the map and of rows north of it.
     before: (usize, usize),
     /// The height of each cell in steps of the scale.
@@ -66,6 +71,10 @@ pub enum Layer {
     Flow,
     /// The numbers of basins.
     Basins,
+    /// 255 where water stands, in the sea or in a lake; 0 on dry land and in rivers.
+    Water,
+    /// The depth of standing water, in steps of the scale of heights.
+    Depth,
 }
 
 /// The values of a raster, row by row, from north to south.
@@ -79,7 +88,8 @@ pub enum Values {
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
+    pub const ALL: [Self; 7] =
+        [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins, Self::Water, Self::Depth];
 
     /// Returns the subject of a layer's values, in English. [`Rasters::meaning`] begins with these words, and no two
     /// layers have the same.
@@ -90,6 +100,8 @@ impl Layer {
             Self::Rivers => "16-bit width of the river",
             Self::Flow => "Where water runs",
             Self::Basins => "16-bit number of the river basin",
+            Self::Water => "255 is standing water",
+            Self::Depth => "16-bit depth of water",
         }
     }
 
@@ -101,6 +113,8 @@ impl Layer {
             Self::Rivers => "rivers",
             Self::Flow => "flow",
             Self::Basins => "basins",
+            Self::Water => "water",
+            Self::Depth => "depth",
         }
     }
 }
@@ -154,9 +168,14 @@ impl Rasters {
 
     fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
-        let grid = relief.grid();
+        let (grid, lakes) = (relief.grid(), map.lakes());
+        let covered = lakes.on(&grid);
+        let depths = if lakes.is_empty() { Vec::new() } else { lakes.depths(&relief) };
+        let relief =
+            if lakes.is_empty() { relief } else { lakes.filled(&relief, |cell| flow.next(&grid, cell)).into() };
         let map_scale = map.scale();
-        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), |cell| flow.next(&grid, cell));
+        let next = |cell: usize| flow.next(&grid, cell);
+        let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), next, &covered);
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
             link: link::write_for_file(map.recipe()),
@@ -172,6 +191,8 @@ impl Rasters {
             drained: Drained::of(map),
             relief,
             flow,
+            lakes: covered,
+            depths,
             before: (0, 0),
         })
     }
@@ -206,6 +227,13 @@ impl Rasters {
             (Values::Words(steps), Layer::Heights) => {
                 Values::Words(self.widened(&steps, |nearest| nearest.min(self.scale.sea_level)))
             }
+            (Values::Bytes(bytes), Layer::Water) => Values::Bytes(self.widened(&bytes, |_| 255)),
+            (Values::Words(depths), Layer::Depth) => {
+                let depths: Vec<_> =
+                    depths.into_iter().zip(self.steps.iter().map(|&step| self.depth_at_sea(step))).collect();
+                let widened = self.widened(&depths, |(_, at_sea)| (at_sea, at_sea));
+                Values::Words(widened.into_iter().map(|(depth, _)| depth).collect())
+            }
             (Values::Words(words), _) => Values::Words(self.widened(&words, |_| 0)),
             (Values::Bytes(bytes), _) => Values::Bytes(self.widened(&bytes, |_| 0)),
         }
@@ -233,6 +261,21 @@ impl Rasters {
             }
             Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
+            Layer::Water => {
+                let is_water = |(cell, &height): (usize, &f32)| {
+                    height <= 0.0 || self.lakes.get(cell).is_some_and(|lake| *lake != NONE)
+                };
+                let heights = self.relief.heights().iter().enumerate();
+                Values::Bytes(heights.map(|cell| if is_water(cell) { 255 } else { 0 }).collect())
+            }
+            Layer::Depth => {
+                let step_units = self.scale.metres_a_step / f64::from(self.map_scale.metres_up);
+                let depth = |(cell, &step): (usize, &u16)| match self.depth(cell) {
+                    0.0 => self.depth_at_sea(step),
+                    depth => (f64::from(depth) / step_units).round() as u16,
+                };
+                Values::Words(self.steps.iter().enumerate().map(depth).collect())
+            }
             Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
         }
     }
@@ -246,7 +289,11 @@ impl Rasters {
                  0 is the deepest place, {sea_level} the sea's surface.",
                 decimal(metres_a_step, 6)
             ),
+            Layer::Depth => {
+                format!(" in the sea and in lakes: metres = value * {}. 0 where there is none.", decimal(metres_a_step, 6))
+            }
             Layer::Land => ", 0 is sea.".into(),
+            Layer::Water => ", of the sea or of a lake; 0 is dry land and rivers.".into(),
             Layer::Rivers => format!(
                 " as it is drawn, in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
                 shortest(f64::from(self.cell_size) * 1000.0, 3)
@@ -274,8 +321,10 @@ impl Rasters {
                 format!("{} x {} from {}, {}", columns.len(), rows.len(), columns.start, rows.start),
             ));
         }
-        if layer == Layer::Heights {
+        if matches!(layer, Layer::Heights | Layer::Depth) {
             texts.push(("metres-a-step", decimal(self.scale.metres_a_step, 6)));
+        }
+        if layer == Layer::Heights {
             texts.push(("sea-level", self.scale.sea_level.to_string()));
         }
         texts
@@ -302,7 +351,28 @@ impl Rasters {
         widths(&self.relief, &self.flow, &self.network, width)
     }
 
-    /// Returns the relief that the rasters are made from.
+    /// Returns the index of the lake of each cell of the map, [`NONE`] elsewhere; empty if there are no lakes.
+    pub fn lakes(&self) -> &[u32] {
+        &self.lakes
+    }
+
+    /// Returns the depth of a lake over its bed in a cell of the map, in units; 0 where there is no lake.
+    pub fn depth(&self, cell: usize) -> f32 {
+        self.depths.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// Returns the depth of the sea over ground of a height, both in steps of the scale; 0 on land.
+    fn depth_at_sea(&self, step: u16) -> u16 {
+        self.scale.sea_level.saturating_sub(step)
+    }
+
+    /// Computes the depth of standing water in each cell of the map, in metres; 0 on dry land and in rivers.
+    pub fn metres_of_water(&self) -> Vec<f32> {
+        let at_sea = self.relief.heights().iter().map(|&height| (-height).max(0.0));
+        at_sea.enumerate().map(|(cell, sea)| self.depth(cell).max(sea) * self.map_scale.metres_up).collect()
+    }
+
+    /// Returns the relief that the rasters are made from, with lakes as high as their water.
     pub fn relief(&self) -> &Relief {
         &self.relief
     }

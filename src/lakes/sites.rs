@@ -16,6 +16,8 @@ pub(super) struct Site {
     pub vertex: u32,
     /// The number of the site along its river, from the end up.
     pub number: u32,
+    /// The least area of a lake there, in square units: a lake is much wider than its river.
+    pub least: f32,
 }
 
 /// The number of vertices from one site to the next.
@@ -23,6 +25,9 @@ const VERTICES: usize = 5;
 
 /// The least number of parcels that drain at a dam.
 const PARCELS: u32 = 8;
+
+/// The least area of a lake, in squares of the width of its river.
+const SQUARES: f32 = 8.0;
 
 /// The wavelength of lake districts, in units, and by how many powers of e a site is likelier at a deviation of their noise.
 const DISTRICTS: f32 = 260.0;
@@ -52,18 +57,14 @@ pub(super) fn sites(network: &Network, relief: &Relief, seed: Seed) -> Vec<Site>
 }
 
 /// Iterates over the sites along a river.
-fn along<'a>(
-    network: &'a Network,
-    id: u32,
-    river: &'a River,
-    relief: &'a Relief,
-) -> impl Iterator<Item = Site> + 'a {
+fn along<'a>(network: &'a Network, id: u32, river: &'a River, relief: &'a Relief) -> impl Iterator<Item = Site> + 'a {
     let vertices = river.vertex_range().rev().step_by(VERTICES);
     let site = move |(number, vertex): (u32, usize)| Site {
         cell: relief.cell(network.vertices[vertex].at),
         river: id,
         vertex: vertex as u32,
         number,
+        least: SQUARES * network.vertices[vertex].width() * network.vertices[vertex].width(),
     };
     (0..).zip(vertices).filter(|&(_, vertex)| network.vertices[vertex].discharge >= PARCELS).map(site)
 }

@@ -19,15 +19,15 @@ impl Upstream {
     ///
     /// # Errors
     /// Fails if there is not enough memory.
-    pub fn of(to: Vec<u32>) -> Result<Self, Refused> {
-        /// Three lists that stay and two that do not.
-        const BYTES_A_CELL: usize = 20;
+    pub fn of(to: &[u32]) -> Result<Self, Refused> {
+        /// Three lists that stay and three that do not.
+        const BYTES_A_CELL: usize = 24;
         ask(to.len() * BYTES_A_CELL)?;
         work::count(4 * to.len());
-        let downward = downward(&to);
+        let downward = downward(to);
         let mut count = vec![1; to.len()];
         for &cell in &downward {
-            if let Some(below) = count_below(&to, cell) {
+            if let Some(below) = count_below(to, cell) {
                 count[below] += count[cell as usize];
             }
         }
@@ -36,7 +36,7 @@ impl Upstream {
         let (mut next, mut last) = (vec![0; to.len()], 0);
         for &cell in downward.iter().rev() {
             let own = count[cell as usize];
-            let from = match count_below(&to, cell) {
+            let from = match count_below(to, cell) {
                 Some(below) => &mut next[below],
                 None => &mut last,
             };
@@ -44,7 +44,7 @@ impl Upstream {
             *from += own;
             next[cell as usize] = place[cell as usize] + 1;
         }
-        Ok(Self { to, place, count })
+        Ok(Self { to: to.to_vec(), place, count })
     }
 
     /// Returns `true` if the water of a cell runs through another, or if they are the same.

@@ -9,6 +9,7 @@ use glam::Vec2;
 
 use super::Land;
 use crate::base::geometry::smooth_step;
+use crate::base::gradient_noise::noise;
 use crate::base::random::{ItemHash, Purpose, Seed};
 use crate::base::work;
 
@@ -22,6 +23,10 @@ const OCTAVES: u32 = 5;
 /// The size of a wave at which it begins to show and at which all of it does, in pixels.
 const FIRST_SEEN: f32 = 7.0;
 const ALL_SEEN: f32 = 13.0;
+/// The same, in widths of the coast's line. A wave's headland is half as long as the wave: where that is less than one and a
+/// half widths, it is a crumb of ink beside the line.
+const FIRST_BESIDE_LINE: f32 = 2.2;
+const ALL_BESIDE_LINE: f32 = 3.6;
 
 /// A coast's detail at one size of pixels.
 #[derive(Clone, Debug)]
@@ -41,17 +46,17 @@ struct Octave {
 }
 
 impl CoastDetail {
-    /// Makes the detail that a coast shows with `per_unit` pixels to a unit, on a map of a given size. `roughness` is
-    /// the recipe's, from 0 to 1; `lines` are the centerlines of all rivers with half the width at each place, in
+    /// Makes the detail that a coast shows with `per_unit` pixels to a unit, on a map of a given size, where its line has some
+    /// width, in units. `roughness` is the recipe's, from 0 to 1; `lines` are the centerlines of all rivers with half the width at each place, in
     /// units. `None` if pixels are too large for any detail.
     pub fn of(
         land: &Land,
         size: Vec2,
         (seed, roughness): (Seed, f32),
-        per_unit: f32,
+        (per_unit, width): (f32, f32),
         lines: impl Iterator<Item = Vec<(Vec2, f32)>>,
     ) -> Option<Self> {
-        let octaves = octaves(roughness, per_unit);
+        let octaves = octaves(roughness, per_unit, width);
         if octaves.is_empty() {
             return None;
         }
@@ -92,16 +97,18 @@ const HARDNESS: u32 = 99;
 const HARD_STRETCHES: f32 = 1.0 / 45.0;
 
 /// Returns the octaves that can be seen.
-fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
-    /// The amplitude as a share of the wavelength, for smooth and for rough coasts.
-    const SMOOTH: f32 = 0.04;
-    const ROUGH: f32 = 0.24;
+fn octaves(roughness: f32, per_unit: f32, width: f32) -> Vec<Octave> {
+    /// The amplitude as a share of the wavelength, for smooth and for rough coasts: on the hardest rock a wave is at most 0.35 of
+    /// its length from crest to trough, so that no headland overhangs.
+    const SMOOTH: f32 = 0.03;
+    const ROUGH: f32 = 0.14;
     /// The factor for that share from octave to octave: a coast of steep small waves looks like foam.
     const LESS: f32 = 0.8;
     let share = SMOOTH + (ROUGH - SMOOTH) * roughness.clamp(0.0, 1.0);
     let octave = |number: u32| {
         let wavelength = BROADEST / (1 << number) as f32;
-        let seen = smooth_step((wavelength * per_unit - FIRST_SEEN) / (ALL_SEEN - FIRST_SEEN));
+        let beside = (wavelength / width - FIRST_BESIDE_LINE) / (ALL_BESIDE_LINE - FIRST_BESIDE_LINE);
+        let seen = smooth_step((wavelength * per_unit - FIRST_SEEN) / (ALL_SEEN - FIRST_SEEN)) * smooth_step(beside);
         // Gradient noise has its crests about two squares apart.
         Octave { number, per_unit: 2.0 / wavelength, amplitude: wavelength * share * seen }
     };
@@ -114,54 +121,21 @@ fn octaves(roughness: f32, per_unit: f32) -> Vec<Octave> {
 
 /// Returns `true` if a place on a river is so near the coast that its banks may reach what detail moves.
 fn is_near(land: &Land, (at, half): (Vec2, f32)) -> bool {
-    land.coast_distance().height(at).abs() < half + REACH + FAR
+    land.coast_distance().height(at).abs() < half + REACH + far(half)
 }
 
-/// Returns gradient noise (Perlin 1985, with the fade of 2002), from about -1 to 1, and its gradient.
-fn noise(hash: ItemHash, octave: u32, at: Vec2) -> (f32, Vec2) {
-    let corner = at.floor();
-    let within = at - corner;
-    let [west, north] = [corner.x, corner.y].map(|x| x as i32);
-    let dot = |east: i32, south: i32| {
-        let slope =
-            SLOPES[(hash.bits([(west + east) as u32, (north + south) as u32, octave]) >> 29) as usize % SLOPES.len()];
-        (slope.dot(within - Vec2::new(east as f32, south as f32)), slope)
-    };
-    let [(a, slope_a), (b, slope_b), (c, slope_c), (d, slope_d)] = [dot(0, 0), dot(1, 0), dot(0, 1), dot(1, 1)];
-    let fade = within * within * within * (within * (within * 6.0 - 15.0) + 10.0);
-    let steep = within * within * (within * (within - 2.0) + 1.0) * 30.0;
-    let height = a + fade.x * (b - a) + fade.y * (c - a) + fade.x * fade.y * (a - b - c + d);
-    let mixed = slope_a
-        + (slope_b - slope_a) * fade.x
-        + (slope_c - slope_a) * fade.y
-        + (slope_a - slope_b - slope_c + slope_d) * (fade.x * fade.y);
-    let twist = a - b - c + d;
-    let turned = Vec2::new(b - a + fade.y * twist, c - a + fade.x * twist) * steep;
-    (height * GAIN, (mixed + turned) * GAIN)
-}
-
-/// Brings the noise to a range of about -1 to 1.
-const GAIN: f32 = 1.4;
-
-/// The slopes at the corners of the noise's lattice.
-const SLOPES: [Vec2; 8] = {
-    const HALF: f32 = std::f32::consts::FRAC_1_SQRT_2;
-    [
-        Vec2::new(1.0, 0.0),
-        Vec2::new(HALF, HALF),
-        Vec2::new(0.0, 1.0),
-        Vec2::new(-HALF, HALF),
-        Vec2::new(-1.0, 0.0),
-        Vec2::new(-HALF, -HALF),
-        Vec2::new(0.0, -1.0),
-        Vec2::new(HALF, -HALF),
-    ]
-};
-
-/// The distance from a bank up to which nothing moves, and that from which on everything may, in units. The first is
-/// more than the diagonal of a cell, so no bank lies between four free corners.
+/// The distance from a bank up to which nothing moves, in units: more than the diagonal of a cell, so no bank lies between
+/// four free corners.
 const NEAR: f32 = 1.5;
-const FAR: f32 = 4.5;
+
+/// Returns the distance from a bank from which on everything may move, in units: the farther the wider the river is, of which
+/// half the width is given. The smooth shore at a great river's mouth becomes rough over 20 units.
+fn far(half: f32) -> f32 {
+    const LEAST: f32 = 4.5;
+    const BY_HALF: f32 = 3.0;
+    const MOST: f32 = 21.5;
+    (LEAST + BY_HALF * half).min(MOST)
+}
 
 /// The freedom of the coast to move, on a lattice with a corner at every unit, in 255ths: not at all near rivers.
 #[derive(Clone, Debug)]
@@ -179,7 +153,8 @@ impl Free {
     /// Holds the coast around a segment of a river.
     fn keep_off(&mut self, [(from, half_from), (to, half_to)]: [(Vec2, f32); 2]) {
         let along = to - from;
-        let reach = half_from.max(half_to) + FAR;
+        let widest = half_from.max(half_to);
+        let (far, reach) = (far(widest), widest + far(widest));
         let [[left, right], [top, bottom]] = [0, 1].map(|axis| {
             let (least, most) = (from.min(to)[axis] - reach, from.max(to)[axis] + reach);
             // A conversion turns negative numbers into 0.
@@ -191,7 +166,7 @@ impl Free {
             let off = Vec2::new(column as f32, row as f32) - from;
             let way = (off.dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
             let away = (off - along * way).length() - (half_from + (half_to - half_from) * way);
-            let free = smooth_step((away - NEAR) / (FAR - NEAR));
+            let free = smooth_step((away - NEAR) / (far - NEAR));
             let share = &mut self.shares[row * self.columns + column];
             *share = (*share).min((free * 255.0) as u8);
         }
@@ -224,7 +199,7 @@ mod tests {
             &land,
             Domain::of(&recipe).size,
             (Seed::from_text("kauri"), ROUGHNESS),
-            per_unit,
+            (per_unit, 1.8 * (1.65 / per_unit).min(1.0).sqrt()),
             lines.iter().cloned(),
         )
     }

@@ -94,6 +94,19 @@ impl CoastDistance {
         self
     }
 
+    /// Fills waters so narrow that no cell may be sea, as where drawn coasts all but meet: a river could end in one.
+    pub(super) fn without_slivers(mut self) -> Self {
+        /// The least depth of the deepest corner of a water, in units: half the width at which a cell of a relief lies in it.
+        const DEEP: f32 = 2.0;
+        for water in self.regions(Cell::Water) {
+            let corners: Vec<usize> = self.corners_of(&water).collect();
+            if corners.iter().all(|corner| self.heights[*corner] > -DEEP) {
+                corners.into_iter().for_each(|corner| self.heights[corner] = self.heights[corner].abs().max(1.0));
+            }
+        }
+        self
+    }
+
     /// Counts the lattice squares around each corner whose middles lie in the domain: the weight of the corner in
     /// areas.
     #[inline(never)] // one copy for all lands
@@ -460,6 +473,14 @@ impl Side {
 mod tests {
     use super::*;
     use crate::base::random::Seed;
+
+    #[test]
+    fn slivers_of_water_are_filled_and_ponds_stay() {
+        let size = Vec2::splat(80.0);
+        let heights = |depth: f32| (0..144).map(|i| if i == 78 { -depth } else { 6.0 }).collect();
+        let filled = |depth: f32| CoastDistance::of_heights(size, 8.0, heights(depth)).unwrap().without_slivers();
+        assert_eq!([0.2, 1.9, 2.1].map(|depth| filled(depth).regions(Cell::Water).len()), [0, 0, 1]);
+    }
 
     #[test]
     fn height_is_the_distance_from_the_coast() {

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::archipelago::archipelago;
+use super::breakthrough;
 use super::coast_distance::CoastDistance;
 use super::drafts::{self, Wanted};
 use super::draws::Draws;
@@ -10,6 +11,7 @@ use super::figures::{arms, crescent, long, twins};
 use super::gulf::outlet;
 use super::island::{island, lake};
 use super::kinds::Shape;
+use super::ragged::Ragged;
 use super::rock::{Amplitudes, Relief, Rock};
 use super::room::centred;
 use super::sides::Coasts;
@@ -20,7 +22,8 @@ impl Shape {
     /// Makes the coast distances of the shape, on a lattice with a spacing. `None` for the plain rectangle and for a
     /// drawn land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
-        Some(Form::of(self)?.with_sea(spacing, self.sea).settled())
+        let form = Form::of(self)?;
+        Some(form.finished(form.with_sea(spacing, self.sea)))
     }
 }
 
@@ -51,6 +54,24 @@ impl<'a> Form<'a> {
     /// Makes the land where the sea covers a share of the domain, not [settled](CoastDistance::settled) yet.
     pub fn with_sea(&self, spacing: f32, sea: f32) -> CoastDistance {
         CoastDistance::with_sea(&self.shape.domain, spacing, sea, &|point| self.height(point))
+    }
+
+    /// Gives each inner water of a land of this form its outlet, [settles](CoastDistance::settled) the land, and makes coasts
+    /// ragged where they are straight.
+    pub fn finished(&self, land: CoastDistance) -> CoastDistance {
+        Ragged::of(self.shape).applied(self.opened(land).settled())
+    }
+
+    /// Joins the inner waters of a land of this form to the open sea, but for a basin, whose waters are closed. The result
+    /// has yet to be [settled](CoastDistance::settled).
+    fn opened(&self, land: CoastDistance) -> CoastDistance {
+        /// The waves of ways and banks across the shorter side of the domain.
+        const BUMPS: f32 = 24.0;
+        if self.shape.kind == LandKind::Basin {
+            return land;
+        }
+        let noise = self.shape.noise(9, BUMPS, 2);
+        breakthrough::open(land, self.shape.domain.size, &|at| noise.get_noise_2d(at.x, at.y))
     }
 
     fn with_draft(shape: &'a Shape, draft: u32) -> Self {

@@ -10,6 +10,7 @@ use super::coast_distance::CoastDistance;
 use super::form::Form;
 use super::kinds::Shape;
 use super::queries::Land;
+use super::ragged::Ragged;
 use super::straits::straits;
 use crate::recipe::{GrowthMethod, LandKind, NumberKey, Recipe};
 
@@ -74,7 +75,8 @@ fn land(shape: &Shape, form: &Form, today: &CoastDistance, sea: f32) -> Land {
     let low = form.with_sea(today.spacing(), sea);
     let mut kept = straits(today);
     kept.extend(lost_seas(today, &low));
-    Land::new(&shape.domain, low.flooded(&kept).settled(), shape.ridges())
+    let land = Land::new(&shape.domain, form.finished(low.flooded(&kept)), shape.ridges());
+    land.with_ragged(Ragged::of(shape))
 }
 
 /// Returns `true` if every part of a land that is large enough for rivers has a coast.

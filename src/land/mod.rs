@@ -10,6 +10,7 @@
 //! any size, and rivers end at it.
 
 mod archipelago;
+mod breakthrough;
 mod cell;
 mod coast_detail;
 mod coast_distance;
@@ -29,6 +30,7 @@ mod obstacles;
 mod outline;
 mod plains;
 mod queries;
+mod ragged;
 mod regions;
 mod risen;
 mod rock;

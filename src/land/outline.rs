@@ -136,6 +136,13 @@ impl Drawing {
     }
 }
 
+impl CoastDistance {
+    /// Measures the distances from some rings, on a lattice with a spacing: positive within an odd number of them.
+    pub(crate) fn within(domain: &Domain, spacing: f32, rings: Vec<Vec<Vec2>>) -> Self {
+        Drawing { coasts: rings, ridges: Vec::new(), rivers: Vec::new() }.coast_distance(domain, spacing)
+    }
+}
+
 /// Converts the lines of an outline to units.
 pub(crate) fn in_units(lines: &[Vec<GridPoint>], domain: &Domain) -> Vec<Vec<Vec2>> {
     lines.iter().map(|line| line.iter().map(|point| point.fraction() * domain.size).collect()).collect()

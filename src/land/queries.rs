@@ -10,6 +10,7 @@ use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
+use super::ragged::Ragged;
 use super::regions::{Region, around, between, regions, regions_of};
 use super::walk::walk;
 use crate::base::geometry::length;
@@ -31,6 +32,8 @@ pub struct Land {
     /// The borders of land, which no river crosses.
     borders: Obstacles,
     hides: Hides,
+    /// The way in which straight coasts are ragged that a sea leaves when it rises over this land.
+    ragged: Option<Ragged>,
 }
 
 /// The obstacles through which attractors do not pull nodes.
@@ -91,7 +94,20 @@ impl Land {
             (0..=1, _) => Hides::Ridges(grid.obstacles(&raised)),
             _ => Hides::Borders,
         };
-        Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
+        Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides, ragged: None }
+    }
+
+    /// Sets the way in which straight coasts are ragged that a sea leaves when it rises over this land.
+    pub(super) fn with_ragged(self, ragged: Ragged) -> Self {
+        Self { ragged: Some(ragged), ..self }
+    }
+
+    /// Makes straight coasts ragged that a sea has left that rose over this land.
+    pub(super) fn with_ragged_coasts(&self, risen: CoastDistance) -> CoastDistance {
+        match self.ragged {
+            Some(ragged) => ragged.applied(risen),
+            None => risen,
+        }
     }
 
     /// Takes over the drawn rivers of another land.
@@ -261,7 +277,7 @@ fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing
 }
 
 fn measured(shape: &Shape, drawing: &Drawing) -> Option<(Grid, CoastDistance)> {
-    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
+    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING).without_slivers();
     let grid = Grid::above_water(&shape.domain, &coast_distance);
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance))
 }

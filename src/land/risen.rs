@@ -24,7 +24,7 @@ impl<'a> RisenSea<'a> {
     /// Raises the sea to a level, in units, of heights at the corners. Specks of land sink.
     pub fn new(low: &'a Land, heights: &[f32], level: f32) -> Self {
         let mut this = Self { low, over: heights.iter().map(|height| height - level).collect(), share: 0.0 };
-        this.share = 1.0 - this.sink_specks(|lattice| lattice).1.share_of_land();
+        this.share = 1.0 - this.sink_specks(&|lattice| lattice).1.share_of_land();
         this
     }
 
@@ -36,18 +36,20 @@ impl<'a> RisenSea<'a> {
     /// Makes the land that the sea has left.
     pub fn into_land(mut self) -> Land {
         // The exact coast may leave another speck.
-        let (coast, grid) = self.sink_specks(CoastDistance::settled);
+        let low = self.low;
+        let (coast, grid) = self.sink_specks(&|lattice| low.with_ragged_coasts(lattice.settled()));
         Land::on(grid, coast, self.low.ridges().to_vec())
     }
 
-    /// Makes the land that the sea has left, but for specks, in half the time: for a picture that is soon gone.
+    /// Makes the land that the sea has left, but for specks and notches, in half the time: for a picture that is soon gone. The
+    /// land of a higher level lies within it.
     pub fn into_passing_land(self) -> Land {
         let (coast, grid) = self.coast(CoastDistance::settled);
         Land::on(grid, coast, self.low.ridges().to_vec())
     }
 
     /// Sinks specks of land until there are none, as far as `settle` tells where the coast runs. Returns what is left.
-    fn sink_specks(&mut self, settle: fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+    fn sink_specks(&mut self, settle: &dyn Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
         /// The least area of an island, in cells.
         const SPECK: u32 = 40;
         /// The number of times that specks are looked for: each time there are fewer corners of land.
@@ -66,7 +68,7 @@ impl<'a> RisenSea<'a> {
         }
     }
 
-    fn coast(&self, settle: fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+    fn coast(&self, settle: impl Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
         let coast = settle(self.low.coast_distance().with_heights_of(&self.over)).deepened(SHALLOWEST);
         let grid = Grid::above_water(&Domain { size: self.low.size() }, &coast);
         (coast, grid)

@@ -7,6 +7,7 @@
 use glam::Vec2;
 
 use super::CoastDistance;
+use crate::base::geometry::fast_min;
 
 /// Control points of the heights, in units: positive on land, negative at sea.
 #[derive(Clone, Debug)]
@@ -70,6 +71,36 @@ impl SmoothedDistance {
                 }
             }
         }
+    }
+
+    /// Returns the same field with every place as low as the lowest that water reaches from it within a way in units, along
+    /// rows and columns. Land is as low as the water beside it.
+    #[must_use]
+    pub(crate) fn lowered(&self, units: f32) -> Self {
+        let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
+        let mut lowered = self.clone();
+        // What may hand on how low it is.
+        let is_water: Vec<bool> = self.heights.iter().map(|height| *height < 0.0).collect();
+        for _ in 0..(units / self.spacing) as usize {
+            for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
+                for line in 0..lines {
+                    // The height of the place before, as it was, if it may hand it on.
+                    let mut before = f32::MAX;
+                    for i in (0..length).map(|place| line * aside + place * step) {
+                        let here = lowered.heights[i];
+                        let handed = |i: usize| is_water.get(i).is_some_and(|is_water| *is_water);
+                        let after = if i + step < line * aside + length * step && handed(i + step) {
+                            lowered.heights[i + step]
+                        } else {
+                            f32::MAX
+                        };
+                        lowered.heights[i] = fast_min(here, fast_min(before, after));
+                        before = if is_water[i] { here } else { f32::MAX };
+                    }
+                }
+            }
+        }
+        lowered
     }
 
     /// Returns the distance between control points, in units.
@@ -235,6 +266,17 @@ mod tests {
             // In a band of 16 units, less than half a unit on average.
             assert!(off * 40 < near, "{off} of {near}");
         }
+    }
+
+    #[test]
+    fn water_is_as_low_as_the_lowest_that_it_reaches_and_land_hands_nothing_on() {
+        // Two waters beside each other, with land between, and a deep place in one of them.
+        let row = [-1.0, -1.0, -9.0, -1.0, -1.0, 2.0, -3.0];
+        let field = SmoothedDistance { heights: row.repeat(2), columns: 7, rows: 2, spacing: 2.0, margin: 0 };
+        let lowered = |units: f32| field.lowered(units).heights[..7].to_vec();
+        assert_eq!(lowered(1.9), row);
+        assert_eq!(lowered(2.0), [-1.0, -9.0, -9.0, -9.0, -1.0, -3.0, -3.0]);
+        assert_eq!(lowered(40.0), [-9.0, -9.0, -9.0, -9.0, -9.0, -9.0, -3.0]);
     }
 
     #[test]

@@ -8,6 +8,8 @@ use glam::Vec2;
 use tiny_skia::Mask;
 use wide::f32x4;
 
+use crate::base::rings::stretches;
+
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rect {
@@ -163,6 +165,9 @@ impl Coverage {
     ///
     /// A line thinner than a pixel is drawn one pixel wide and paler.
     pub fn capsule(&mut self, a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) {
+        if radius_a <= 0.0 && radius_b <= 0.0 {
+            return;
+        }
         let margin = rim(larger(radius_a, radius_b));
         let Some(rect) = Rect::between([a.min(b) - margin, a.max(b) + margin], self.mask.width(), self.mask.height())
         else {
@@ -178,12 +183,44 @@ impl Coverage {
         }
     }
 
+    /// Fills the area within an odd number of rings, whose points are in pixels.
+    pub fn fill(&mut self, rings: &[Vec<Vec2>]) {
+        /// The number of lines across each row of pixels on which the area is measured.
+        const LINES: u8 = 8;
+        let corners = || rings.iter().flatten().copied();
+        let least = corners().fold(Vec2::MAX, Vec2::min);
+        let most = corners().fold(Vec2::MIN, Vec2::max);
+        let Some(rect) = Rect::between([least, most], self.mask.width(), self.mask.height()) else { return };
+        self.touch(rect);
+        let mut shares = vec![0.0; (rect.right - rect.left) as usize];
+        for row in rect.top..rect.bottom {
+            shares.fill(0.0);
+            for line in 0..LINES {
+                let y = row as f32 + (f32::from(line) + HALF) / f32::from(LINES);
+                for [from, to] in stretches(rings, y) {
+                    cover(&mut shares, from - rect.left as f32, to - rect.left as f32, 1.0 / f32::from(LINES));
+                }
+            }
+            let row = Rect { top: row, bottom: row + 1, ..rect };
+            self.add_shares(row, std::iter::once(shares.iter().map(|share| share.min(1.0))), self.strength);
+        }
+    }
+
     fn touch(&mut self, rect: Rect) {
         for row in rect.top / TILE..=(rect.bottom - 1) / TILE {
             for column in rect.left / TILE..=(rect.right - 1) / TILE {
                 self.touched.tiles[(row * self.touched.columns + column) as usize] = true;
             }
         }
+    }
+}
+
+/// Adds a weight to the pixels of a row between two places, as far as they lie between them.
+fn cover(shares: &mut [f32], from: f32, to: f32, weight: f32) {
+    let (from, to) = (from.max(0.0), to.min(shares.len() as f32));
+    for (i, share) in shares.iter_mut().enumerate().take(to.ceil() as usize).skip(from as usize) {
+        let (left, right) = (i as f32, i as f32 + 1.0);
+        *share += weight * (to.min(right) - from.max(left)).max(0.0);
     }
 }
 

@@ -13,10 +13,12 @@ use super::styles::{Scheme, label_look, palette};
 const WHOLE: f32 = 255.0;
 
 /// Gives the pixels of a painted picture an opacity; colours are not premultiplied. `ground` is the flat ground, whose
-/// fourth channel says what is land. Without a ground, everything is plain land. `tongues` are those of the sea in mouths.
+/// fourth channel says what is land. Without a ground, everything is plain land. `open` is the water between banks, which
+/// among lines is as empty as the sea, and `tongues` are those of the sea in mouths.
 pub(super) fn cut_out(
     pixmap: &mut Pixmap,
     ground: Option<&[[u8; 4]]>,
+    open: Option<&[u8]>,
     tongues: &SeaShares,
     annotation: Option<&AnnotationMasks>,
     scheme: Scheme,
@@ -24,9 +26,10 @@ pub(super) fn cut_out(
     let (look, pixels) = (palette(scheme), pixmap.data_mut().as_chunks_mut::<4>().0);
     let land = |i: usize| ground.map_or(255, |ground| land_share(ground[i][3]));
     let is_of_lines = is_of_lines(&look);
-    let cut = |pixel: Colour, land: u8| {
+    let is_open = |i: usize| open.is_some_and(|open| open[i] > 0);
+    let cut = |i: usize, pixel: Colour, land: u8| {
         if is_of_lines {
-            let paper = if land < 128 { look.deep } else { look.plain };
+            let paper = if land < 128 || is_open(i) { look.deep } else { look.plain };
             lifted(pixel, paper, covered(pixel, paper, look.river))
         } else {
             lifted(pixel, look.shallows, land)
@@ -36,11 +39,12 @@ pub(super) fn cut_out(
     let at_mouths: Vec<_> = tongues
         .iter()
         .map(|&(i, sea)| {
-            cut(opaque_part(pixels[i as usize]), (u16::from(land(i as usize)) * u16::from(255 - sea) / 255) as u8)
+            let i = i as usize;
+            cut(i, opaque_part(pixels[i]), (u16::from(land(i)) * u16::from(255 - sea) / 255) as u8)
         })
         .collect();
     for (i, pixel) in pixels.iter_mut().enumerate() {
-        *pixel = cut(opaque_part(*pixel), land(i));
+        *pixel = cut(i, opaque_part(*pixel), land(i));
     }
     for (&(i, _), cut) in tongues.iter().zip(at_mouths) {
         let pixel = &mut pixels[i as usize];

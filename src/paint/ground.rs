@@ -78,7 +78,7 @@ impl Ground {
         let mut mask = Coverage::new(view.width, view.height).filter(|_| !strokes.is_empty());
         mask.iter_mut().for_each(|mask| draw(mask, view, &strokes));
         Self {
-            shades: Shades::new(view.scale, (palette, tints), shown.spacing()),
+            shades: Shades::new(view.scale, (palette, tints), shown),
             stretches: stretches(view, shown),
             spans: Vec::new(),
             spanned: None,
@@ -100,7 +100,9 @@ impl Ground {
                 match span {
                     Span::Even(colour, count) => pixels.resize(pixels.len() + count, *colour),
                     Span::Uneven(stretch, Holds::Tints) => self.shades.tint(stretch, &across, pixels),
-                    Span::Uneven(stretch, Holds::Lines) => self.shades.draw_lines(stretch, &across, pixels),
+                    Span::Uneven(stretch, Holds::Lines) => {
+                        self.shades.draw_lines(stretch, &across, shown.smooth, at, pixels)
+                    }
                     Span::Uneven(stretch, Holds::Detail) => {
                         self.shades.draw_detail(stretch, &across, shown, at, pixels)
                     }
@@ -159,6 +161,9 @@ enum Holds {
 #[derive(Clone, Debug)]
 struct Shades {
     colours: Vec<[u8; 4]>,
+    /// The colours of the sea without rings, which show where a ring has no room; and that room, `None` if there are no rings.
+    bare: Vec<[u8; 4]>,
+    room: Option<RingRoom>,
     rings: &'static [(f32, f32)],
     /// The distance from its middle at which a line can still be seen, in units.
     margin: f32,
@@ -173,7 +178,7 @@ struct Shades {
 }
 
 impl Shades {
-    fn new(scale: f32, (palette, tints): (&Palette, Option<&Tints>), spacing: f32) -> Self {
+    fn new(scale: f32, (palette, tints): (&Palette, Option<&Tints>), smooth: &SmoothedDistance) -> Self {
         const PER_PIXEL: f32 = 16.0;
         let coast_width = COAST_WIDTH * thinned(scale);
         let past = (coast_width + 2.0 / scale).max(RING_WIDTH);
@@ -184,9 +189,15 @@ impl Shades {
         let count = ((last - first) * per_unit) as usize + 1;
         let colour = |i: usize| shore(scale, (palette, tints), first + (i as f32 + 0.5) / per_unit);
         let (colours, end) = ((0..count).map(colour).collect(), first + count as f32 / per_unit);
+        let without = Palette { rings: &[], ..*palette };
+        let at_sea = if palette.rings.is_empty() { 0 } else { (-first * per_unit) as usize };
+        let bare = (0..at_sea).map(|i| shore(scale, (&without, tints), first + (i as f32 + 0.5) / per_unit)).collect();
+        let (spacing, room) = (smooth.spacing(), RingRoom::of(smooth, palette.rings));
         let step = 1.0 / (spacing * scale);
         Self {
             colours,
+            bare,
+            room,
             rings: palette.rings,
             margin: coast_width * 0.5 + 0.75 / scale,
             step,
@@ -234,13 +245,21 @@ impl Shades {
     }
 
     /// Adds the pixels of a stretch with lines.
-    fn draw_lines(&self, stretch: &Stretch, across: &Across<'_>, pixels: &mut Vec<[u8; 4]>) {
+    fn draw_lines(
+        &self,
+        stretch: &Stretch,
+        across: &Across<'_>,
+        smooth: &SmoothedDistance,
+        y: f32,
+        pixels: &mut Vec<[u8; 4]>,
+    ) {
         let (heights, south) = (Parabola::of(across.around(stretch.column)), across.rise(stretch.column));
         pixels.extend((0..stretch.count).map(|i| {
             let t = stretch.first + i as f32 * self.step;
             let height = heights.at(t);
-            let apart = |line: f32| line + self.apart(height - line, Vec2::new(heights.rise(t), south.at(t)));
-            self.at(self.line_near(height, height).map_or(height, apart))
+            let Some(line) = self.line_near(height, height) else { return self.at(height) };
+            let at = Vec2::new(smooth.x_of(stretch.column, t), y);
+            self.near_line(line, height, (at, Vec2::new(heights.rise(t), south.at(t))))
         }));
     }
 
@@ -266,8 +285,23 @@ impl Shades {
             if off.abs() < self.margin {
                 return self.at(off);
             }
-            self.at(self.line_near(height, height).map_or(height, |line| line + self.apart(height - line, rise)))
+            let Some(line) = self.line_near(height, height) else { return self.at(height) };
+            self.near_line(line, height, (at, rise))
         }));
+    }
+
+    /// Returns the colour at a height near that of a line. A ring is fainter where it hardly has room, also beside the
+    /// line of the coast.
+    fn near_line(&self, line: f32, height: f32, (at, rise): (Vec2, Vec2)) -> [u8; 4] {
+        let off = line + self.apart(height - line, rise);
+        let with = self.at(off);
+        let plain = self.bare.get(self.index(if line < 0.0 { height } else { off })).filter(|plain| **plain != with);
+        let (Some(&[red, green, blue, _]), Some(room), Some(nearest)) = (plain, &self.room, self.rings.first()) else {
+            return with;
+        };
+        let [r, g, b, ashore] = with;
+        let [r, g, b] = mix([red, green, blue], [r, g, b], room.at(nearest.0.max(-line), at));
+        [r, g, b, ashore]
     }
 
     /// Returns the height of a line, coast or ring, close to a range of heights.
@@ -284,9 +318,13 @@ impl Shades {
     }
 
     fn at(&self, height: f32) -> [u8; 4] {
+        self.colours[self.index(height).min(self.colours.len() - 1)]
+    }
+
+    /// Returns the place of a height in the tables, which may end before it.
+    fn index(&self, height: f32) -> usize {
         // A conversion turns negative numbers into 0.
-        let index = ((height - self.first) * self.per_unit) as u32 as usize;
-        self.colours[index.min(self.colours.len() - 1)]
+        ((height - self.first) * self.per_unit) as u32 as usize
     }
 
     /// Returns the colour of all heights between two, if they have one.
@@ -295,6 +333,40 @@ impl Shades {
             return self.colours.last().copied();
         }
         if most <= self.first { self.colours.first().copied() } else { None }
+    }
+}
+
+/// The shortest piece of a ring that is drawn in files, in units. In pictures what there is room for is longer.
+pub(crate) const SHORTEST_RING: f32 = 8.0 * RING_WIDTH;
+
+/// The room that rings have at sea. A ring has room where the water goes on to deepen beyond it, if only some way off. In a
+/// narrow inlet there would be stray dashes and small closed rings.
+#[derive(Clone, Debug)]
+pub(crate) struct RingRoom {
+    /// How deep the water is around each place.
+    deepest: SmoothedDistance,
+    /// By how much it is deeper than at a ring where that has room, in units.
+    enough: f32,
+}
+
+impl RingRoom {
+    /// Finds the room of some rings; `None` if there are no rings.
+    pub fn of(smooth: &SmoothedDistance, rings: &[(f32, f32)]) -> Option<Self> {
+        /// How much deeper that is, in units, and in steps from one ring to the next where rings are close.
+        const DEEPER: f32 = 3.5;
+        const STEPS: f32 = 1.4;
+        /// How far off, in units.
+        const AROUND: f32 = 8.0;
+        let step = rings.windows(2).fold(rings.first()?.0, |least, pair| least.min(pair[1].0 - pair[0].0));
+        Some(Self { deepest: smooth.lowered(AROUND), enough: DEEPER.min(step * STEPS) })
+    }
+
+    /// Returns the room of a ring at a distance from the coast, from 0 for none to 1, at a place of it.
+    pub fn at(&self, distance: f32, place: Vec2) -> f32 {
+        /// The part of what is enough where there is none yet.
+        const NONE: f32 = 0.75;
+        let deeper = (-self.deepest.at(place).0 - distance) / self.enough;
+        ((deeper - NONE) / (1.0 - NONE)).clamp(0.0, 1.0)
     }
 }
 
@@ -395,6 +467,47 @@ mod tests {
                 coast / length
             );
         }
+    }
+
+    #[test]
+    fn lines_of_depth_run_where_there_is_room_for_them() {
+        let domain = Domain::with_aspect(1.0);
+        let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
+        let rings = palette(Style::Atlas.into()).rings;
+        let nearest = rings[0].0;
+        let room = |width: f32, distance: f32| {
+            let shown = SmoothedDistance::of(&CoastDistance::of_strait(&domain, from, to, width));
+            let off_coast = (to - from).perp().normalize() * (width / 2.0 - distance);
+            RingRoom::of(&shown, rings).unwrap().at(distance, from.midpoint(to) + off_coast)
+        };
+        assert_eq!([9.0, 11.0].map(|width| room(width, nearest)), [0.0; 2], "narrower than three steps");
+        assert_eq!([18.0, 60.0].map(|width| room(width, nearest)), [1.0; 2]);
+        assert_eq!([18.0, 30.0].map(|width| room(width, rings[1].0)), [0.0, 1.0]);
+        let shown = SmoothedDistance::of(&CoastDistance::of_strait(&domain, from, to, 60.0));
+        assert!(RingRoom::of(&shown, &[]).is_none());
+    }
+
+    #[test]
+    fn a_strait_without_room_has_the_colours_of_one_without_rings() {
+        let domain = Domain::with_aspect(1.0);
+        let view = View::new(&domain, 500, 500).unwrap();
+        let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
+        let pixels = |width: f32, palette: &Palette| {
+            let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
+            let shown = SmoothedDistance::of(&coast_distance);
+            let land = Land::new(&domain, coast_distance, Vec::new());
+            let (mut pixels, coast) = (Vec::new(), ShownCoast { smooth: &shown, detail: None });
+            Ground::new(&view, &land, &shown, (palette, None)).paint(&view, coast, 0..500, &mut pixels);
+            pixels
+        };
+        let atlas = palette(Style::Atlas.into());
+        let bare = Palette { rings: &[], ..atlas };
+        let most = |width: f32| {
+            let pairs = pixels(width, &atlas).into_iter().zip(pixels(width, &bare));
+            pairs.map(|(with, without)| with[0].abs_diff(without[0])).max().unwrap()
+        };
+        assert!(most(10.0) <= 1, "but for rounding: {}", most(10.0));
+        assert!(most(40.0) > 20, "{}", most(40.0));
     }
 
     #[test]

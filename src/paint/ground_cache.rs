@@ -5,7 +5,7 @@
 use super::beds::GroundWithBeds;
 use super::beyond;
 use super::flat::FlatGround;
-use super::ground::ShownCoast;
+use super::ground::{COAST_WIDTH, ShownCoast, thinned};
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
 use super::rivers::Rivers;
@@ -81,7 +81,7 @@ impl GroundCache {
     pub fn shows(&self, rivers: &Rivers<'_>) -> bool {
         match (&self.raised, rivers.relief) {
             (None, None) => true,
-            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, &rivers.settings),
+            (Some(raised), Some(relief)) => raised.is_whole() && raised.is_of(relief, rivers.lakes, &rivers.settings),
             (None, Some(_)) | (Some(_), None) => false,
         }
     }
@@ -127,8 +127,9 @@ impl GroundCache {
         let line = |river| rivers.network.middle(river).iter().map(|place| (place.at, place.half)).collect();
         let lines = rivers.network.rivers.iter().map(line);
         let land = rivers.land.filter(|_| rivers.finished);
-        let detail =
-            land.and_then(|land| CoastDetail::of(land, view.domain(), rivers.settings.coast, view.scale, lines));
+        let line = COAST_WIDTH * thinned(view.scale);
+        let of = |land| CoastDetail::of(land, view.domain(), rivers.settings.coast, (view.scale, line), lines);
+        let detail = land.and_then(of);
         if detail.is_some() {
             (self.flat, self.shares, self.raised) = (None, None, None);
         }
@@ -178,7 +179,7 @@ impl GroundCache {
         if prepared.prepare(&look, (display, wind), rivers.network, view) {
             return true;
         }
-        self.raised.take_if(|raised| !raised.is_of(relief, &rivers.settings));
+        self.raised.take_if(|raised| !raised.is_of(relief, rivers.lakes, &rivers.settings));
         let Some(raised) = &mut self.raised else {
             self.raised = RaisedGround::new(look, relief, view, rivers);
             return self.raised.is_some();

@@ -3,6 +3,8 @@
 //! Rivers end at the line of the coast, which lies over them. A river that is wide enough then gets a tongue of the sea:
 //! it opens the line between the banks, and upstream it fades into the river. What is left of the river on both sides of
 //! it are the lines of the banks, which run out into that of the coast. A brook has no tongue and ends in the line.
+//! In styles whose rivers are open between two banks, their water is the sea's already: nothing is seen of the tongue there
+//! but the line that it opens.
 
 use glam::Vec2;
 use tiny_skia::Pixmap;
@@ -11,10 +13,11 @@ use super::beds::is_great;
 use super::coverage::{Coverage, Rect};
 use super::ground::COAST_WIDTH;
 use super::palette::{Beds, Lines, Palette, over};
-use super::paper::Ageing;
+use super::paper::WaterColour;
 use super::rivers::draw_line;
 use super::strokes::Vertex;
 use super::view::View;
+use super::waters::Opening;
 use crate::base::geometry::{direction, distance};
 use crate::land::SmoothedDistance;
 use crate::network::{Network, PastCourses, Place};
@@ -79,6 +82,9 @@ impl Tongue {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drawn<'a> {
     pub palette: &'a Palette,
+    /// How rivers open between their banks, and the scale of that in pixels per unit; `None` if they do not.
+    pub opening: Option<Opening>,
+    pub scale: f32,
     /// The former courses of great rivers; `None` if those are drawn like the others.
     pub past: Option<&'a PastCourses>,
     /// The factor and the margin of the distance of the banks from the middle, in units.
@@ -120,7 +126,8 @@ impl Drawn<'_> {
         let [course @ .., mouth, end] = middle else { return None };
         let half = self.half(mouth, is_great);
         let (height, rise) = shown.at(mouth.at);
-        if half < LEAST.max(self.hairline * 0.75) || height.abs() > NEAR {
+        let least = if self.opening.is_some() { self.hairline * 0.5 } else { LEAST.max(self.hairline * 0.75) };
+        if half <= least || height.abs() > NEAR {
             return None;
         }
         let seaward = -direction(rise);
@@ -148,8 +155,12 @@ impl Drawn<'_> {
         if is_great {
             return Beds::half(place, 0.0) + self.margin;
         }
+        let whole = place.half * self.palette.lines.share() * self.times + self.margin;
+        if let Some(opening) = self.opening {
+            return opening.half_px(whole * self.scale) / self.scale;
+        }
         let bank = if self.palette.bank > 0.0 { self.palette.bank.max(self.hairline) } else { 0.0 };
-        place.half * self.palette.lines.share() * self.times + self.margin - bank
+        whole - bank
     }
 }
 
@@ -164,6 +175,8 @@ pub(super) struct TonguePainter<'a> {
     pub shown: &'a SmoothedDistance,
     /// The mask of the rivers: where letters interrupt a river, there is no tongue.
     pub rivers: &'a Coverage,
+    /// The water between banks, in 255ths of each pixel; `None` if rivers do not open.
+    pub open: Option<&'a [u8]>,
 }
 
 impl TonguePainter<'_> {
@@ -193,7 +206,13 @@ impl TonguePainter<'_> {
         let ashore = off_coast(self.shown, at);
         let mut covered = f32::from(between);
         if ashore > tongue.half_coast {
-            let seen = if tongue.gives_way { self.rivers.mask().data()[i] } else { u8::MAX };
+            // Land on either side of a narrow bay is none of the sea's, but the bank of a wider river that ends there.
+            let is_ahead = (at - tongue.at()).dot(tongue.along) > 0.0;
+            let seen = match self.open.filter(|_| is_ahead) {
+                Some(open) => open[i],
+                None if tongue.gives_way => self.rivers.mask().data()[i],
+                None => u8::MAX,
+            };
             covered = covered.min(f32::from(seen));
         } else if ashore < 0.0 {
             let off = at - tongue.at();
@@ -223,16 +242,20 @@ fn around(line: &[Vertex], margin: f32, view: &View) -> Option<Rect> {
     Rect::between([least, most], view.width, view.height)
 }
 
-/// Lays tongues over a picture, in the colour of the water at the coast.
-pub(super) fn lay(pixmap: &mut Pixmap, shares: &SeaShares, view: &View, palette: &Palette) {
-    let ageing = palette.paper.as_ref().map(|paper| Ageing::new(view, paper));
+/// Lays tongues over a picture, in the colour of the water at the coast. `opened` is the share of a pixel that has it
+/// already, in 255ths.
+pub(super) fn lay(pixmap: &mut Pixmap, shares: &SeaShares, opened: &dyn Fn(usize) -> u32, colour: &WaterColour<'_>) {
+    let width = pixmap.width();
     let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
     for &(i, share) in shares {
         let Some(pixel) = pixels.get_mut(i as usize) else { return };
-        let (x, y) = (i % view.width, i / view.width);
-        let water = ageing.as_ref().map_or(palette.shallows, |ageing| ageing.at_sea(palette.shallows, x, y));
-        let [red, green, blue, _] = *pixel;
-        *pixel = over([red, green, blue], water, share.into());
+        let (share, opened) = (u32::from(share), opened(i as usize));
+        if share > opened {
+            let [red, green, blue, _] = *pixel;
+            // Laid over what is not water yet, so that together there is as much as the share.
+            let more = (share - opened) * 255 / (255 - opened);
+            *pixel = over([red, green, blue], colour.at(i % width, i / width), more);
+        }
     }
 }
 
@@ -244,6 +267,9 @@ mod tests {
     use crate::network::{NONE, River, Vertex};
     use crate::paint::styles::palette;
     use crate::recipe::Style;
+
+    /// The pixels of a unit in which rivers open.
+    const SCALE: f32 = 2.0;
 
     /// Makes the tongue of a river that runs east through a coast at x = 500.
     fn tongue_of(width: f32, end: f32, style: Style) -> Option<Tongue> {
@@ -260,6 +286,8 @@ mod tests {
             Network { vertices: (0..30).rev().map(vertex).collect(), rivers: vec![river], ..Network::default() };
         let drawn = Drawn {
             palette: &palette(style.into()),
+            opening: Opening::of(&palette(style.into()), SCALE),
+            scale: SCALE,
             past: None,
             times: 1.0,
             margin: 0.0,
@@ -279,10 +307,15 @@ mod tests {
 
     #[test]
     fn a_tongue_leaves_the_banks_and_opens_the_whole_line_of_the_coast() {
-        let tongue = tongue_of(4.0, 500.0, Style::Ink).unwrap();
+        let ink = Opening::of(&palette(Style::Ink.into()), SCALE).unwrap();
+        assert!(ink.half_px(2.0 * SCALE) > 0.0);
+        for (style, half) in [(Style::Night, 1.5), (Style::Ink, ink.half_px(2.0 * SCALE) / SCALE)] {
+            let tongue = tongue_of(4.0, 500.0, style).unwrap();
+            assert!(tongue.whole_line().iter().all(|place| place.at.x >= 500.0 || place.half == half), "{style:?}");
+        }
+        let tongue = tongue_of(4.0, 500.0, Style::Night).unwrap();
         let line = tongue.whole_line();
         assert!((tongue.at() - Vec2::new(500.0, 400.0)).length() < 0.6, "{}", tongue.at());
-        assert!(line.iter().filter(|place| place.at.x < 500.0).all(|place| place.half == 1.5), "{line:?}");
         assert!(line[0].at.x < 500.0 - tongue.reach, "{line:?}");
         let (first, last) = (line[0], line[line.len() - 1]);
         assert!(last.at.x > 500.0 + COAST_WIDTH * 0.5 && last.half > first.half, "{line:?}");

@@ -13,19 +13,21 @@ use super::annotation::masks::{self, AnnotationMasks};
 use super::coverage::{Coverage, Rect};
 use super::cut_out;
 use super::flow::Flow;
-use super::ground::{COAST_WIDTH, thinned};
+use super::ground::{COAST_WIDTH, river_share, thinned};
 use super::ground_cache::GroundCache;
 use super::mouths::{self, Drawn, SeaShares, TonguePainter};
 use super::palette::Lines;
-use super::rivers::{Rivers, VISIBLE_PX, Widening, draw_network};
+use super::paper::WaterColour;
+use super::rivers::{Inland, Rivers, VISIBLE_PX, Widening, draw_network, is_same_lakes};
 use super::settings::PaintSettings;
 use super::strokes::{Pen, Widths};
 use super::styles::{Scheme, palette};
 use super::view::{Framing, PaintError, View};
+use super::waters::{Opening, Waters};
 use super::{ink, skeleton};
 use crate::base::memory;
-use crate::deltas::Distributary;
 use crate::domain::Domain;
+use crate::lakes::Lakes;
 use crate::land::Land;
 use crate::network::{Network, PastCourses};
 use crate::prune::{self, Trim};
@@ -74,7 +76,7 @@ impl Painted {
 pub struct Painter {
     view: View,
     pixmap: Pixmap,
-    coverage: Coverage,
+    waters: Waters,
     /// The radius with which each node was last drawn; 0 if it was not.
     drawn: Vec<u16>,
     flow: Flow,
@@ -88,13 +90,24 @@ pub struct Painter {
     is_finished: bool,
     /// The round of meandering that the picture shows; `None` while it shows a tree.
     round: Option<u32>,
-    /// The relief that belongs to the finished rivers in the mask, and the kind of their lines; `None` if the mask
-    /// holds anything else.
-    drawn_rivers: Option<(Arc<Relief>, Lines)>,
+    /// The relief that belongs to the finished rivers in the masks, the kind of their lines, and how they open; `None` if
+    /// the masks hold anything else.
+    drawn_rivers: Option<DrawnRivers>,
     /// The sea in the mouths of the rivers that the picture shows.
     tongues: SeaShares,
+    /// The lakes that the picture shows.
+    lakes: Option<Arc<Lakes>>,
     /// The annotation that the picture shows.
     annotation: Option<Arc<AnnotationMasks>>,
+}
+
+/// The finished rivers in the masks: the relief that they belong to, and what they are drawn with.
+#[derive(Clone, Debug)]
+struct DrawnRivers {
+    relief: Arc<Relief>,
+    lakes: Option<Arc<Lakes>>,
+    lines: Lines,
+    opening: Option<Opening>,
 }
 
 impl Painter {
@@ -103,8 +116,8 @@ impl Painter {
     /// # Errors
     /// Fails if a side is 0 or too long, or if there is not enough memory.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
-        /// The memory of picture, mask and ground. The copy of the mask that a skeleton thins needs less than a relief.
-        const BYTES_A_PIXEL: usize = 4 + 1 + GroundCache::BYTES_A_PIXEL;
+        /// The memory of picture, both masks and ground. The copy of the mask that a skeleton thins needs less than a relief.
+        const BYTES_A_PIXEL: usize = 4 + 2 + GroundCache::BYTES_A_PIXEL;
         let view = View::new(domain, width, height)?;
         let bytes = BYTES_A_PIXEL * view.pixels() + GroundCache::BYTES;
         if !memory::can_allocate(bytes) {
@@ -112,12 +125,12 @@ impl Painter {
         }
         let none = PaintError::Size { width, height };
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
-        let coverage = Coverage::new(width, height).ok_or(none)?;
+        let waters = Waters::of(Coverage::new(width, height).ok_or(none)?);
         let (drawn, flow) = (Vec::new(), Flow::default());
         Ok(Self {
             view,
             pixmap,
-            coverage,
+            waters,
             drawn,
             flow,
             ground: GroundCache::default(),
@@ -127,6 +140,7 @@ impl Painter {
             round: None,
             drawn_rivers: None,
             tongues: SeaShares::new(),
+            lakes: None,
             annotation: None,
         })
     }
@@ -149,7 +163,7 @@ impl Painter {
         if view != self.view {
             self.view = view;
             self.ground = GroundCache::default();
-            self.forget_drawing();
+            self.forget_drawing(None);
             self.reset();
         }
     }
@@ -162,9 +176,9 @@ impl Painter {
         self.round = None;
     }
 
-    /// Drops all drawings of trees and rivers.
-    fn forget_drawing(&mut self) {
-        self.coverage.clear();
+    /// Drops all drawings of trees and rivers. The next ones open as those of a scheme do; `None` if that is not known yet.
+    fn forget_drawing(&mut self, scheme: Option<Scheme>) {
+        self.waters.clear(scheme.and_then(|scheme| self.opening(scheme)));
         self.drawn.clear();
         self.flow = Flow::default();
         self.drawn_rivers = None;
@@ -186,6 +200,7 @@ impl Painter {
         cut_out::cut_out(
             &mut self.pixmap,
             self.ground.flat_pixels(),
+            self.waters.open(),
             &self.tongues,
             self.annotation.as_deref(),
             scheme,
@@ -207,7 +222,7 @@ impl Painter {
         }
         let is_blank = std::mem::take(&mut self.is_blank);
         if is_blank {
-            self.forget_drawing();
+            self.forget_drawing(Some(progress.settings.scheme));
         }
         self.tongues.clear();
         if !self.is_finished {
@@ -218,7 +233,7 @@ impl Painter {
             || is_on_new_ground
             || (progress.finished && palette(progress.settings.scheme).lines == Lines::Skeleton)
         {
-            self.coverage.touch_all();
+            self.waters.banks.touch_all();
         }
         while self.lay_ground(progress.land, progress.settings.scheme) {}
         self.compose(progress.settings.scheme)
@@ -233,7 +248,8 @@ impl Painter {
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         let has_annotation = masks::is_same(self.annotation.as_ref(), rivers.annotation);
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers) && has_annotation {
+        let has_lakes = is_same_lakes(self.lakes.as_ref(), rivers.lakes);
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers) && has_lakes && has_annotation {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -242,12 +258,13 @@ impl Painter {
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.annotation = rivers.annotation.cloned();
+        self.lakes = rivers.lakes.cloned();
         self.draw_rivers(rivers);
         if let Some(annotation) = rivers.annotation {
-            masks::take_away(&mut self.coverage, annotation);
+            self.waters.for_each(|mask| masks::take_away(mask, annotation));
             self.drawn_rivers = None;
         }
-        self.coverage.touch_all();
+        self.waters.banks.touch_all();
         let PaintSettings { scheme, .. } = rivers.settings;
         let changed = self.compose(scheme);
         self.open_mouths(rivers.network, Some(rivers.past), &rivers.settings, 1.0);
@@ -262,7 +279,7 @@ impl Painter {
     /// without any change, if there is no suitable ground.
     pub fn paint_draft(
         &mut self,
-        (network, distributaries): (&Network, &[Distributary]),
+        inland: Inland<'_>,
         settings: &PaintSettings,
         times: f32,
     ) -> Option<Rect> {
@@ -272,14 +289,18 @@ impl Painter {
         }
         (self.round, self.drawn_rivers, self.annotation) = (None, None, None);
         self.is_finished = true;
-        self.coverage.clear();
+        self.waters.clear(self.opening(scheme));
         let widening = Widening { times, ..Widening::NONE };
-        let lines = palette(scheme).lines;
-        draw_network(&mut self.coverage, &self.view, (network, distributaries), courses, lines, widening);
-        self.coverage.touch_all();
+        draw_network(&mut self.waters, &self.view, inland, courses, palette(scheme).lines, widening);
+        self.waters.banks.touch_all();
         let changed = self.compose(scheme);
-        self.open_mouths(network, None, settings, times);
+        self.open_mouths(inland.network, None, settings, times);
         changed
+    }
+
+    /// Returns how the rivers of a style open; `None` if they do not.
+    fn opening(&self, scheme: Scheme) -> Option<Opening> {
+        Opening::of(&palette(scheme), self.view.scale)
     }
 
     /// Lays the sea into the mouths of rivers.
@@ -291,6 +312,8 @@ impl Painter {
         let palette = palette(settings.scheme);
         let drawn = Drawn {
             palette: &palette,
+            opening: self.waters.opening(),
+            scale: self.view.scale,
             past,
             times,
             margin: VISIBLE_PX / self.view.scale,
@@ -298,23 +321,36 @@ impl Painter {
             coast_width: COAST_WIDTH * thinned(self.view.scale),
         };
         let tongues = drawn.tongues(network, shown);
-        let painter = TonguePainter { view: &self.view, courses: settings.courses, shown, rivers: &self.coverage };
+        let painter = TonguePainter {
+            view: &self.view,
+            courses: settings.courses,
+            shown,
+            rivers: &self.waters.banks,
+            open: self.waters.open(),
+        };
         tongues.iter().for_each(|tongue| painter.draw(tongue, &mut self.tongues));
-        mouths::lay(&mut self.pixmap, &self.tongues, &self.view, &palette);
+        // What a river has opened already is not laid twice.
+        let (open, ground) = (self.waters.open(), self.ground.pixels(settings.scheme));
+        let shown = |i: usize| ground.map_or(255, |ground| river_share(ground.0[i][3]));
+        let opened = |i: usize| open.map_or(0, |open| (u32::from(open[i]) * u32::from(shown(i)) + 127) / 255);
+        mouths::lay(&mut self.pixmap, &self.tongues, &opened, &WaterColour::new(&self.view, &palette));
     }
 
     /// Draws rivers, unless the mask already holds them because only the style has changed.
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
         let (lines, relief) = (palette(rivers.settings.scheme).lines, rivers.relief);
-        let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
-            relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && *as_lines == lines
+        let opening = self.opening(rivers.settings.scheme);
+        let is_drawn = |drawn: &DrawnRivers| {
+            relief.is_some_and(|relief| Arc::ptr_eq(&drawn.relief, relief))
+                && is_same_lakes(drawn.lakes.as_ref(), rivers.lakes)
+                && (drawn.lines, drawn.opening) == (lines, opening)
         };
         if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
-            self.coverage.clear();
+            self.waters.clear(opening);
             let courses = rivers.settings.courses;
-            let drawn = (rivers.network, rivers.distributaries);
-            draw_network(&mut self.coverage, &self.view, drawn, courses, lines, Widening::NONE);
-            self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
+            draw_network(&mut self.waters, &self.view, rivers.inland(), courses, lines, Widening::NONE);
+            let lakes = rivers.lakes.cloned();
+            self.drawn_rivers = relief.cloned().map(|relief| DrawnRivers { relief, lakes, lines, opening });
         }
     }
 
@@ -327,7 +363,7 @@ impl Painter {
         } else if progress.trim.heads.channel_area == 0 {
             let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
             let radii = &self.flow.radii;
-            near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
+            near_tip.iter().for_each(|&child| pen.draw_water(&mut self.waters, tree, radii, child as usize));
         }
     }
 
@@ -349,7 +385,7 @@ impl Painter {
             let below = tree.parent_of(node).unwrap_or(node);
             let wider = |node: usize| radii[node] > self.drawn[node];
             if wider(child) || wider(node) || wider(below) {
-                pen.draw(&mut self.coverage, tree, radii, child);
+                pen.draw_water(&mut self.waters, tree, radii, child);
             }
         }
         for (drawn, (&radius, &stays)) in self.drawn.iter_mut().zip(radii.iter().zip(&stays)) {
@@ -361,20 +397,22 @@ impl Painter {
 
     /// Colours the parts of the picture where the mask has changed. Returns the rectangle around them.
     fn compose(&mut self, scheme: Scheme) -> Option<Rect> {
-        let touched = self.coverage.take_touched();
+        // What is open lies between banks, so it touches nothing more.
+        let touched = self.waters.banks.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
         let ground = self.ground.pixels(scheme);
+        let banks = &self.waters.banks;
         match palette(scheme).lines {
             Lines::Wide | Lines::Thin => {
-                ink::compose(&mut self.pixmap, &self.coverage, ground, &palette(scheme), &touched);
+                ink::compose(&mut self.pixmap, (&self.waters, &self.view), ground, &palette(scheme), &touched);
             }
             Lines::Skeleton if self.is_finished => {
-                skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground.map(|ground| ground.0));
-                return Some(self.coverage.bounds());
+                skeleton::compose_thinned(&mut self.pixmap, banks, ground.map(|ground| ground.0));
+                return Some(banks.bounds());
             }
             Lines::Skeleton => {
                 let ground = ground.map(|ground| ground.0);
-                touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, ground, rect));
+                touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, banks, ground, rect));
             }
         }
         Some(around)

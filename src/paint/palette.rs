@@ -24,7 +24,9 @@ pub(crate) struct Palette {
     /// The colour of land if the whole domain is land.
     pub plain: Colour,
     pub lines: Lines,
-    /// The width of the line that a river leaves along each bank where the sea reaches into its mouth, in units.
+    /// `true` if wide rivers are two banks with water between, in the colour of the shallows.
+    pub is_open: bool,
+    /// The width of the line along each bank of such a river, or of any where the sea reaches into its mouth, in units.
     pub bank: f32,
     /// The look of great rivers over their former beds; `None` if all rivers look alike.
     pub beds: Option<&'static Beds>,
@@ -296,6 +298,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         river,
         plain: land,
         lines: Lines::Wide,
+        is_open: false,
         bank: 0.5,
         beds: None,
         grids: &[],

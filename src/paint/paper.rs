@@ -4,7 +4,7 @@ use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
 
 use super::ground::land_share;
-use super::palette::{Colour, Paper, mix};
+use super::palette::{Colour, Palette, Paper, mix};
 use super::view::{Rows, View};
 
 /// The ageing of a picture's paper.
@@ -44,6 +44,23 @@ impl<'a> Ageing<'a> {
     pub fn at_sea(&self, colour: Colour, x: u32, y: u32) -> Colour {
         let blotch = self.blotch(Vec2::new(x as f32, y as f32) + 0.5);
         self.aged(colour, blotch * self.paper.at_sea, x, y)
+    }
+}
+
+/// The colour of water at the coast in a picture.
+pub(super) struct WaterColour<'a> {
+    shallows: Colour,
+    ageing: Option<Ageing<'a>>,
+}
+
+impl<'a> WaterColour<'a> {
+    pub fn new(view: &'a View, palette: &'a Palette) -> Self {
+        Self { shallows: palette.shallows, ageing: palette.paper.as_ref().map(|paper| Ageing::new(view, paper)) }
+    }
+
+    /// Returns the colour in a pixel.
+    pub fn at(&self, x: u32, y: u32) -> Colour {
+        self.ageing.as_ref().map_or(self.shallows, |ageing| ageing.at_sea(self.shallows, x, y))
     }
 }
 

@@ -8,10 +8,12 @@ use super::flat::{FlatGround, plain};
 use super::ground::{Ground, ShownCoast};
 use super::palette::{LAND_ONLY, Palette, ReliefLook, Tints};
 use super::relief::{Inks, Prepared, ReliefDisplay, Sheet, tints_of};
-use super::rivers::{Rivers, Widening, draw_network};
+use super::rivers::{Rivers, Widening, draw_network, is_same_lakes};
 use super::settings::PaintSettings;
 use super::styles::palette;
 use super::view::{Rows, View};
+use super::waters::Waters;
+use crate::lakes::Lakes;
 use crate::land::Land;
 use crate::relief::{Relief, Wind};
 
@@ -61,6 +63,7 @@ fn drop_beyond(view: &View, rows: Rows, shares: &mut [u8]) {
 #[derive(Clone, Debug)]
 pub(super) struct RaisedGround {
     relief: Arc<Relief>,
+    lakes: Option<Arc<Lakes>>,
     display: ReliefDisplay,
     wind: Option<Wind>,
     palette: Palette,
@@ -84,20 +87,21 @@ impl RaisedGround {
     pub fn new(look: ReliefLook, relief: &Arc<Relief>, view: &View, rivers: &Rivers<'_>) -> Option<Self> {
         let PaintSettings { scheme, relief: display, wind, .. } = rivers.settings;
         let palette = palette(scheme);
-        let mut mask = Coverage::new(view.width, view.height)?;
+        let mut cased = Waters::of(Coverage::new(view.width, view.height)?);
         if look.minds_rivers() {
-            let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
-            let drawn = (rivers.network, rivers.distributaries);
-            draw_network(&mut mask, view, drawn, rivers.settings.courses, palette.lines, cased);
+            let wider = Widening { margin: look.casing.margin, ..Widening::NONE };
+            draw_network(&mut cased, view, rivers.inland(), rivers.settings.courses, palette.lines, wider);
         }
-        let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: mask, inks: None });
-        let (relief, pixels) = (relief.clone(), Vec::with_capacity(view.pixels()));
-        Some(Self { relief, display, wind, palette, making, pixels })
+        let making = Some(Making { look, tints: tints_of(scheme, wind), rivers: cased.banks, inks: None });
+        let (relief, lakes, pixels) = (relief.clone(), rivers.lakes.cloned(), Vec::with_capacity(view.pixels()));
+        Some(Self { relief, lakes, display, wind, palette, making, pixels })
     }
 
-    /// Returns `true` if it is made from this relief, shown like this.
-    pub fn is_of(&self, relief: &Arc<Relief>, settings: &PaintSettings) -> bool {
-        Arc::ptr_eq(&self.relief, relief) && (self.display, self.wind) == (settings.relief, settings.wind)
+    /// Returns `true` if it is made from this relief, with these lakes, shown like this.
+    pub fn is_of(&self, relief: &Arc<Relief>, lakes: Option<&Arc<Lakes>>, settings: &PaintSettings) -> bool {
+        Arc::ptr_eq(&self.relief, relief)
+            && is_same_lakes(self.lakes.as_ref(), lakes)
+            && (self.display, self.wind) == (settings.relief, settings.wind)
     }
 
     pub fn pixels(&self) -> &[[u8; 4]] {

@@ -7,12 +7,15 @@ use std::sync::Arc;
 
 use super::annotation::masks::AnnotationMasks;
 use super::coverage::Coverage;
+use super::lakes;
 use super::palette::Lines;
 use super::settings::PaintSettings;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
+use super::waters::Waters;
 use crate::deltas::Distributary;
+use crate::lakes::Lakes;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::CourseShape;
@@ -35,10 +38,36 @@ pub struct Rivers<'a> {
     pub land: Option<&'a Land>,
     /// The relief; `None` while there is none.
     pub relief: Option<&'a Arc<Relief>>,
+    /// The lakes along them; `None` while there are none.
+    pub lakes: Option<&'a Arc<Lakes>>,
     /// The annotation to lay over them.
     pub annotation: Option<&'a Arc<AnnotationMasks>>,
     /// The settings.
     pub settings: PaintSettings,
+}
+
+/// The waters of the land of a map: its rivers, their branches in deltas, and the lakes along them.
+#[derive(Clone, Copy, Debug)]
+pub struct Inland<'a> {
+    pub network: &'a Network,
+    pub distributaries: &'a [Distributary],
+    pub lakes: Option<&'a Lakes>,
+}
+
+impl Rivers<'_> {
+    pub(super) fn inland(&self) -> Inland<'_> {
+        let &Self { network, distributaries, lakes, .. } = self;
+        Inland { network, distributaries, lakes: lakes.map(Arc::as_ref) }
+    }
+}
+
+/// Returns `true` if both are the same shared lakes, or both are `None`.
+pub(super) fn is_same_lakes(lakes: Option<&Arc<Lakes>>, other: Option<&Arc<Lakes>>) -> bool {
+    match (lakes, other) {
+        (Some(lakes), Some(other)) => Arc::ptr_eq(lakes, other),
+        (None, None) => true,
+        _ => false,
+    }
 }
 
 /// The margin added to each bank, in pixels, so that brooks can be seen.
@@ -56,34 +85,48 @@ impl Widening {
     pub const NONE: Self = Self { times: 1.0, margin: 0.0 };
 }
 
-/// Draws a network.
+/// Draws a network with its lakes: banks and shores, and the water between them where rivers are wide.
 pub(super) fn draw_network(
-    coverage: &mut Coverage,
+    waters: &mut Waters,
     view: &View,
-    (network, distributaries): (&Network, &[Distributary]),
+    Inland { network, distributaries, lakes }: Inland<'_>,
     courses: CourseShape,
     lines: Lines,
     Widening { times, margin }: Widening,
 ) {
-    let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| draw_line(coverage, &line, courses);
     if lines == Lines::Skeleton {
         // Unchanged courses: widths and varying banks make no difference in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
-        network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
+        let line = |river| network.course(river).map(in_pixels).collect::<Vec<_>>();
+        network.rivers.iter().for_each(|river| draw_line(&mut waters.banks, &line(river), courses));
         let in_pixels = |place: &Place| (view.pixel(place.at), skeleton::WIDTH_PX * 0.5);
-        distributaries.iter().for_each(|branch| draw_line(coverage, branch.line.iter().map(in_pixels).collect()));
+        let line = |branch: &Distributary| branch.line.iter().map(in_pixels).collect::<Vec<_>>();
+        distributaries.iter().for_each(|branch| draw_line(&mut waters.banks, &line(branch), courses));
     } else {
         let share = lines.share() * times;
         let in_pixels = |place: &Place| (view.pixel(place.at), (place.half * share + margin) * view.scale + VISIBLE_PX);
-        let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
-        network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
-        distributaries.iter().for_each(|branch| draw_line(coverage, in_pixels(branch.line.clone())));
-        let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
-        for oxbow in lakes {
-            coverage.set_strength(1.0 - oxbow.silt);
-            draw_line(coverage, in_pixels(oxbow.middle()));
+        let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect::<Vec<_>>();
+        network.rivers.iter().for_each(|river| draw_water(waters, &in_pixels(network.middle(river)), courses));
+        distributaries.iter().for_each(|branch| draw_water(waters, &in_pixels(branch.line.clone()), courses));
+        lakes.into_iter().for_each(|along| lakes::draw(waters, view, along, margin));
+        let oxbows = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
+        for oxbow in oxbows {
+            waters.set_strength(1.0 - oxbow.silt);
+            draw_water(waters, &in_pixels(oxbow.middle()), courses);
         }
-        coverage.set_strength(1.0);
+        waters.set_strength(1.0);
+    }
+}
+
+/// Draws a line with its widths, and the water between its banks.
+fn draw_water(waters: &mut Waters, line: &[Vertex], courses: CourseShape) {
+    draw_line(&mut waters.banks, line, courses);
+    let Some((mask, opening)) = waters.open_mut() else { return };
+    let between: Vec<Vertex> = line.iter().map(|&(at, half)| (at, opening.half_px(half))).collect();
+    // Of most rivers nothing is open, of others a part.
+    let is_open = |pair: &[Vertex]| pair[0].1.max(pair[1].1) > 0.0;
+    if between.windows(2).any(is_open) {
+        draw_line(mask, &between, courses);
     }
 }
 

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::coverage::Coverage;
 use super::view::View;
+use super::waters::Waters;
 use crate::recipe::CourseShape;
 use crate::tree::{NO_PARENT, Tree};
 
@@ -76,8 +77,24 @@ impl Pen {
     /// the node between. Therefore the line has no corners, and a tributary branches off along its river. A node is not
     /// drawn before it has a child, so no stroke ever has to be removed.
     pub fn draw(&self, coverage: &mut Coverage, tree: &Tree, radii: &[u16], child: usize) {
+        self.stroke(coverage, tree, child, |node| f32::from(radii[node]) / SIXTEENTHS);
+    }
+
+    /// Draws the same river's banks, and the water between them where it is wide.
+    pub(super) fn draw_water(&self, waters: &mut Waters, tree: &Tree, radii: &[u16], child: usize) {
+        self.draw(&mut waters.banks, tree, radii, child);
+        let (Some((mask, opening)), Some(node)) = (waters.open_mut(), tree.parent_of(child)) else { return };
+        let half = |node: usize| opening.half_px(f32::from(radii[node]) / SIXTEENTHS);
+        let below = tree.parent_of(node).unwrap_or(node);
+        if half(below).max(half(node)).max(half(child)) > 0.0 {
+            self.stroke(mask, tree, child, half);
+        }
+    }
+
+    /// Draws the river from below a node to halfway to its child, with a radius in pixels at each node.
+    fn stroke(&self, coverage: &mut Coverage, tree: &Tree, child: usize, radius: impl Fn(usize) -> f32) {
         let Some(node) = tree.parent_of(child) else { return };
-        let vertex = |node: usize| (self.view.pixel(tree.at[node]), f32::from(radii[node]) / SIXTEENTHS);
+        let vertex = |node: usize| (self.view.pixel(tree.at[node]), radius(node));
         let (bend, end) = (vertex(node), middle(vertex(node), vertex(child)));
         match tree.parent[node] {
             _ if self.courses == CourseShape::Grown => step(coverage, bend, vertex(child)),

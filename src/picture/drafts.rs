@@ -1,7 +1,9 @@
 //! Drafts: previews that a picture shows while a slider moves. `paint` removes all traces of them.
 
+use std::sync::Arc;
+
 use super::{Picture, Source, is_same, rivers_of};
-use crate::paint::{PaintSettings, Painted, Rivers};
+use crate::paint::{Inland, PaintSettings, Painted, Rivers};
 use crate::recipe::{Key, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
 
@@ -56,8 +58,8 @@ impl Picture {
         if !self.is_on_land_of(session) {
             return None;
         }
-        let changed =
-            self.painter.paint_draft((network, distributaries), &PaintSettings::of(session.recipe()), times)?;
+        let inland = Inland { network, distributaries, lakes: session.lakes().map(Arc::as_ref) };
+        let changed = self.painter.paint_draft(inland, &PaintSettings::of(session.recipe()), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(Painted::Whole(Some(changed)))
     }
@@ -74,7 +76,8 @@ impl Picture {
         }
         let relief = self.drafts.relief(session, wanted)?;
         self.rivers_of = Some(session.tree_generation());
-        Some(self.painter.paint_rivers(&Rivers { relief: Some(&relief), ..rivers }))
+        let lakes = self.drafts.lakes();
+        Some(self.painter.paint_rivers(&Rivers { relief: Some(&relief), lakes, ..rivers }))
     }
 
     /// Paints a part of the finished rivers, without a relief, on a preview of another recipe's coasts, or on the

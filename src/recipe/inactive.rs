@@ -206,7 +206,9 @@ impl Given<'_> {
     }
 
     fn heights_only_in_files(&self) -> Reason {
-        self.no_relief().map(|_| "this style shows no relief, though files of heights have it")
+        // Lakes lie as the relief has them.
+        let has_no_lakes = self.is_zero(Key::Lakes);
+        self.no_relief().filter(|_| has_no_lakes).map(|_| "this style shows no relief, though files of heights have it")
     }
 
     fn no_lakes(&self) -> Reason {

@@ -109,7 +109,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then members that this reader skips.
-const NETWORK: [&str; 11] = [
+const NETWORK: [&str; 12] = [
     "recipe",
     "resolved",
     "domain",
@@ -119,6 +119,7 @@ const NETWORK: [&str; 11] = [
     "nodes",
     "rivers",
     "oxbows",
+    "lakes",
     "names",
     "attractors",
 ];

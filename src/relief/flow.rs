@@ -5,8 +5,9 @@ use glam::Vec2;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::{Grid, Relief, ReliefError, ReliefSettings};
-use crate::base::memory::{Refused, ask};
+use crate::base::memory::ask;
 use crate::base::sort::{argsort, key};
+use crate::base::work;
 use crate::land::trace::rings;
 use crate::network::{NONE, Network};
 
@@ -42,8 +43,8 @@ impl Flow {
     /// # Errors
     /// If there is not enough memory.
     pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
-        let (field, channels) = Field::of(relief, network, settings)?;
-        Ok(Self::on(&field, &channels, network))
+        let (cells, channels) = walked(relief, network, settings)?;
+        Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells: &cells }, &channels, network))
     }
 
     /// Finds the cell that the water of each cell of a relief runs to, on its own grid; [`NONE`] at sea and where water leaves the map.
@@ -51,13 +52,8 @@ impl Flow {
     /// # Errors
     /// If there is not enough memory.
     pub(crate) fn ways(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Vec<u32>, ReliefError> {
-        let (field, channels) = Field::of(relief, network, settings)?;
-        let downstream = field.downstream(&channels, network);
-        let way = |cell: usize| match downstream[cell] {
-            to if to == cell || !field.cells.is_land(cell) || !field.cells.is_land(to) => NONE,
-            to => field.cells.without_rim(to) as u32,
-        };
-        Ok(field.inside().map(way).collect())
+        let (cells, channels) = walked(relief, network, settings)?;
+        Ok(ways_on(&cells, heights_with_rim(&cells, relief), &channels, network))
     }
 
     /// Returns the cell that the water of a cell runs to, on the grid of this flow; `None` if it leaves the map, and at sea.
@@ -68,7 +64,7 @@ impl Flow {
         Some(row * grid.columns + column)
     }
 
-    fn on(field: &Field, channels: &Channels, network: &Network) -> Self {
+    fn on(field: &Field<'_>, channels: &Channels, network: &Network) -> Self {
         let rivers = field.rivers(channels, network);
         let downstream = field.downstream(channels, network);
         let outlets = field.outlets(&downstream);
@@ -112,16 +108,36 @@ pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &G
     rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
 }
 
-/// Walks all rivers from cell to cell.
-fn walked(cells: &Cells, network: &Network) -> Result<Channels, Refused> {
-    let mut channels = Channels::new(network, vec![0.0; network.vertices.len()])?;
-    while channels.walk(cells, network)? {}
-    Ok(channels)
+/// Reads the cells of a relief that was made of these rivers with these settings, and walks the rivers over them.
+fn walked(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<(Cells, Channels), ReliefError> {
+    /// All lists of cells together, and paths where rivers have few vertices.
+    const BYTES_A_CELL: usize = 80;
+    const BYTES_A_VERTEX: usize = 40;
+    let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
+    let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
+    ask(bytes).map_err(refused)?;
+    let cells = Cells::new(settings).map_err(refused)?;
+    let mut channels = Channels::new(network, vec![0.0; network.vertices.len()]).map_err(refused)?;
+    while channels.walk(&cells, network).map_err(refused)? {}
+    Ok((cells, channels))
+}
+
+/// Finds the cell that the water of each cell of the map runs to; [`NONE`] at sea and where water leaves the map. Heights include the rim:
+/// 0 for all of the sea, infinite where no water runs.
+pub(super) fn ways_on(cells: &Cells, heights: Vec<f32>, channels: &Channels, network: &Network) -> Vec<u32> {
+    let field = Field { cells, heights };
+    work::count(9 * cells.land_count());
+    let downstream = field.downstream(channels, network);
+    let way = |cell: usize| match downstream[cell] {
+        to if to == cell || !cells.is_land(cell) || !cells.is_land(to) => NONE,
+        to => cells.without_rim(to) as u32,
+    };
+    field.inside().map(way).collect()
 }
 
 /// The heights of the map's cells and of the rim around them.
-struct Field {
-    cells: Cells,
+struct Field<'a> {
+    cells: &'a Cells,
     /// Heights in units, the rim included: 0 for all of the sea; infinite where no water runs.
     heights: Vec<f32>,
 }
@@ -135,23 +151,10 @@ fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
     (0..cells.inland.len()).map(height).collect()
 }
 
-impl Field {
-    /// Reads a relief that was made of these rivers with these settings, and walks the rivers over it.
-    fn of(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<(Self, Channels), ReliefError> {
-        /// All lists of cells together, and paths where rivers have few vertices.
-        const BYTES_A_CELL: usize = 80;
-        const BYTES_A_VERTEX: usize = 40;
-        let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
-        let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
-        ask(bytes).map_err(refused)?;
-        let cells = Cells::new(settings).map_err(refused)?;
-        let channels = walked(&cells, network).map_err(refused)?;
-        Ok((Self { heights: heights_with_rim(&cells, relief), cells }, channels))
-    }
-
+impl Field<'_> {
     /// Iterates over the map's cells, without the rim, row by row.
     fn inside(&self) -> impl Iterator<Item = usize> + '_ {
-        let Cells { columns, rows, .. } = self.cells;
+        let &Cells { columns, rows, .. } = self.cells;
         (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| row * columns + column))
     }
 

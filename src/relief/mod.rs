@@ -16,6 +16,8 @@ mod channels;
 mod contours;
 mod creep;
 mod draft;
+mod error;
+mod falling;
 mod finer;
 mod flow;
 mod front;
@@ -39,6 +41,8 @@ use crate::base::sort::quantile;
 use crate::network::Network;
 
 pub(crate) use draft::ReliefDrafts;
+pub use error::ReliefError;
+pub use falling::let_fall;
 pub use flow::Flow;
 pub(crate) use flow::rings_around;
 pub use grid::Grid;
@@ -46,7 +50,7 @@ pub(crate) use low_stand::LowStandRelief;
 pub(crate) use rain::{Rainfall, Wind};
 pub(crate) use rills::Rills;
 pub use settings::ReliefSettings;
-pub use solver::{ReliefError, ReliefSolver};
+pub use solver::ReliefSolver;
 
 /// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;
@@ -77,6 +81,11 @@ impl Relief {
     pub(crate) fn of_heights(domain: &crate::domain::Domain, heights: Vec<f32>) -> Option<Self> {
         let grid = Grid::of(domain);
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
+    }
+
+    /// Returns a relief on the same grid with other heights, in units, one for each cell.
+    pub(crate) fn with_heights(&self, heights: Vec<f32>) -> Self {
+        Self { grid: self.grid, heights }
     }
 
     /// Returns the number of cells in a row. The last may reach over the map's border.

@@ -1,10 +1,10 @@
 //! The relief stage as a stepper: no step keeps a page waiting for long.
 
-use thiserror::Error;
-
 use super::cells::Cells;
 use super::channels::Channels;
 use super::creep::Creep;
+use super::error::ReliefError;
+use super::flow::ways_on;
 use super::front::{Front, TILE};
 use super::profile::elevations;
 use super::rill_cells::RillCells;
@@ -16,18 +16,6 @@ use crate::base::memory::{Refused, ask, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::work;
 use crate::network::Network;
-
-/// The reason why there can be no relief.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum ReliefError {
-    /// There was not enough memory.
-    #[error("the relief needs about {megabytes} MB, and the allocation failed")]
-    OutOfMemory {
-        /// The memory that is needed, approximately.
-        megabytes: u32,
-    },
-}
 
 /// A relief in the making.
 #[derive(Clone, Debug)]
@@ -289,6 +277,22 @@ impl ReliefSolver {
         self.creep = Creep::new(heights)?;
         (self.is_river, self.front) = (is_river, Front::default());
         Ok(Part::Creep)
+    }
+
+    /// Finds the cell that the water of each cell of the finished relief runs to, as [`Flow::ways`](super::Flow::ways) does.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub(crate) fn ways(&self, network: &Network) -> Result<Vec<u32>, ReliefError> {
+        const BYTES_A_CELL: usize = 20;
+        ask(self.cells.inland.len() * BYTES_A_CELL).map_err(|_| self.refused())?;
+        let height = |cell: usize| match (self.cells.is_land(cell), self.cells.is_sea(cell)) {
+            (true, _) => self.creep.heights[cell],
+            (_, true) => 0.0,
+            _ => f32::INFINITY,
+        };
+        let heights = (0..self.cells.inland.len()).map(height).collect();
+        Ok(ways_on(&self.cells, heights, &self.channels, network))
     }
 
     fn finished(&self) -> Result<Relief, Refused> {

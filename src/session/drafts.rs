@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{Phase, Session};
 use crate::drown::Drowning;
+use crate::lakes::Lakes;
 use crate::land::{CoastDistance, Land, LowStand};
 use crate::recipe::{Key, NumberKey, Recipe};
 use crate::relief::{Relief, ReliefDrafts};
@@ -11,8 +12,8 @@ use crate::relief::{Relief, ReliefDrafts};
 /// Previews of one session's relief and land, with the data that they are made from.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SessionDrafts {
-    /// The last solved relief that was seen, with its recipe.
-    base: Option<(Recipe, Arc<ReliefDrafts>)>,
+    /// The last solved relief that was seen, with its recipe, and the lakes on it.
+    base: Option<(Recipe, Arc<ReliefDrafts>, Arc<Lakes>)>,
     /// The last preview, with its values of mountains and plains.
     last: Option<([f32; 2], Arc<Relief>)>,
     /// The last land, with its recipe.
@@ -29,21 +30,21 @@ impl SessionDrafts {
             return None;
         }
         if let Some(relief) = session.relief()
-            && self.base.as_ref().is_none_or(|(of, _)| of != recipe)
+            && self.base.as_ref().is_none_or(|(of, ..)| of != recipe)
         {
             (self.base, self.last) = (None, None);
             let map = session.map()?;
             let drafts = ReliefDrafts::new(relief, map.relief_settings()).ok()?;
-            self.base = Some((recipe.clone(), drafts.into()));
+            self.base = Some((recipe.clone(), drafts.into(), map.lakes().clone()));
             return Some(true);
         }
-        self.base.as_ref().is_some_and(|(of, _)| of.differs_in(wanted, &OF_RELIEF)).then_some(false)
+        self.base.as_ref().is_some_and(|(of, ..)| of.differs_in(wanted, &OF_RELIEF)).then_some(false)
     }
 
     /// Makes a preview of the relief under another recipe, for which `prepare` has been called; the exact relief, once
     /// it is solved, for the session's own recipe.
     pub fn relief(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Relief>> {
-        let (of, drafts) = self.base.as_ref()?;
+        let (of, drafts, _) = self.base.as_ref()?;
         if let Some(relief) = session.relief().filter(|_| of == wanted) {
             return Some(relief.clone());
         }
@@ -53,6 +54,11 @@ impl SessionDrafts {
             self.last = Some(([mountains, plains], drafts.draft(mountains, plains).ok()?.into()));
         }
         self.last.as_ref().map(|(_, relief)| relief.clone())
+    }
+
+    /// Returns the lakes of a preview of the relief: those that were last seen. Where others will be is known once the relief is.
+    pub fn lakes(&self) -> Option<&Arc<Lakes>> {
+        self.base.as_ref().map(|(.., lakes)| lakes)
     }
 
     /// Makes a preview of the land under a recipe that differs from the session's in its coasts alone, over the valleys of its tree

@@ -22,6 +22,8 @@ pub(super) enum ReliefStage {
 pub(super) enum LakeStage {
     #[default]
     Waiting,
+    /// The solver of the relief knows the ways of water.
+    Begun(Box<ReliefSolver>),
     Making(Box<LakeMaker>),
     Made(Arc<Lakes>),
 }
@@ -38,9 +40,10 @@ impl ReliefStage {
         match self {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
             Self::Solving(solver) => {
-                if let Some(relief) = solver.step(network)? {
-                    *self = Self::Solved(relief.into(), LakeStage::begin(lakes()));
-                }
+                let Some(relief) = solver.step(network)? else { return Ok(()) };
+                let Self::Solving(solver) = std::mem::take(self) else { return Ok(()) };
+                let lakes = if lakes().is_some() { LakeStage::Begun(solver) } else { LakeStage::begin(None) };
+                *self = Self::Solved(relief.into(), lakes);
             }
             Self::Solved(relief, stage) => stage.step(relief, network, settings, lakes)?,
         }
@@ -83,6 +86,7 @@ impl ReliefStage {
     pub fn bytes(&self) -> usize {
         match self {
             Self::Solving(solver) => solver.bytes(),
+            Self::Solved(_, LakeStage::Begun(solver)) => solver.bytes(),
             Self::Waiting | Self::Solved(..) => 0,
         }
     }
@@ -102,6 +106,10 @@ impl LakeStage {
     ) -> Result<(), ReliefError> {
         match self {
             Self::Waiting => *self = Self::begin(lakes()),
+            Self::Begun(solver) => {
+                let ways = solver.ways(network)?;
+                *self = Self::begin(lakes().map(|lakes| lakes.along(ways)));
+            }
             Self::Making(maker) => {
                 if let Some(made) = maker.step(relief, network, settings)? {
                     *self = Self::Made(made.into());

@@ -18,7 +18,10 @@ const NO_COAST: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzz
 /// An island with a ring of ridges around the middle quarter of its area.
 const CUT_OFF: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnnYAnnYAYA";
 
-const BENDS: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3";
+const BENDS: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3&lakes=0";
+
+/// The same rivers with lakes.
+const LAKES: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3&lakes=0.5";
 
 fn recipe(text: &str) -> Recipe {
     link::read(text).unwrap()
@@ -290,6 +293,26 @@ fn each_step_of_a_relief_that_asks_for_memory_can_be_refused_and_made_again() {
 }
 
 #[test]
+fn each_step_of_lakes_can_be_refused_and_made_again() {
+    for style in ["atlas", "ink"] {
+        let text = format!("{LAKES}&land=island&style={style}");
+        let (expected, mut session) = (finished(&text), shaped(&text));
+        while session.lakes().is_none() && session.relief().is_none() && session.relief.relief().is_none() {
+            session.advance(1).unwrap();
+        }
+        let mut refused = 0;
+        while with_lists_up_to(NOTHING, || session.advance(1)) != Ok(false) && !session.is_finished() {
+            refused += 1;
+            assert!(refused < 100, "{style}: it begins again and again");
+            session.advance(1).unwrap();
+        }
+        assert!(refused > 1, "{style}: {refused}");
+        assert!(session.lakes().is_some_and(|lakes| !lakes.is_empty()), "{style}");
+        assert!(session.lakes() == expected.lakes(), "{style}");
+    }
+}
+
+#[test]
 fn a_copy_of_a_relief_in_the_making_takes_more_memory_and_ends_the_same() {
     let text = format!("{BENDS}&style=atlas");
     let mut session = shaped(&text);
@@ -316,6 +339,17 @@ fn progress_of_a_relief_never_goes_back() {
         // It does not jump either.
         assert!(seen.windows(2).all(|pair| pair[1] - pair[0] < 0.5), "{seen:?}");
         assert_eq!(session.progress(), 1.0);
+    }
+}
+
+#[test]
+fn a_change_that_changes_nothing_leaves_relief_and_lakes() {
+    for text in [BENDS, LAKES].into_iter().flat_map(|text| [format!("{text}&style=atlas"), format!("{text}&style=ink")])
+    {
+        let mut session = finished(&text);
+        let lakes = session.lakes().cloned();
+        assert_eq!(session.change(session.recipe().clone()).unwrap(), None);
+        assert_eq!((session.phase(), session.lakes()), (Phase::Finished, lakes.as_ref()), "{text}");
     }
 }
 

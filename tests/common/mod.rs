@@ -112,11 +112,12 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let trim = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], zero_or(1.0), zero_or(6.0), zero_or(1.0)).prop_map(
-        |(trim, variation, spacing, rills)| {
-            format!("{trim}&trim-variation={variation:.2}&tributary-spacing={spacing:.2}&rills={rills:.2}")
-        },
-    );
+    let trim = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], zero_or(1.0), zero_or(6.0), zero_or(1.0), zero_or(1.0))
+        .prop_map(|(trim, variation, spacing, rills, lakes)| {
+            format!(
+                "{trim}&trim-variation={variation:.2}&tributary-spacing={spacing:.2}&rills={rills:.2}&lakes={lakes:.2}"
+            )
+        });
     let finish = (trim, 1.0f64..=40.0, style());
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],

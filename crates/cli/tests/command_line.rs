@@ -97,7 +97,7 @@ fn name_says_which_raster_is_written_and_zip_holds_them_all() {
         flate2::read::DeflateDecoder::new(content.data()).read_to_end(&mut bytes).unwrap();
         files.insert(name, bytes);
     }
-    for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"] {
+    for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png", "depth.png"] {
         assert!(files[name] == written(&format!("map.{name}"), &[]), "{name}");
     }
     assert!(
@@ -467,7 +467,7 @@ fn what_is_given_and_does_nothing_is_said() {
 fn heights_of_a_style_without_relief_matter_to_files_of_data() {
     let said = |out: &str, mountains: &str| {
         let out = scratch(out);
-        let link = "attractors=200&style=ink&land=island";
+        let link = "attractors=200&style=ink&land=island&lakes=0";
         let output = riverseed(&["render", link, "--mountains", mountains, "-o", out.to_str().unwrap()]);
         assert!(output.status.success());
         (String::from_utf8_lossy(&output.stderr).into_owned(), fs::read(&out).unwrap())

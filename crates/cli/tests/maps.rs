@@ -9,7 +9,7 @@ pub const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 pub const LINK: &str = "country=usual&land=island&attractors=100&style=ink";
 
 /// All forms of a file but the packs of engines, whose rasters have sizes of their own.
-pub const FORMS: [&str; 24] = [
+pub const FORMS: [&str; 28] = [
     "json",
     "geojson",
     "svg",
@@ -21,6 +21,8 @@ pub const FORMS: [&str; 24] = [
     "rivers.png",
     "flow.png",
     "basins.png",
+    "water.png",
+    "depth.png",
     "r16",
     "normals.png",
     "splat.png",
@@ -33,6 +35,8 @@ pub const FORMS: [&str; 24] = [
     "rivers.tif",
     "flow.tif",
     "basins.tif",
+    "water.tif",
+    "depth.tif",
     "heights.qml",
 ];
 

@@ -116,6 +116,8 @@ impl Form {
         Raster(Layer::Rivers) => ("rivers.png", Any, 0, &[Rasters, Relief]),
         Raster(Layer::Flow) => ("flow.png", Any, 0, &[Rasters, Relief]),
         Raster(Layer::Basins) => ("basins.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Water) => ("water.png", Any, 0, &[Rasters, Relief]),
+        Raster(Layer::Depth) => ("depth.png", Any, 0, &[Rasters, Relief]),
         RawHeights => ("r16", Engines, 0, &[Rasters, Relief]),
         Normals => ("normals.png", Engines, 0, &[Rasters, Relief]),
         Splat => ("splat.png", Engines, 0, &[Rasters, Relief]),
@@ -132,6 +134,8 @@ impl Form {
         RasterTiff(Layer::Rivers) => ("rivers.tif", Gis, 0, &[Rasters, Relief]),
         RasterTiff(Layer::Flow) => ("flow.tif", Gis, 0, &[Rasters, Relief]),
         RasterTiff(Layer::Basins) => ("basins.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Water) => ("water.tif", Gis, 0, &[Rasters, Relief]),
+        RasterTiff(Layer::Depth) => ("depth.tif", Gis, 0, &[Rasters, Relief]),
         HeightStyle => ("heights.qml", Gis, 1, &[Relief]),
     }
 

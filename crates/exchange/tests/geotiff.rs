@@ -50,6 +50,12 @@ fn rasters_are_read_as_they_are() {
             };
             assert!(bytes == expected, "{link}: {layer:?}");
         }
+        let DecodingResult::F32(depths) = read(&of(Layer::Depth)) else { panic!() };
+        let Values::Words(steps) = rasters.values(Layer::Depth) else { panic!() };
+        for (metres, steps) in depths.iter().zip(steps) {
+            let step = rasters.scale.metres_a_step;
+            assert!((f64::from(*metres) - f64::from(steps) * step).abs() <= step, "{link}: {metres} {steps}");
+        }
         let DecodingResult::U32(basins) = read(&of(Layer::Basins)) else { panic!() };
         assert!(basins == rasters.flow().basins, "{link}");
         assert_eq!([heights.len(), widths.len(), basins.len()], [rasters.columns * rasters.rows; 3]);

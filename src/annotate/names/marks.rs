@@ -29,7 +29,7 @@ pub(super) fn mark(kind: PlaceKind, number: u32) -> Mark {
 
 impl PlaceName {
     /// Returns the mark by which own names know it.
-    pub(crate) fn mark(&self) -> Mark {
+    pub fn mark(&self) -> Mark {
         mark(self.kind, self.number)
     }
 }

@@ -42,6 +42,7 @@ pub(super) fn of(map: &Map, land: &Land) -> Vec<Place> {
     add_tracts(&mut places, (land, &scale), PlaceKind::Sea, seas, LEAST_SEA);
     add(&mut places, &scale, gulfs);
     add_tracts(&mut places, (land, &scale), PlaceKind::Lake, lakes, LEAST_LAKE);
+    add_lakes(&mut places, map, &scale);
     let first = places.len();
     add_tracts(&mut places, (land, &scale), PlaceKind::Island, islands, LEAST_ISLAND);
     if let Some(main_land) = places.get_mut(first) {
@@ -72,6 +73,20 @@ fn add_tracts(
             let found = Found { kind, at: regions::midst(land, &region), line: Vec::new(), size: area.sqrt() };
             places.push(Place { found, region, rank, extent: scale.square_kilometres(area.into()) as f32 });
         }
+    }
+}
+
+/// Adds the greatest lakes along rivers.
+fn add_lakes(places: &mut Vec<Place>, map: &Map, scale: &MapScale) {
+    /// The most of them, and the least area, in square units.
+    const MOST: usize = 16;
+    const LEAST: f32 = 150.0;
+    let named = map.lakes().list.iter().take(MOST).take_while(|lake| lake.area >= LEAST);
+    for (number, lake) in named.enumerate() {
+        let rank = places.iter().filter(|place| place.found.kind == PlaceKind::Lake).count() as u32;
+        let found = Found { kind: PlaceKind::Lake, at: lake.at, line: Vec::new(), size: lake.area.sqrt() };
+        let extent = scale.square_kilometres(lake.area.into()) as f32;
+        places.push(Place { found, region: map.lakes().region(number, &map.domain()), rank, extent });
     }
 }
 

@@ -40,7 +40,7 @@ pub fn is_open(input: &Input<'_>, at: Vec2, size: Vec2, margin: f32) -> bool {
     /// distance of its middle from the coast is at least the margin.
     const FINE: f32 = 1.5;
     const SHARE: f32 = 0.5;
-    let Some(coast) = input.map.coast else { return false };
+    let Some(coast) = input.map.coast() else { return false };
     let (middle, half) = (at + 0.5 * size, 0.5 * size.length_squared().sqrt());
     let depth = -coast.height(middle);
     if depth < margin || depth >= margin + half || half <= FINE.max(SHARE * margin) {

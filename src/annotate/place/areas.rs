@@ -36,7 +36,7 @@ const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
 
 /// Finds a place for the name of a sea or a lake, off the boxes that are taken; `None` if there is no room.
 pub fn water(input: &Input<'_>, place: &PlaceName, region: &Region, taken: &[(u32, Box)]) -> Option<Chosen> {
-    let coast = input.map.coast?;
+    let coast = input.map.coast()?;
     let sizes = if place.kind == PlaceKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
     let (em, sizes) = (|usual: f32| input.em(usual, OVER_LEAST), input.sizes(sizes, OVER_LEAST));
     let chosen = |usual: f32| {

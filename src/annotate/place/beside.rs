@@ -149,7 +149,7 @@ impl<G: Background> Beside<'_, G> {
     /// Returns the cost of the ink under letters; `None` if there is too much of it, if they leave the frame, or if they are neither all on
     /// land nor all at sea.
     fn cost(&self, letters: &[Placed]) -> Option<f32> {
-        let height = |at: Vec2| self.input.map.coast.map_or(f32::MAX, |coast| coast.height(at));
+        let height = |at: Vec2| self.input.map.coast().map_or(f32::MAX, |coast| coast.height(at));
         let is_ashore = height(letters.first()?.at) > 0.0;
         let (mut hits, mut samples) = (0.0, 0.0);
         for around in letters.iter().map(|letter| letter.around(self.em)) {

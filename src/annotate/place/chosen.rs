@@ -40,7 +40,7 @@ pub enum Shrinks {
     },
     /// About the middle between its ends.
     ToMiddle,
-    /// Towards the island or cape that it stands beside, on the water.
+    /// Towards the island, cape or lake that it stands beside.
     Towards(Vec2),
     /// Towards a point of its own edge, the one nearest to its river: it covers nothing then that it has not covered before.
     ToPoint(Vec2),
@@ -150,7 +150,7 @@ fn is_off_coast(kind: Kind, letters: &[Placed], em: f32, input: &Input<'_>) -> b
         Kind::Water => FROM_COAST_AT_SEA * em,
         _ => FROM_COAST * em,
     };
-    let is_off = |at: Vec2| match input.map.coast.map(|coast| coast.height(at)) {
+    let is_off = |at: Vec2| match input.map.coast().map(|coast| coast.height(at)) {
         Some(height) if kind.is_afloat() => -height >= least,
         Some(height) => height >= least,
         None => true,

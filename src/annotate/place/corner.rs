@@ -71,7 +71,7 @@ pub fn judged<G: Background>(input: &Input<'_>, background: &G, at: Vec2, size: 
     let (mut sea, mut ink, mut off) = (0.0, 0.0, 0.0);
     for (row, column) in (0..=counts.y as u32).flat_map(|row| (0..=counts.x as u32).map(move |column| (row, column))) {
         let point = at + Vec2::new(column as f32, row as f32) / counts * size;
-        let depth = input.map.coast.map_or(f32::MIN, |coast| -coast.height(point) / em);
+        let depth = input.map.sea.map_or(f32::MIN, |coast| -coast.height(point) / em);
         sea += if depth >= FROM_COAST { 1.0 } else { 0.0 };
         off += depth.clamp(0.0, FAR);
         let width = background.ink(point).width;

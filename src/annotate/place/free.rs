@@ -70,7 +70,7 @@ impl FreeGround {
         let is_near = |letter: &&Box| middle.distance_squared(letter.middle) <= squared(blank + letter.radius());
         let mut near: Vec<&Box> = Vec::new();
         near.extend(self.letters.iter().filter(is_near));
-        let is_ashore = |(at, radius): Disc| input.coast.is_none_or(|coast| coast.height(at) >= radius + FROM_COAST);
+        let is_ashore = |(at, radius): Disc| input.coast().is_none_or(|coast| coast.height(at) >= radius + FROM_COAST);
         let is_dry = |(at, radius): Disc| {
             let clear = radius + FROM_BANKS;
             is_dry_around || self.distance_to_bank(at, clear) >= clear && self.distance_to_ridge(at, clear) >= clear
@@ -195,7 +195,7 @@ mod tests {
             network: &network,
             lakes: vec![line(LAKE, 5.0)],
             ridges: vec![line(RIDGE, 0.5)],
-            coast: Some(&coast),
+            coast: Some(std::borrow::Cow::Borrowed(&coast)),
             heights: None,
             letters: vec![LETTER],
         };

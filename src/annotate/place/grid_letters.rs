@@ -101,7 +101,7 @@ pub fn around(least: Vec2, most: Vec2) -> [[Vec2; 2]; 4] {
 fn is_clear<G: Background>(input: &Input<'_>, background: &G, at: Vec2, em: f32, taken: &[(u32, Box)]) -> bool {
     let cross = Box::level(at - CROSS * em, at + CROSS * em);
     let reach = cross.radius() + 0.5 * CLEAR * em;
-    input.map.coast.is_none_or(|coast| coast.height(at).abs() >= reach)
+    input.map.coast().is_none_or(|coast| coast.height(at).abs() >= reach)
         && background.distances(at, NONE, 0.0, reach)[1] >= reach
         && cross.samples().all(|at| background.ink(at).width <= 0.0)
         && !taken.iter().any(|(_, other)| cross.meets(other, CLEAR * em))

@@ -96,7 +96,7 @@ struct Rules<'a> {
 
 impl Rules<'_> {
     fn candidate(&self, number: u32, at: Vec2) -> Option<Candidate> {
-        let inland = self.input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
+        let inland = self.input.coast().map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
         if inland <= 0.0 {
             return None;
         }
@@ -130,7 +130,7 @@ impl Rules<'_> {
         let is_alpine = match high {
             Some(high) => high >= ALPINE,
             None => {
-                let inland = self.input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
+                let inland = self.input.coast().map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
                 candidate.divide == Divide::Main && inland >= FAR && candidate.range >= 0.8
             }
         };

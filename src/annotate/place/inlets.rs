@@ -35,7 +35,7 @@ const SMOOTHED: f32 = 0.1;
 
 /// Finds a place for the name of a bay, a strait or a cape, off the boxes that are taken; `None` if there is no room.
 pub fn inlet(input: &Input<'_>, place: &PlaceName, taken: &[(u32, Box)]) -> Option<Chosen> {
-    let coast = input.map.coast?;
+    let coast = input.map.coast()?;
     let kind = if place.kind == PlaceKind::Cape { Kind::Cape } else { Kind::Inlet };
     let em = |usual: f32| input.em(usual, 1.0);
     // On small pictures only wide bays have names.

@@ -1,5 +1,6 @@
 //! The input of the placement of labels and scenery.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use glam::Vec2;
@@ -208,8 +209,10 @@ pub struct MapInput<'a> {
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which no letter may touch.
     pub ridges: Vec<Vec<Place>>,
-    /// The distance of each point from the coast; `None` if there is no sea.
-    pub coast: Option<&'a CoastDistance>,
+    /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there is neither.
+    pub coast: Option<Cow<'a, CoastDistance>>,
+    /// The distance of each point from the coast of the sea; `None` if there is none.
+    pub sea: Option<&'a CoastDistance>,
     /// The title; `None` if it is to have none.
     pub cartouche: Option<Cartouche>,
     /// The marks besides names.
@@ -220,6 +223,11 @@ pub struct MapInput<'a> {
 pub type Reach<'a> = (&'a ReachName, &'a [Place]);
 
 impl MapInput<'_> {
+    /// Returns the distance of each point from the nearest shore; `None` if there is none.
+    pub fn coast(&self) -> Option<&CoastDistance> {
+        self.coast.as_deref()
+    }
+
     /// Returns the reaches that have a course, the one with the most water first.
     pub fn reaches(&self) -> Vec<Reach<'_>> {
         let mut reaches = Vec::new();
@@ -366,10 +374,17 @@ pub struct SceneryInput<'a> {
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which are drawn in strokes of their own.
     pub ridges: Vec<Vec<Place>>,
-    /// The distance of each point from the coast; `None` if there is no sea.
-    pub coast: Option<&'a CoastDistance>,
+    /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there is neither.
+    pub coast: Option<Cow<'a, CoastDistance>>,
     /// The relief; `None` if it is not known.
     pub heights: Option<Heights<'a>>,
     /// The boxes of all letters on the map, and of what stands with them.
     pub letters: Vec<Box>,
+}
+
+impl SceneryInput<'_> {
+    /// Returns the distance of each point from the nearest shore; `None` if there is none.
+    pub fn coast(&self) -> Option<&CoastDistance> {
+        self.coast.as_deref()
+    }
 }

@@ -46,7 +46,7 @@ pub fn island<G: Background>(
     (place, region): (&PlaceName, &Region),
     taken: &[(u32, Box)],
 ) -> Option<Chosen> {
-    let coast = input.map.coast?;
+    let coast = input.map.coast()?;
     let (size, corners) = (region.area(), region.corners().unwrap_or([place.at; 2]));
     let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
     let em = |usual: f32| input.em(usual, 1.0);

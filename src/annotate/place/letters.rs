@@ -44,6 +44,8 @@ pub enum Kind {
     Grid,
     /// The seal: letters that are left out of a square.
     Seal,
+    /// A lake, on the land beside it.
+    Tarn,
 }
 
 /// A group of labels that belong together.
@@ -72,7 +74,7 @@ struct Setting {
 
 impl Kind {
     /// All kinds, in their order.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::River,
         Self::Reach,
         Self::Water,
@@ -90,6 +92,7 @@ impl Kind {
         Self::GridLetter,
         Self::Grid,
         Self::Seal,
+        Self::Tarn,
     ];
 
     /// Returns the row of a kind in the table of kinds.
@@ -100,6 +103,7 @@ impl Kind {
             Self::River => set(Group::Names, italic, 0.08, 0.13, false),
             Self::Reach => set(Group::Names, italic, 0.16, 0.2, false),
             Self::Water => set(Group::Names, italic, 0.3, 0.13, true),
+            Self::Tarn => set(Group::Names, italic, 0.05, 0.13, false),
             Self::Inlet => set(Group::Names, italic, 0.1, 0.13, true),
             Self::Island => set(Group::Names, roman, 0.05, 0.13, false),
             Self::Offshore | Self::Cape => set(Group::Names, roman, 0.05, 0.13, true),

@@ -53,6 +53,7 @@ mod search;
 mod shapes;
 mod spot_heights;
 mod standing;
+mod tarns;
 mod tree_shapes;
 mod wetlands;
 mod woods;

@@ -11,7 +11,7 @@ use super::input::{Input, MapInput, Own, Reach};
 use super::letters::{Box, Kind, Text};
 use super::levels::Level;
 use super::search::{MOST_COST, MOST_COST_SMALL, Search};
-use super::{areas, inlets, islands, regions};
+use super::{areas, inlets, islands, regions, tarns};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
 use crate::base::geometry::{distance, lengths};
 use crate::base::sort;
@@ -345,7 +345,7 @@ impl<'a, G: Background> Map<'a, G> {
             }
         }
         let waters = sort::sorted_by(&waters, |(_, region)| sort::key(-region.area()));
-        let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape);
+        let is_of_water = |kind| matches!(kind, Kind::Island | Kind::Offshore | Kind::Inlet | Kind::Cape | Kind::Tarn);
         for (place, region) in waters {
             if self.area(is_of_water) < *most {
                 self.label_place(place, region);
@@ -373,7 +373,12 @@ impl<'a, G: Background> Map<'a, G> {
         let chosen = match place.kind {
             _ if is_region(place) => regions::region(input, background, place, taken),
             PlaceKind::Island => islands::island(input, background, (place, region), taken),
-            PlaceKind::Lake => areas::water(input, place, region, taken),
+            PlaceKind::Lake => {
+                // Beside one at the level of the sea is its coast.
+                let is_inland = input.map.sea.is_none_or(|sea| sea.height(place.at) > 0.0);
+                let beside = || tarns::beside(input, background, (place, region), taken);
+                areas::water(input, place, region, taken).or_else(|| beside().filter(|_| is_inland))
+            }
             PlaceKind::Sea => {
                 let taken: Vec<(u32, Box)> =
                     taken.iter().copied().chain(self.beside.map(|beside| (NONE, beside))).collect();

@@ -136,7 +136,7 @@ impl<G: Background> Search<'_, G> {
     /// Returns the share of a letter that has ink under it; `None` if it cannot stand there.
     fn ink(&self, around: &Box) -> Option<f32> {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
-        let is_ashore = |at: Vec2| self.input.map.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        let is_ashore = |at: Vec2| self.input.map.coast().is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
         let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
         if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) || self.taken.iter().any(is_taken) {
             return None;

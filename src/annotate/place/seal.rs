@@ -84,7 +84,7 @@ fn place<G: Background>(input: &Input<'_>, background: &G, side: f32, taken: &[(
 
 /// Returns `true` if all of a square and its surroundings are land.
 fn is_off_coast(input: &Input<'_>, at: Vec2, side: f32) -> bool {
-    input.map.coast.is_none_or(|coast| coast.height(at + 0.5 * side) >= side)
+    input.map.coast().is_none_or(|coast| coast.height(at + 0.5 * side) >= side)
 }
 
 /// Draws a square with an uneven edge, of strokes.

@@ -227,7 +227,7 @@ impl<G: Background> Search<'_, G> {
     }
 
     fn is_on_land(&self, around: &Box) -> bool {
-        let is_ashore = |at: Vec2| self.input.map.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        let is_ashore = |at: Vec2| self.input.map.coast().is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
         around.corners().into_iter().all(|at| self.is_in_frame(at) && is_ashore(at))
     }
 

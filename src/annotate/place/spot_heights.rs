@@ -190,7 +190,7 @@ impl<G: Background> Search<'_, G> {
         let counts = (half * 2.0 / STEP).ceil().max(Vec2::ONE);
         let is_bare = |at: Vec2| {
             let ink = self.background.ink(at).river;
-            self.input.map.coast.is_none_or(|coast| coast.height(at) >= clear)
+            self.input.map.coast().is_none_or(|coast| coast.height(at) >= clear)
                 && ink != LAKE
                 && ink != RIDGE
                 && self.background.distances(at, NONE, 0.0, clear)[1] >= clear

@@ -51,7 +51,7 @@ pub fn woods(input: &SceneryInput<'_>, points: &[Vec2], ground: &FreeGround, hil
     let wetlands = Wetlands::new(input, ground);
     let has_room = |one: &Standing| is_free(input, ground, &taken, one);
     let plant = |(number, &at): (u32, &Vec2)| {
-        let inland = input.coast.map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
+        let inland = input.coast().map_or(f32::MAX, |coast| coast.height(at)) - FROM_COAST;
         // Most points are at sea or beside a brook, which is told sooner than what noise there is.
         if inland <= 0.0 || ground.distance_to_bank(at, FOOT_FROM_BANKS) < FOOT_FROM_BANKS {
             return None;

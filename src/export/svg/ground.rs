@@ -5,9 +5,10 @@ use glam::Vec2;
 use super::light::light;
 use super::path::Path;
 use super::text::Text;
+use crate::base::geometry::distance;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::grid::lines;
-use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, way_to};
+use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RingRoom, SHORTEST_RING, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, Tints, mix};
 use crate::paint::relief::{Basins, ReliefDisplay, Stroke, contours as contours_of, highest, strokes};
 use crate::paint::ridges;
@@ -46,9 +47,10 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         let colour = mix(palette.shallows, palette.deep, share(step));
         area(out, shown, -palette.fade * way_to(share(step)), colour);
     }
-    for &(distance, strength) in palette.rings {
+    let room = RingRoom::of(shown, palette.rings);
+    for (room, &(distance, strength)) in palette.rings.iter().filter_map(|ring| Some((room.as_ref()?, ring))) {
         out.text("<path stroke-opacity=\"").units(strength).text("\" fill=\"none\"");
-        line(out, palette.coast, RING_WIDTH, &level(shown, -distance, 1));
+        line(out, palette.coast, RING_WIDTH, &ring(shown, room, distance));
     }
     out.text("</g>\n<g id=\"land\" fill=\"")
         .colour(palette.lowland)
@@ -69,6 +71,32 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
     }
     out.text("</g>\n");
     grid(out, size, palette);
+}
+
+/// Makes a path of a ring around all coasts, as far as it has room.
+fn ring(shown: &SmoothedDistance, room: &RingRoom, away: f32) -> Path {
+    let has_room = |at: &Vec2| room.at(away, *at) > 0.5;
+    let mut path = Path::default();
+    for mut ring in shown.rings_above(-away) {
+        let Some(gap) = ring.iter().position(|at| !has_room(at)) else {
+            path.ring(&ring);
+            continue;
+        };
+        ring.rotate_left(gap);
+        let room: Vec<bool> = ring.iter().map(has_room).collect();
+        let mut end = 0;
+        for piece in room.chunk_by(|a, b| a == b) {
+            let start = end;
+            end += piece.len();
+            let points = &ring[start..end];
+            let length: f32 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
+            if room[start] && length >= SHORTEST_RING {
+                path.start(points[0]);
+                path.smooth(points);
+            }
+        }
+    }
+    path
 }
 
 /// Returns the colour of water at the coast, as the shades of the sea have it.

@@ -2,8 +2,9 @@
 //!
 //! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
-//! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
-//! The line of the coast lies over the rivers, and in `mouths` the sea lies over both.
+//! discharge. Lakes are `lake-2`, those that rivers have left `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! In `water` is what lies between the banks of wide rivers, over all banks. The line of the coast lies over the rivers, and in
+//! `mouths` the sea lies over both.
 //! The link of the recipe is in the file's metadata.
 //!
 //! Several files can stand in one page: ids that a file refers to, such as those of masks, end in a number that is made of its link.
@@ -21,6 +22,7 @@ mod pens;
 mod scenery;
 mod text;
 mod traced;
+mod water;
 
 use std::sync::Arc;
 
@@ -39,6 +41,7 @@ use crate::paint::ground::COAST_WIDTH;
 use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette, Tints};
 use crate::paint::relief::{Basins, by_rain};
+use crate::paint::waters::Opening;
 use crate::paint::{Lines, PaintSettings, palette_of};
 use crate::recipe::{CourseShape, link};
 use crate::relief::{Rainfall, Relief};
@@ -106,26 +109,37 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
         out.text("</g>\n");
     }
     out.written(&annotation.halo);
+    let opening = Opening::of(&palette, water::SCALE);
+    let lakes = map.lakes();
+    water::shores(&mut out, lakes, (&palette, opening), (has_shore, has_halo), |out, river| {
+        fill(out, basins.as_ref(), river);
+    });
     out.text("<g id=\"rivers");
     cut(&mut out, has_shore, has_halo);
     out.text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
     draw_distributaries(&mut out, &map.deltas().distributaries, width(palette.lines), courses);
-    if let Some((past, look)) = past {
-        out.text("</g>\n<g id=\"great");
-        cut(&mut out, has_shore, has_halo);
-        out.text("\">\n");
-        beds::draw_great(&mut out, network, past, look, courses);
-    }
     if palette.lines == Lines::Wide {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
+    if let Some(opening) = opening {
+        water::draw(&mut out, (network, lakes), (&palette, opening), (has_shore, has_halo), courses);
+    }
+    if let Some((past, look)) = past {
+        out.text("<g id=\"great");
+        cut(&mut out, has_shore, has_halo);
+        out.text("\">\n");
+        beds::draw_great(&mut out, network, past, look, courses);
+        out.text("</g>\n");
+    }
     if let Some(land) = land {
         ground::coast(&mut out, &palette);
         let drawn = Drawn {
             palette: &palette,
+            opening,
+            scale: water::SCALE,
             past: Some(map.past()),
             times: 1.0,
             margin: VISIBLE,

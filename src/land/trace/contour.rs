@@ -4,6 +4,7 @@
 use glam::Vec2;
 
 use super::ground::Ground;
+use crate::base::rings::area;
 
 /// The share of land above which a block is land.
 const LEVEL: f32 = 0.5;
@@ -22,17 +23,11 @@ pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
             ring.push(squares.place(crossing));
             crossing = std::mem::replace(&mut next[crossing], NONE) as usize;
         }
-        if !ring.is_empty() && area(&ring) >= ground.speck {
+        if !ring.is_empty() && area(&ring).abs() >= ground.speck {
             rings.push(with_corners(&ring));
         }
     }
     rings
-}
-
-fn area(ring: &[Vec2]) -> f32 {
-    let origin = ring.first().copied().unwrap_or_default();
-    let edges = ring.iter().zip(ring.iter().skip(1));
-    edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>().abs() / 2.0
 }
 
 /// Adds the corner of the picture where a ring goes from one side to the next.

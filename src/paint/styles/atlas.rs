@@ -126,6 +126,8 @@ static CLIMATES: Four<Ramp> = Four {
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
+        is_open: true,
+        bank: 0.9,
         shallows: SHALLOWS,
         fade: 150.0,
         rings: RINGS,

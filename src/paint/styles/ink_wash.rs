@@ -22,6 +22,8 @@ const RELIEF: ReliefLook = ReliefLook {
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
+        is_open: true,
+        bank: 0.9,
         shallows: [0x8f, 0xb0, 0xb8],
         fade: 55.0,
         paper: Some(Paper {

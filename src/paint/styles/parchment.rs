@@ -24,6 +24,8 @@ const CLIMATES: Four<Tinge> = Four {
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
+        is_open: true,
+        bank: 0.9,
         lowland: [0xe0, 0xc9, 0x9c],
         fade: 14.0,
         rings: &[

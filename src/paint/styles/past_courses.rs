@@ -8,7 +8,9 @@ const PAPER: Colour = [0xf1, 0xe9, 0xd6];
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
-        shallows: [0xe6, 0xe7, 0xdb],
+        is_open: true,
+        bank: 0.9,
+        shallows: [0xfb, 0xfa, 0xf5],
         fade: 60.0,
         rings: &[(7.0, 0.3), (16.0, 0.18), (28.0, 0.1)],
         lines: Lines::Thin,

@@ -25,6 +25,8 @@ const RELIEF: ReliefLook = ReliefLook {
 
 pub(super) static STYLE: Look = Look {
     palette: Palette {
+        is_open: true,
+        bank: 0.9,
         rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
         relief: Some(RELIEF),
         neatline: bordered([0xf8, 0xf6, 0xec], [0x4a, 0x44, 0x3c]),

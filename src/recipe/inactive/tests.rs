@@ -75,6 +75,7 @@ const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength
 const NO_RELIEF: (&str, &str) = ("shade rain-shadow wind", "this style shows no relief");
 const NO_HEIGHTS: (&str, &str) =
     ("mountains plains rills", "this style shows no relief, though files of heights have it");
+const NO_LAKES: (&str, &str) = ("lakes", "the skeleton shows rivers alone, though files have lakes");
 const NO_CLIMATE: (&str, &str) =
     ("warmth rain rain-shadow wind ground", "this style has the same colours in every climate");
 const EVEN_RAIN: (&str, &str) = ("wind", "rain falls evenly");
@@ -295,6 +296,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             IN_CELLS,
             (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+            NO_LAKES,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
@@ -311,6 +313,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             NO_SENSITIVITY,
             NOT_DRAINING,
             IN_CELLS,
+            NO_LAKES,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
@@ -333,6 +336,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
                 STILL,
             ),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+            NO_LAKES,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,
@@ -353,6 +357,7 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
                 STILL,
             ),
             ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+            NO_LAKES,
             NO_HEIGHTS,
             NO_WOODS,
             NO_HILLS,

@@ -4,6 +4,7 @@ export type {
   Cells,
   Inspector,
   LabelFacts,
+  LakeFacts,
   Lengths,
   Making,
   MapPromise,

@@ -26,7 +26,7 @@ function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Buffer {
 
 test("the archive holds every file, and the picture as it came", async () => {
   const files = await unpacked();
-  const rasters = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
+  const rasters = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "water.png", "depth.png"];
   expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
   expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
   expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(
@@ -45,7 +45,7 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
     expect(picture.text).toEqual(texts);
     return picture.depth;
   });
-  expect(depths).toEqual([16, 8, 16, 8, 16]);
+  expect(depths).toEqual([16, 8, 16, 8, 16, 8, 16]);
   expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.\d{6}$/);
 });
 

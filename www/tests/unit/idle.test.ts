@@ -35,8 +35,8 @@ const recipes = [
   "courses=grown&style=skeleton",
 ].map((link) => merged(COARSE, link));
 
-/** What these do depends on whether two lines come near each other, or a side branch is about as long as the trim. */
-const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation"];
+/** What these do depends on whether two lines come near each other, a side branch is about as long as the trim, or a valley can hold a lake. */
+const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation", "lakes"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
   return [...sameByChance(link), "country"]; // who chooses another country keeps what these links name

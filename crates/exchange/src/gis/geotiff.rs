@@ -47,6 +47,7 @@ pub fn write_raster(out: impl Write, domain: &Domain, rasters: &Rasters, layer: 
     match (layer, rasters.values(layer)) {
         (Layer::Heights, _) => write::<Gray32Float>(out, &frame, plain, &heights::metres(rasters)),
         (Layer::Rivers, _) => write::<Gray32Float>(out, &frame, plain, &rasters.real_widths()),
+        (Layer::Depth, _) => write::<Gray32Float>(out, &frame, plain, &rasters.metres_of_water()),
         // More than 65,535 basins do not fit into the words of a PNG.
         (Layer::Basins, _) => write::<Gray32>(out, &frame, Predictor::Horizontal, &rasters.flow().basins),
         (_, Values::Bytes(bytes)) => write::<Gray8>(out, &frame, plain, &bytes),
@@ -70,6 +71,7 @@ pub fn subject(layer: Layer) -> &'static str {
     match layer {
         Layer::Heights => "Heights in metres",
         Layer::Rivers => "Width of the river in metres",
+        Layer::Depth => "Depth of water in metres",
         Layer::Basins => "Number of the river basin",
         layer => layer.subject(),
     }
@@ -83,6 +85,7 @@ impl Frame {
         let more = match layer {
             Layer::Heights => " over the sea; less than 0 at sea, and every cell of land is higher than the one that its water runs to".into(),
             Layer::Rivers => " that drains as much land in nature, 0 where none is drawn".into(),
+            Layer::Depth => " in the sea and in lakes, 0 where there is none".into(),
             Layer::Basins => ", counted from 1; 0 at sea, and where water runs to the sea in no river".into(),
             layer => rasters.meaning(layer).trim_start_matches(layer.subject()).to_owned(),
         };

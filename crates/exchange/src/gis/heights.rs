@@ -1,33 +1,20 @@
 //! Heights in metres in which water still runs down.
 
 use riverseed::export::rasters::Rasters;
+use riverseed::relief::let_fall;
 
 /// Returns the heights of a map's cells in metres over the sea.
 pub fn metres(rasters: &Rasters) -> Vec<f32> {
     let (relief, flow) = (rasters.relief(), rasters.flow());
     let grid = relief.grid();
-    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell))
+    falling(relief.heights(), rasters.map_scale.metres_up, |cell| flow.next(&grid, cell), rasters.lakes())
 }
 
 /// Converts heights in units to metres, of which a unit has `metres_up`. `next` is the cell that a cell's water runs to. Multiplying can round two
-/// heights to one, so a cell that would not be higher than that is raised by the least step there is.
-fn falling(heights: &[f32], metres_up: f32, next: impl Fn(usize) -> Option<usize>) -> Vec<f32> {
+/// heights to one, so a cell that would not be higher than that is raised by the least step there is; lakes as wholes.
+fn falling(heights: &[f32], metres_up: f32, next: impl Fn(usize) -> Option<usize>, lakes: &[u32]) -> Vec<f32> {
     let mut metres: Vec<f32> = heights.iter().map(|height| height * metres_up).collect();
-    let mut is_done: Vec<bool> = heights.iter().map(|&height| height <= 0.0).collect();
-    let mut upstream = Vec::new();
-    for start in 0..heights.len() {
-        let mut cell = Some(start);
-        while let Some(open) = cell.filter(|&cell| !is_done[cell]) {
-            is_done[open] = true;
-            upstream.push(open);
-            cell = next(open);
-        }
-        let mut below = cell.map(|cell| metres[cell]);
-        while let Some(cell) = upstream.pop() {
-            metres[cell] = below.map_or(metres[cell], |below| metres[cell].max(below.next_up()));
-            below = Some(metres[cell]);
-        }
-    }
+    let_fall(&mut metres, |height| height <= 0.0, next, lakes, f32::next_up);
     metres
 }
 
@@ -46,7 +33,7 @@ mod tests {
             .collect();
         let plain: Vec<f32> = heights.iter().map(|height| height * METRES).collect();
         assert!(plain.windows(2).any(|pair| pair[0] == pair[1]), "or this proves nothing");
-        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1));
+        let metres = falling(&heights, METRES, |cell| cell.checked_sub(1), &[]);
         assert!(metres.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(metres.iter().zip(plain).all(|(metres, plain)| (metres - plain).abs() < 1e-3));
     }
@@ -54,11 +41,11 @@ mod tests {
     #[test]
     fn land_that_is_far_enough_apart_and_the_sea_are_as_high_as_they_are() {
         assert_eq!(
-            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1)),
+            falling(&[-4.0, 2.0, 1.0, -0.0], METRES, |cell| cell.checked_sub(1), &[]),
             [-100.0, 50.0, 50.0f32.next_up(), 0.0]
         );
         assert_eq!(
-            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3)),
+            falling(&[3.0, 2.0, 1.0], METRES, |cell| Some(cell + 1).filter(|next| *next < 3), &[]),
             [75.0, 50.0, 25.0]
         );
     }

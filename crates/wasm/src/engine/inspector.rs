@@ -1,14 +1,17 @@
 //! Queries about the rivers of a finished map, for a page.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 use js_sys::{Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use super::named::Named;
 use crate::make::river::River;
-use crate::objects::object;
+use crate::objects::{object, set};
 use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot};
 use riverseed::export::svg::overlay;
+use riverseed::lakes::Lakes;
 use riverseed::land::Land;
 use riverseed::network::NONE;
 use riverseed::recipe::{CourseShape, LandKind};
@@ -39,6 +42,18 @@ export interface RiverFacts {
   /** From there to the sea, and the land that it drains: paths of SVG, in units. */
   readonly way: string;
   readonly basin: string;
+  /** The lake that is pointed at, out of which the river runs. */
+  readonly lake?: LakeFacts;
+}
+/** A lake along a river. */
+export interface LakeFacts {
+  /** The mark by which names know it; empty if it has none. */
+  readonly mark: string;
+  /** In square kilometres. */
+  readonly area: number;
+  /** The greatest depth, and the height of its water over the sea, in metres. */
+  readonly depth: number;
+  readonly level: number;
 }
 "#;
 
@@ -53,6 +68,7 @@ pub struct Inspector {
     /// Width and height of the map, in units.
     pub(super) size: Vec2,
     courses: CourseShape,
+    lakes: Arc<Lakes>,
     /// The kind of water that rivers run into.
     ends_in: &'static str,
     /// The things with names besides rivers.
@@ -71,7 +87,8 @@ impl River {
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
         let named = Named::of(&map);
         let scale = map.scale();
-        Some(Inspector { rivers, scale, size, courses: recipe.get(), ends_in, named, last: (NONE, String::new()) })
+        let (courses, lakes, last) = (recipe.get(), map.lakes().clone(), (NONE, String::new()));
+        Some(Inspector { rivers, scale, size, courses, lakes, ends_in, named, last })
     }
 }
 
@@ -102,10 +119,14 @@ impl Inspector {
     }
 
     /// Returns the river at a point, given in shares of the map's width and height, or the nearest within `reach`
-    /// units; nothing if there is none.
+    /// units; nothing if there is none. In a lake it is the river that runs out of that.
     #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
     pub fn at(&mut self, x: f32, y: f32, reach: f32) -> Option<Object> {
-        let spot = self.rivers.nearest(Vec2::new(x, y) * self.size, reach)?;
+        let point = Vec2::new(x, y) * self.size;
+        if let Some(lake) = self.lakes.at(point) {
+            return self.of_lake(lake, point);
+        }
+        let spot = self.rivers.nearest(point, reach)?;
         Some(self.facts(&spot))
     }
 
@@ -120,6 +141,26 @@ impl Inspector {
     /// Returns the mark of a river by its number in the network.
     fn mark_of(&self, river: u32) -> Option<u32> {
         Some(self.named.of.rivers.get(river as usize)?.identity)
+    }
+
+    /// Describes a lake at a point of it, and the river that runs out of it.
+    fn of_lake(&mut self, lake: usize, point: Vec2) -> Option<Object> {
+        /// The outlet is a vertex of a river.
+        const HERE: f32 = 0.1;
+        let lakes = self.lakes.clone();
+        let lake = &lakes.list[lake];
+        let spot = self.rivers.nearest(self.rivers.network().vertices[lake.outlet.vertex as usize].at, HERE)?;
+        let named = self.named.of.places.iter().find(|place| place.at == lake.at);
+        let lake = object(&[
+            ("mark", named.map_or_else(String::new, |place| place.mark().to_string()).into()),
+            ("area", self.scale.square_kilometres(lake.area.into()).into()),
+            ("depth", (lake.depth * self.scale.metres_up).into()),
+            ("level", (lake.level * self.scale.metres_up).into()),
+        ]);
+        let facts = self.facts(&spot);
+        let Vec2 { x, y } = point / self.size;
+        set(&facts, &[("lake", lake.into()), ("x", x.into()), ("y", y.into())]);
+        Some(facts)
     }
 
     fn facts(&mut self, spot: &Spot) -> Object {

@@ -57,7 +57,7 @@ export class Inspections {
     if (!river) return;
     const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
     const into = Array.from(river.into, nameOf);
-    const { isBasinSmall, ...facts } = river;
+    const { isBasinSmall, lake, ...facts } = river;
     const basin = isBasinSmall ? "" : river.basin;
     // A mark means the whole river, which is shown from its source.
     const orderHere = "mark" in place ? river.order : river.orderHere;
@@ -70,6 +70,7 @@ export class Inspections {
       mark: String(river.mark),
       name: nameOf(river.mark),
       into,
+      ...(lake && { lake: { ...lake, name: names.get(lake.mark) ?? "" } }),
     };
   }
 

@@ -2,6 +2,7 @@
 
 import type { Kind } from "../../engine/mark.ts";
 import type {
+  LakeFacts,
   Making as Lengths,
   Lengths as MapLengths,
   MapPromise,
@@ -27,7 +28,7 @@ export interface Names {
 export type RiverPlace = { x: number; y: number; reach: number } | { mark: string };
 
 /** A river that was pointed at, with names in place of marks; empty for those without a name. */
-export interface PointedRiver extends Omit<RiverFacts, "mark" | "into" | "isBasinSmall"> {
+export interface PointedRiver extends Omit<RiverFacts, "mark" | "into" | "isBasinSmall" | "lake"> {
   /** The link of the map. */
   link: string;
   /** Width and height of the map, in units. */
@@ -35,6 +36,8 @@ export interface PointedRiver extends Omit<RiverFacts, "mark" | "into" | "isBasi
   mark: string;
   name: string;
   into: readonly string[];
+  /** The lake that is pointed at, out of which the river runs, with its name; empty if it has none. */
+  lake?: LakeFacts & { name: string };
 }
 
 /** Something on the map that has a name or could have one. */

@@ -26,8 +26,9 @@ export class Timelines {
     if (kept && to) await this.#go(kept, to);
     const { river, link } = player;
     if (!river) return;
-    // The sea rises before the first bend.
-    const progress = river.phase === "drowning" ? 0 : river.progress;
+    // The sea rises before the first bend, and relief and lakes come after the last.
+    const within = { drowning: 0, relief: 1 } as Partial<Record<typeof river.phase, number>>;
+    const progress = within[river.phase] ?? river.progress;
     return { link, at: river.moment(), progress, lengths: kept?.timeline.making() };
   }
 

@@ -40,3 +40,13 @@ test("where its water goes is told by name, and names with an article keep one",
 test("a river whose name was taken away is called so", () => {
   expect([titleOf(RIVER), titleOf({ ...RIVER, name: "" })]).toEqual(["Ash Beck", "A river without a name"]);
 });
+
+test("a lake is told by its name, its size, and the river that runs out of it", () => {
+  const lake = { mark: "l1", name: "Lake Dellen", area: 12.3, depth: 39.6, level: 1210.2 };
+  const river = { ...RIVER, lake };
+  expect(titleOf(river)).toBe("Lake Dellen");
+  expect(measuresOf(river)).toBe("12 km² · up to 40 m deep · 1,210 m above the sea");
+  expect(courseOf(river)).toBe("The Ash Beck runs out of it");
+  expect(titleOf({ ...river, lake: { ...lake, name: "" } })).toBe("A lake without a name");
+  expect(courseOf({ ...river, name: "" })).toBe("A river runs out of it");
+});

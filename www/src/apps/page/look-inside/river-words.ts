@@ -1,4 +1,4 @@
-/** Describes a river that is pointed at in words. */
+/** Describes a river that is pointed at in words, or a lake along it. */
 
 import { count } from "../../../browser/count.ts";
 import type { PointedRiver } from "../../page-worker/protocol.ts";
@@ -6,20 +6,26 @@ import type { PointedRiver } from "../../page-worker/protocol.ts";
 /** The most rivers downstream that are named; the rest is left out. */
 const MOST_NAMED = 3;
 
-/** Returns the name of a river, or a phrase if it has none. */
-export function titleOf({ name }: PointedRiver): string {
+/** Returns the name of a river or lake, or a phrase if it has none. */
+export function titleOf({ name, lake }: PointedRiver): string {
+  if (lake) return lake.name === "" ? "A lake without a name" : lake.name;
   return name === "" ? "A river without a name" : name;
 }
 
-/** Describes its order, its length and the land it drains. */
-export function measuresOf({ order, orderHere, length, share, area }: PointedRiver): string {
+/** Describes a river's order, its length and the land it drains, or a lake's area, depth and height. */
+export function measuresOf({ order, orderHere, length, share, area, lake }: PointedRiver): string {
+  if (lake) {
+    const [depth, level] = [lake.depth, lake.level].map((metres) => count(Math.max(1, Math.round(metres))));
+    return `${figures(roughly(lake.area))} km² · up to ${depth} m deep · ${level} m above the sea`;
+  }
   const here = orderHere === order ? "" : ` (${orderHere} here)`;
   const land = `drains ${percent(share)} of the land, ${figures(roughly(area))} km²`;
   return `Order ${order}${here} · ${figures(length)} km long · ${land}`;
 }
 
 /** Describes the way of its water to the sea. */
-export function courseOf({ into, endsIn }: PointedRiver): string {
+export function courseOf({ name, into, endsIn, lake }: PointedRiver): string {
+  if (lake) return `${name === "" ? "A river" : `The ${name.replace(/^the /i, "")}`} runs out of it`;
   if (into.length === 0) return `Flows into the ${endsIn}`;
   const named = into.slice(0, MOST_NAMED).map(inSentence);
   const rest = into.length > MOST_NAMED ? ", and on to" : ", then";

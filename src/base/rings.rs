@@ -1,0 +1,52 @@
+//! Rings: closed lines whose last point is followed by their first, and the area within an odd number of them.
+
+use glam::Vec2;
+
+use super::sort;
+
+/// Returns the stretches of a level line that lie within an odd number of rings, each from west to east.
+pub(crate) fn stretches(rings: &[Vec<Vec2>], y: f32) -> Vec<[f32; 2]> {
+    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let crossed = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
+    let places: Vec<f32> = crossed.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
+    sort::sorted(&places).as_chunks::<2>().0.to_vec()
+}
+
+/// Returns `true` if a point lies within an odd number of rings.
+pub(crate) fn are_around(rings: &[Vec<Vec2>], point: Vec2) -> bool {
+    stretches(rings, point.y).into_iter().any(|[from, to]| (from..to).contains(&point.x))
+}
+
+/// Returns the area within a ring; negative if it runs the other way round.
+pub(crate) fn area(ring: &[Vec2]) -> f32 {
+    let origin = ring.first().copied().unwrap_or_default();
+    let edges = ring.iter().zip(ring.iter().skip(1));
+    edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>() / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(from: f32, to: f32) -> Vec<Vec2> {
+        [(from, from), (to, from), (to, to), (from, to)].map(Vec2::from).to_vec()
+    }
+
+    #[test]
+    fn what_lies_within_an_odd_number_of_rings_is_the_square_without_its_hole() {
+        let rings = [square(0.0, 10.0), square(4.0, 6.0)];
+        assert_eq!(stretches(&rings, 1.0), [[0.0, 10.0]]);
+        assert_eq!(stretches(&rings, 5.0), [[0.0, 4.0], [6.0, 10.0]]);
+        assert!(stretches(&rings, 11.0).is_empty());
+        let points = [(1.0, 5.0), (5.0, 5.0), (7.0, 5.0), (12.0, 5.0), (5.0, -1.0)].map(Vec2::from);
+        assert_eq!(points.map(|point| are_around(&rings, point)), [true, false, true, false, false]);
+    }
+
+    #[test]
+    fn area_has_the_sign_of_the_way_round() {
+        let mut ring = square(2.0, 5.0);
+        assert_eq!(area(&ring), 9.0);
+        ring.reverse();
+        assert_eq!((area(&ring), area(&[])), (-9.0, 0.0));
+    }
+}
