@@ -38,7 +38,7 @@ def test_arrays_are_the_rasters(size: int | None, small: riverseed.Map) -> None:
     metres = (steps.astype(float) - int(texts["sea-level"])) * float(texts["metres-a-step"])
     step = float(texts["metres-a-step"])
     assert relief.heights.shape == steps.shape
-    # A height is rounded to half a step, and a step is told in millionths of a metre, which add up to most of one on a summit.
+    # A height is rounded to half a step, and a step is told in millionths of a metre: most of one more on a summit.
     assert (relief.heights - metres).max() <= step * 1.4
     # Land is a step above the sea at least, and above the cell that its water runs to: level plains rise step by step.
     raised = relief.land & (metres - relief.heights > step * 2)
