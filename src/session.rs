@@ -282,7 +282,7 @@ impl Session {
 
     /// Makes up to `steps` steps: ticks of growth, then the rise of the sea if it drowns valleys, then a few steps that make rivers from the tree, then rounds of
     /// meandering, then the relief part by part if the style shows one. Returns `true` if there is more to do. In all
-    /// known recipes a step takes up to 8 million elementary steps, as [`crate::base::work`] counts them, plus 250 for
+    /// known recipes a step takes up to 9.75 million elementary steps, as [`crate::base::work`] counts them, plus 250 for
     /// each attractor or cell of a Brownian tree.
     ///
     /// # Errors

@@ -117,11 +117,13 @@ fn what_eyes_dislike_is_at_most_a_third_of_colonization_s() {
     for (land, grower) in one_in(6, pairs(["land=valley&sea=0.2", "land=continent&sea=0.3"], [wild, calm, valleys])) {
         let colonized = of_colonization.entry(land).or_insert_with(|| measured(&format!("{land}&{paper}")));
         let like_nature = measured(&format!("{land}&{grower}"));
-        for count in ["umbrellas", "parallels", "along-coast"] {
+        let counts = ["umbrellas", "parallels", "along-coast"];
+        for count in counts {
             let most = colonized(count) / 3.0;
-            assert!(most > 0.0, "{land} has {count} to be rid of");
             assert!(like_nature(count) <= most, "{land}, {grower}: {count} {}, not {most}", like_nature(count));
         }
+        // Half of the maps of a land may have none of one kind.
+        assert!(counts.into_iter().filter(|count| colonized(count) > 0.0).count() > 1, "{land} has some to be rid of");
     }
 }
 

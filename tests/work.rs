@@ -57,7 +57,7 @@ impl Most {
 /// The bound for a step. A map of land is a million cells and more, whatever grows on it, and meandering takes longer
 /// the more rivers there are, by attractors or by cells of a Brownian tree.
 fn bound(session: &Session) -> u64 {
-    8_000_000 + 250 * u64::from(session.growth().total_discharge())
+    9_750_000 + 250 * u64::from(session.growth().total_discharge())
 }
 
 /// No step of a recipe takes more than the bound.

@@ -14,7 +14,7 @@ import riverseed
 
 SMALL = (
     "country=usual&seed=Te+Awa&land=island&sea=0.55&attractors=1500&trim=8&channel-area=2&width=10&labels=some"
-    "&meander=flow&meander-rounds=300&meander-elsewhere=1&great-rivers=5"
+    "&meander=flow&meander-rounds=300&meander-elsewhere=1&great-rivers=5&oxbows=1"
 )
 """A map that takes a moment, with rivers, lakes and names."""
 

@@ -45,8 +45,8 @@ impl<'a> Unevenness<'a> {
         Self { noise, hash: seed.item_hash(Purpose::Lakes), known }
     }
 
-    /// Returns the shift of a shore at a place, in units: so little that lakes which are apart stay apart, and so evenly that no two
-    /// places change sides.
+    /// Returns the shift of a shore at a place, up to 2 units along each axis. Places that are close are shifted alike, so no two change
+    /// sides, and lakes that are apart stay apart.
     pub fn shift(&self, at: Vec2) -> Vec2 {
         /// Half the lengths of its waves, and their heights, in units.
         const WAVES: [(f32, f32); 2] = [(11.0, 1.4), (4.0, 0.6)];

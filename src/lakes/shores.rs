@@ -77,15 +77,16 @@ impl Ground<'_> {
     }
 
     /// Bends shores by a field of shifts, as ground does that is too fine for the relief: what runs straight along cells or divides does
-    /// not stay straight, and no two shores cross that did not. Where a shore would come to the sea all are bent less.
+    /// not stay straight, and no two shores cross that did not. Where a shore would come to the sea all are bent less,
+    /// or not at all.
     fn bent(&self, shores: Vec<Vec<Vec2>>) -> Vec<Vec<Vec2>> {
-        let amounts = [1.0, 0.5, 0.0];
+        const AMOUNTS: [f32; 2] = [1.0, 0.5];
         let bend = |amount: f32| -> Vec<Vec<Vec2>> {
             let shifted = |at: &Vec2| *at + self.unevenness.shift(*at) * amount;
             shores.iter().map(|ring| ring.iter().map(shifted).collect()).collect()
         };
         work::count(8 * shores.iter().map(Vec::len).sum::<usize>());
-        let bent = amounts.into_iter().map(bend).find(|bent| bent.iter().flatten().all(|at| self.is_inland(*at)));
+        let bent = AMOUNTS.into_iter().map(bend).find(|bent| bent.iter().flatten().all(|at| self.is_inland(*at)));
         bent.unwrap_or(shores)
     }
 

@@ -142,6 +142,24 @@ fn cells_that_are_filled_are_those_within_the_rings() {
     }
 }
 
+#[test]
+fn shores_are_shifted_by_two_units_along_an_axis_at_most_and_no_two_places_change_sides() {
+    let mut known = [0.0];
+    let unevenness =
+        Unevenness::of(Seed::from_text("kauri"), std::cell::Cell::from_mut(&mut known[..]).as_slice_of_cells());
+    let places = (0..400).flat_map(|row| (0..400).map(move |column| Vec2::new(column as f32, row as f32) * 0.5));
+    let (mut farthest, mut steepest) = (0.0_f32, 0.0_f32);
+    for at in places {
+        let shift = unevenness.shift(at);
+        farthest = farthest.max(shift.abs().max_element());
+        for step in [Vec2::X, Vec2::Y] {
+            let apart = step * 0.5;
+            steepest = steepest.max((unevenness.shift(at + apart) - shift).dot(step).abs() / 0.5);
+        }
+    }
+    assert!((1.0..=2.0).contains(&farthest) && (0.1..1.0).contains(&steepest), "{farthest}, {steepest}");
+}
+
 /// Returns `true` if a point lies within a ring: a line to the east crosses it an odd number of times.
 fn is_within(ring: &[Vec2], point: Vec2) -> bool {
     let crosses = |(a, b): (&Vec2, &Vec2)| {

@@ -73,12 +73,15 @@ impl ReliefStage {
         }
     }
 
-    /// Returns the progress of the relief, from 0 to 1.
+    /// Returns the progress of the relief and its lakes, from 0 to 1, which it reaches with the last of them.
     pub fn progress(&self) -> f32 {
+        /// The share of the relief.
+        const RELIEF: f32 = 0.95;
         match self {
             Self::Waiting => 0.0,
-            Self::Solving(solver) => solver.progress(),
-            Self::Solved(..) => 1.0,
+            Self::Solving(solver) => RELIEF * solver.progress(),
+            Self::Solved(_, LakeStage::Made(_)) => 1.0,
+            Self::Solved(..) => RELIEF,
         }
     }
 

@@ -329,12 +329,14 @@ fn a_copy_of_a_relief_in_the_making_takes_more_memory_and_ends_the_same() {
 
 #[test]
 fn progress_of_a_relief_never_goes_back() {
-    for land in ["land=rectangle", "land=archipelago"] {
-        let mut session = shaped(&format!("{BENDS}&{land}&style=night"));
+    let texts = [(BENDS, "land=rectangle&style=night"), (BENDS, "land=archipelago&style=night"), (LAKES, "style=ink")];
+    for (text, more) in texts {
+        let mut session = shaped(&format!("{text}&{more}"));
         let mut seen = vec![session.progress()];
         while session.advance(1).unwrap() {
             seen.push(session.progress());
         }
+        assert!(seen.iter().all(|share| *share < 1.0), "it is not finished yet: {seen:?}");
         assert!(seen.is_sorted() && seen[0] == 0.0 && seen.iter().all(|share| *share <= 1.0), "{seen:?}");
         // It does not jump either.
         assert!(seen.windows(2).all(|pair| pair[1] - pair[0] < 0.5), "{seen:?}");

@@ -66,7 +66,7 @@ const CLOSE = `${SMALL.replace("kauri", "rimu")}&land=rectangle&mouths=3&curl=0&
 function contextOf(key: string): string {
   if (["neck", "oxbows", "clearance"].includes(key)) return CLOSE;
   if (key === "mouth-spacing") return MANY;
-  if (key === "trim-variation") return `${SMALL}&trim=60`;
+  if (key === "trim-variation") return `${SMALL}&trim=30`;
   if (key === "growth" || key === "great-rivers") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);

@@ -102,6 +102,7 @@ test("JSON holds the whole network @core", async ({ page }) => {
     "nodes",
     "rivers",
     "oxbows",
+    "lakes",
     "names",
   ]);
   const { nodes, sources, oxbows } = pictureOf(PLAIN, 16, 16).summary;

@@ -26,11 +26,27 @@ test("at first what shapes a map most stands in the panel, and all else behind d
   ]);
   await expect(page.locator(".group[open]")).toHaveCount(0);
   await openSettings(page);
-  // Relief has nothing to set on a map in ink.
-  const headings = ["Land", "Growth", "Drainage", "Bends", "Finish", "Rivers", "Meanders", "Names", "Scenery"];
+  const headings = [
+    "Land",
+    "Growth",
+    "Drainage",
+    "Bends",
+    "Finish",
+    "Rivers",
+    "Meanders",
+    "Relief",
+    "Names",
+    "Scenery",
+  ];
   await expect(page.locator(".settings .group > summary h2:visible")).toHaveText(headings);
   await expect(page.locator(".settings .group[open]")).toHaveCount(0);
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
+});
+
+test("drainage has nothing to set on a map of Brownian trees", async ({ page }) => {
+  await openWithSettings(page, "seed=kauri&growth=brownian&style=ink&labels=none");
+  await expect(page.locator('.settings h2:visible:text-is("Meanders")')).toHaveCount(1);
+  await expect(page.locator('.settings h2:visible:text-is("Drainage")')).toHaveCount(0);
 });
 
 test("groups fold and unfold by mouse and keys, and are so again next time @core", async ({ page }) => {

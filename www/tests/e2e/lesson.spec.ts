@@ -20,7 +20,7 @@ async function stopAt(page: Page, share: number): Promise<string> {
   return word;
 }
 
-/** Which pixels of the map are ink. */
+/** Which pixels of the map are of a river: a bank, or the pale water between two banks. */
 async function ink(page: Page): Promise<boolean[]> {
   return await page.locator("#canvas").evaluate(async (shown: HTMLCanvasElement) => {
     const read = (): Uint8ClampedArray => {
@@ -37,7 +37,7 @@ async function ink(page: Page): Promise<boolean[]> {
       if (next.every((value, i) => value === last[i])) break;
       last = next;
     }
-    return Array.from({ length: last.length / 4 }, (_, i) => (last[4 * i] ?? 255) < 120);
+    return Array.from({ length: last.length / 4 }, (_, i) => (last[4 * i] ?? 255) < 232);
   });
 }
 
