@@ -33,6 +33,8 @@ const FEATURES = {
   land: ["land"],
   lakes: ["water"],
   basins: ["basin"],
+  deltas: ["delta"],
+  distributaries: ["distributary"],
   oxbow_lakes: ["oxbow"],
   rivers: ["river"],
   segments: ["segment"],

@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, NumberKey, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
-const LEFT: [Key; 31] = [
+const LEFT: [Key; 33] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -30,6 +30,8 @@ const LEFT: [Key; 31] = [
     Key::Attractors,
     Key::Width,
     Key::BankVariation,
+    Key::Deltas,
+    Key::Waves,
     Key::Mountains,
     Key::Plains,
     Key::Lakes,

@@ -24,7 +24,7 @@ const LEAST: f32 = 0.03;
 
 /// The least and greatest multiple of the usual length of a branch, and the greatest share of that of the branch before it: what is
 /// left takes it on to the sea.
-const SHORTER: f32 = 0.72;
+const SHORTER: f32 = 0.58;
 const LENGTHS: (f32, f32) = (0.75, 1.25);
 
 /// The room that a branch finds ahead of its tip, in units and in widths, so that it can go on to the sea over its own land.
@@ -34,8 +34,13 @@ const AHEAD: (f32, f32) = (5.0, 1.0);
 const STEP: f32 = 2.0;
 
 /// The deviation of the turn of a step, in radians, and the share of all turns that is taken back.
-const TURN: f32 = 0.07;
-const PULL: f32 = 0.08;
+const TURN: f32 = 0.1;
+const PULL: f32 = 0.1;
+
+/// The distance from a coast, beyond what a branch needs, from which it turns away, in units, and the greatest turn of a step, in
+/// radians.
+const SHY: f32 = 7.0;
+const AWAY: f32 = 0.3;
 
 /// The distance that branches keep from the frame of the map, in units.
 const OFF_FRAME: f32 = 14.0;
@@ -208,13 +213,14 @@ impl<'a> Fan<'a> {
         let count = (whole / STEP).ceil().max(4.0);
         let step = whole / count;
         let mut line = vec![arm.from];
-        let (mut at, mut turn) = (arm.from, 0.0);
+        let (mut at, mut turn, mut heading) = (arm.from, 0.0, arm.way);
         for i in 0..count as u32 {
             // The first step keeps the angle of the split.
             if i > 0 {
                 turn += TURN * chance.normal([identity, arm.number, 16 + i]) - PULL * turn;
+                heading = self.away_from_coast(at, heading, width);
             }
-            at += turned(arm.way, turn) * step;
+            at += turned(heading, turn) * step;
             let cost = COST * width * (SHOAL + depth(self.site.coast.height(at)) / DEEP) * step;
             if cost > self.left || !self.has_room(at, i as f32 * step, width, arm.parent) {
                 return false;
@@ -222,7 +228,7 @@ impl<'a> Fan<'a> {
             self.left -= cost;
             line.push(at);
         }
-        let ahead = at + turned(arm.way, turn) * (AHEAD.0 + AHEAD.1 * width);
+        let ahead = at + turned(heading, turn) * (AHEAD.0 + AHEAD.1 * width);
         if ![0.5, 1.0].into_iter().all(|share| self.has_room(at.lerp(ahead, share), whole, width, arm.parent)) {
             return false;
         }
@@ -230,12 +236,23 @@ impl<'a> Fan<'a> {
         true
     }
 
+    /// Turns a branch away from a coast that it comes near to.
+    fn away_from_coast(&self, at: Vec2, heading: Vec2, width: f32) -> Vec2 {
+        let coast = self.site.coast;
+        let ahead = at + heading * (STEP + 0.5 * width);
+        let nearness = ((coast.height(ahead) + clearance(width)) / SHY + 1.0).clamp(0.0, 1.0);
+        let landward = direction(coast.slope(ahead));
+        let along = direction(heading - landward * heading.dot(landward).max(0.0));
+        let angle = libm::asinf(heading.perp_dot(along).clamp(-1.0, 1.0));
+        turned(heading, angle.clamp(-AWAY, AWAY) * nearness)
+    }
+
     /// Returns `true` if a branch can run on to a place, some way from where it begins.
     fn has_room(&self, at: Vec2, way: f32, width: f32, parent: Option<usize>) -> bool {
         let Site { domain, coast, apex, width: trunk, kept, .. } = self.site;
         let off_frame = domain.sides(at).into_iter().map(|(_, far)| far).fold(f32::INFINITY, fast_min);
         let is_near_apex = parent.is_none() && distance(at, apex) < 2.0 * trunk + 8.0;
-        if off_frame < OFF_FRAME || (!is_near_apex && coast.height(at) > -(0.5 * width + 1.5)) {
+        if off_frame < OFF_FRAME || (!is_near_apex && coast.height(at) > -clearance(width)) {
             return false;
         }
         work::count(kept.len());
@@ -255,6 +272,11 @@ impl<'a> Fan<'a> {
                 || places.all(|at_it| distance(at, at_it) >= clear)
         })
     }
+}
+
+/// Returns the distance from the coast that a branch needs, in units.
+fn clearance(width: f32) -> f32 {
+    0.5 * width + 1.5
 }
 
 /// The sediment of a branch: by its width, and by its depth in units, more than on a shoal.

@@ -171,7 +171,7 @@ impl DeltaMaker {
             // A smaller plain is better than one that hardly a branch crosses.
             let least = if radius > 0.0 { TIPS.max(fan.tips().div_ceil(2)) } else { TIPS };
             let Some((plain, links)) = self.settled(fan.links.clone(), &kept, (radius, most), least) else { continue };
-            if !self.leaves_seas_whole(&plain) {
+            if self.covers_a_tip(&plain) || !self.leaves_seas_whole(&plain) {
                 continue;
             }
             if let Some(ends) = self.lead_on(network, river, &plain, &links) {
@@ -230,19 +230,23 @@ impl DeltaMaker {
 
     /// Leads the rivers whose mouths lie in a new plain on to the sea. `None` if a way is barred.
     fn lead_on(&self, network: &Network, river: u32, plain: &Plain, links: &[Link]) -> Option<Vec<(u32, Vec<Vec2>)>> {
-        /// The farthest that a mouth may lie from the coast, in units.
-        const NEAR: f32 = 1.5;
         let mut passable = plain.passable(links);
         let mut ends = Vec::new();
         for id in network.mouths().into_iter().filter(|id| *id != river) {
             let known = self.ends.iter().rev().find(|(other, _)| *other == id).and_then(|(_, way)| way.last().copied());
             let last = network.vertices[network.rivers[id as usize].vertex_range()].last().map(|vertex| vertex.at);
             let Some(mouth) = known.or(last) else { continue };
-            if plain.height(mouth) > NEAR {
+            if plain.cuts_off(mouth) {
                 ends.push((id, plain.way_out(mouth, &mut passable)?));
             }
         }
         Some(ends)
+    }
+
+    /// Returns `true` if a plain has taken the sea from a branch of an earlier delta.
+    fn covers_a_tip(&self, plain: &Plain) -> bool {
+        let mut tips = self.made.distributaries.iter().filter(|branch| branch.reaches_sea);
+        tips.any(|branch| branch.line.last().is_some_and(|tip| plain.has_changed(tip.at)))
     }
 
     /// Returns `true` if a plain cuts no water off from the rest of its sea.

@@ -12,6 +12,9 @@ use crate::land::CoastDistance;
 const WIDTHS: f32 = 1.7;
 const MORE: f32 = 2.5;
 
+/// The width of the land at a tip, as a share.
+const NARROW: f32 = 0.15;
+
 /// The radius of the bays that close without waves, in units, and how much greater it is with the strongest.
 const CALM: f32 = 4.0;
 const ROUGH: f32 = 22.0;
@@ -122,7 +125,7 @@ impl Plain {
                     // A tip is narrow, so that it ends close to the sea.
                     let left = whole - way - share * step;
                     let half = match link.arms {
-                        None => half * (0.35 + 0.65 * (left / half).clamp(0.0, 1.0).sqrt()),
+                        None => half * (NARROW + (1.0 - NARROW) * (left / half).clamp(0.0, 1.0).sqrt()),
                         Some(_) => half,
                     };
                     field[i] = fast_max(field[i], half - far);
@@ -196,13 +199,40 @@ impl Plain {
 
     /// Returns the distance of a point of the window from the coast; far off outside.
     pub fn height(&self, point: Vec2) -> f32 {
+        self.height_in(&self.field, point)
+    }
+
+    /// Returns `true` if a point of the window lies farther inland than before.
+    pub fn has_changed(&self, point: Vec2) -> bool {
+        const LEAST: f32 = 0.1;
+        self.height(point) > self.height_in(&self.before, point) + LEAST
+    }
+
+    /// Returns `true` if a mouth that was at the coast lies inland now.
+    pub fn cuts_off(&self, mouth: Vec2) -> bool {
+        // The field is no distance within strips that overlap, so it says no more than where there is land.
+        const INLAND: f32 = 0.3;
+        let is_at_sea = |field: &[f32], spacings: f32| {
+            let far = spacings * self.spacing;
+            self.near(mouth, mouth, far).any(|i| field[i] <= 0.0 && distance(self.at(i), mouth) < far)
+        };
+        let has_no_sea = is_at_sea(&self.before, 1.5) && !is_at_sea(&self.field, 1.0) && self.is_new(mouth);
+        has_no_sea || (self.height(mouth) > INLAND && self.has_changed(mouth))
+    }
+
+    /// Returns `true` if there is new land close to a point.
+    fn is_new(&self, point: Vec2) -> bool {
+        self.near(point, point, 1.5 * self.spacing).any(|i| self.field[i] > 0.0 && self.before[i] <= 0.0)
+    }
+
+    fn height_in(&self, field: &[f32], point: Vec2) -> f32 {
         let at = point / self.spacing - Vec2::new(self.first[0] as f32, self.first[1] as f32);
         if at.min_element() < 0.0 || at.x >= (self.columns - 1) as f32 || at.y >= (self.rows - 1) as f32 {
             return f32::NEG_INFINITY;
         }
         let (column, row) = (at.x as usize, at.y as usize);
         let along = |row: usize| {
-            let [west, east] = [0, 1].map(|beside| self.field[row * self.columns + column + beside]);
+            let [west, east] = [0, 1].map(|beside| field[row * self.columns + column + beside]);
             west + (east - west) * (at.x - column as f32)
         };
         along(row) + (along(row + 1) - along(row)) * (at.y - row as f32)
@@ -259,7 +289,7 @@ impl Plain {
 
     /// Follows a way back from a corner at sea, smooths it, and bars it.
     fn way(&self, mouth: Vec2, sea: usize, from: &[usize], passable: &mut [bool]) -> Vec<Vec2> {
-        const OUT: f32 = 0.5;
+        const OUT: f32 = 2.0;
         const PASSES: usize = 3;
         let corners: Vec<usize> =
             std::iter::successors(Some(sea), |&i| Some(from[i]).filter(|&i| i != usize::MAX)).collect();

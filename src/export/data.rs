@@ -43,6 +43,12 @@ impl<'a> Json<'a> {
         Self::list(numbers.len(), move |i| Self::Double(numbers[i]))
     }
 
+    /// Makes a list of points, each a list of three numbers.
+    #[inline(never)]
+    pub(super) fn points(points: Vec<[f32; 3]>) -> Self {
+        Self::list(points.len(), move |i| Self::singles(points[i].to_vec()))
+    }
+
     /// Makes a list of whole numbers.
     #[inline(never)]
     pub(super) fn wholes(numbers: Vec<u32>) -> Self {

@@ -1,4 +1,4 @@
-//! GeoJSON (RFC 7946): a line for each river and a polygon for each lake, with their data as properties.
+//! GeoJSON (RFC 7946): a line for each river and each branch of one, a polygon for each lake and delta, with their data as properties.
 //!
 //! Every feature has a `key`, its place in the list, counted from 1: a number that no other has, whatever its kind, as vector
 //! tiles keep it. `bbox` is the map's own frame, that of its picture.
@@ -19,6 +19,7 @@ use super::rings::GridPoint;
 use super::{ExportError, rivers};
 use crate::analyse::statistics::Drained;
 use crate::annotate::names::Names;
+use crate::deltas::{Delta, Distributary};
 use crate::domain::Domain;
 use crate::lakes::Lake;
 use crate::land::SmoothedDistance;
@@ -66,6 +67,8 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
         (Part::Land, ground.land.len()),
         (Part::Water, ground.water.len()),
         (Part::Lake, ground.lakes.len()),
+        (Part::Delta, ground.deltas.len()),
+        (Part::Distributary, map.deltas().distributaries.len()),
         (Part::Ridge, map.land().map_or(0, |land| land.ridges().len())),
         (Part::Named, features.named()),
     ];
@@ -82,6 +85,8 @@ fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
             Part::Land => ground.land(at, grid),
             Part::Water => ground.water(at, &features),
             Part::Lake => ground.lake(at, map, &features),
+            Part::Delta => ground.delta(at, map, &features),
+            Part::Distributary => features.distributary(&map.deltas().distributaries[at]),
             Part::Ridge => features.ridge(map, at),
             Part::Named => features.name(at),
         };
@@ -111,6 +116,8 @@ enum Part {
     Land,
     Water,
     Lake,
+    Delta,
+    Distributary,
     Ridge,
     Named,
 }
@@ -184,6 +191,19 @@ impl<'a> Features<'a> {
         Feature { id: format!("river-{id}"), shape: "LineString", coordinates: positions(line), properties }
     }
 
+    fn distributary(&self, branch: &Distributary) -> Feature<'a> {
+        let mut properties = Members::default();
+        properties.text("kind", "distributary").whole("number", branch.id).whole("river", branch.river);
+        match branch.parent {
+            Some(parent) => properties.whole("parent", parent),
+            None => properties.value("parent", Json::Null),
+        };
+        properties.double("share", rounded(branch.share, 1000.0, 1000.0));
+        let line = branch.line.iter().map(|place| self.degrees(place.at)).collect();
+        let id = format!("distributary-{}", branch.id);
+        Feature { id, shape: "LineString", coordinates: positions(line), properties }
+    }
+
     fn ridge(&self, map: &Map, i: usize) -> Feature<'a> {
         let line = map.land().and_then(|land| land.ridges().get(i)).map_or(&[][..], Vec::as_slice);
         let mut properties = Members::default();
@@ -227,6 +247,8 @@ struct Ground {
     water: Vec<Polygon>,
     /// The lakes along rivers, each with its index among those of the map.
     lakes: Vec<(usize, Polygon)>,
+    /// The parts of the land that rivers have built, each with the index of its delta among those of the map.
+    deltas: Vec<(usize, Vec<Polygon>)>,
     /// For each basin with a cell: its number, the river at whose mouth it ends, its area in square units, and its
     /// parts.
     basins: Vec<(u32, u32, f32, Vec<Polygon>)>,
@@ -252,7 +274,9 @@ impl Ground {
         // A lake narrower than the last decimal place somewhere is more than one polygon, of which the first is the largest.
         let lake = |(i, lake): (usize, &Lake)| Some((i, on_grid(lake.rings.clone()).into_iter().next()?));
         let lakes = map.lakes().list.iter().enumerate().filter_map(lake).collect();
-        Ok(Self { water: inside_out(&land), lakes, land, basins })
+        let delta = |(i, delta): (usize, &Delta)| (i, on_grid(delta.rings.clone()));
+        let deltas = map.deltas().list.iter().enumerate().map(delta).filter(|(_, parts)| !parts.is_empty()).collect();
+        Ok(Self { water: inside_out(&land), lakes, land, deltas, basins })
     }
 
     fn land<'a>(&self, i: usize, grid: DegreeGrid) -> Feature<'a> {
@@ -295,6 +319,17 @@ impl Ground {
         names::lake(&mut properties, &features.names, is_here);
         let coordinates = parts(polygon.clone(), features.grid);
         Feature { id: format!("water-{number}"), shape: "Polygon", coordinates, properties }
+    }
+
+    fn delta<'a>(&self, i: usize, map: &Map, features: &Features<'a>) -> Feature<'a> {
+        let (id, polygons) = self.deltas[i].clone();
+        let delta = &map.deltas().list[id];
+        let mut properties = Members::default();
+        properties.text("kind", "delta").whole("number", id as u32).whole("river", delta.river);
+        properties.double("area_m2", features.scale.square_metres(delta.area.into()).round());
+        let grid = features.grid;
+        let coordinates = Json::list(polygons.len(), move |i| parts(polygons[i].clone(), grid));
+        Feature { id: format!("delta-{id}"), shape: "MultiPolygon", coordinates, properties }
     }
 
     fn basin<'a>(&self, i: usize, features: &Features<'a>) -> Feature<'a> {

@@ -3,12 +3,10 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
-use super::names;
-use super::{ExportError, rivers};
+use super::{ExportError, names, rivers, waters};
 use crate::analyse::statistics::{self, Measures};
-use crate::annotate::names::{Names, PlaceName};
+use crate::annotate::names::Names;
 use crate::grow::Ending;
-use crate::lakes::{Lake, Passage};
 use crate::map::Map;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
@@ -45,11 +43,11 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         let mut members = river(network, i as u32);
         names::identity(&mut members, named_rivers.get(i));
         names::river(&mut members, named_rivers.get(i));
-        passages(&mut members, map, i);
-        members.value("points", points(course(network, i)));
+        waters::passages(&mut members, map, i);
+        members.value("points", Json::points(course(network, i)));
         Json::from(members)
     };
-    let measured = Measures::of(map);
+    let (measured, deltas) = (Measures::of(map), map.deltas());
     let named_places = names.as_ref().map_or_else(Vec::new, |names| names.places.clone());
     form.value("recipe", values(map.recipe(), is_named))
         .object("resolved", resolved(map))
@@ -60,7 +58,9 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         .object("nodes", nodes(map.pruned()))
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)))
-        .value("lakes", Json::list(map.lakes().list.len(), move |i| lake(map, i, &named_places)));
+        .value("lakes", Json::list(map.lakes().list.len(), move |i| waters::lake(map, i, &named_places)))
+        .value("distributaries", Json::list(deltas.distributaries.len(), |i| waters::distributary(&deltas.distributaries[i])))
+        .value("deltas", Json::list(deltas.list.len(), |i| waters::delta(&deltas.list[i])));
     if let Some(names) = names {
         form.value("names", names::list(names));
     }
@@ -234,52 +234,11 @@ fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
         .whole("id", id)
         .whole("river", oxbow.river)
         .whole("born", oxbow.born)
-        .value("points", points(line.collect()));
+        .value("points", Json::points(line.collect()));
     members.into()
-}
-
-/// Adds the lakes that a river passes, if there are any: the number of each, with the first and the last point in it.
-fn passages<'a>(members: &mut Members<'a>, map: &Map, river: usize) {
-    let passages = map.lakes().passages(map.network(), &map.network().rivers[river]);
-    let count = passages.len();
-    if count > 0 {
-        let passage = move |i: usize| {
-            let Passage { lake, points: [first, last], .. } = passages[i];
-            Json::wholes([lake, first, last].map(|number| number as u32).to_vec())
-        };
-        members.value("lakes", Json::list(count, passage));
-    }
-}
-
-fn lake<'a>(map: &'a Map, id: usize, named: &[PlaceName]) -> Json<'a> {
-    let Lake { identity, at, level, depth, area, outlet, rings, .. } = &map.lakes().list[id];
-    let river = &map.network().rivers[outlet.river as usize];
-    let mut place = Members::default();
-    place.whole("river", outlet.river).whole("point", outlet.vertex - river.start);
-    let mut members = Members::default();
-    members
-        .whole("id", id as u32)
-        .whole("identity", *identity)
-        .value("name", names::name(named.iter().find(|place| place.at == *at).map_or("", |place| &place.name)))
-        .text("kind", "through")
-        .single("level", *level)
-        .single("depth", *depth)
-        .single("area", *area)
-        .object("outlet", place)
-        .value("rings", Json::list(rings.len(), move |i| ring(&rings[i])));
-    members.into()
-}
-
-fn ring<'a>(ring: &'a [Vec2]) -> Json<'a> {
-    Json::list(ring.len(), |i| Json::singles(ring[i].to_array().to_vec()))
 }
 
 /// Returns the coordinates of a vertex, and a share of its width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
-}
-
-#[inline(never)]
-fn points<'a>(points: Vec<[f32; 3]>) -> Json<'a> {
-    Json::list(points.len(), move |i| Json::singles(points[i].to_vec()))
 }

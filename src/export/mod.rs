@@ -16,6 +16,7 @@ mod polygons;
 pub mod rasters;
 mod rings;
 pub mod svg;
+mod waters;
 
 pub use data::Json;
 

@@ -109,7 +109,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then members that this reader skips.
-const NETWORK: [&str; 12] = [
+const NETWORK: [&str; 14] = [
     "recipe",
     "resolved",
     "domain",
@@ -120,6 +120,8 @@ const NETWORK: [&str; 12] = [
     "rivers",
     "oxbows",
     "lakes",
+    "distributaries",
+    "deltas",
     "names",
     "attractors",
 ];

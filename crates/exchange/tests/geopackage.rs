@@ -32,6 +32,8 @@ fn layer_of(kind: &str) -> &'static str {
         "basin" => "basins",
         "land" => "land",
         "water" => "lakes",
+        "delta" => "deltas",
+        "distributary" => "distributaries",
         "ridge" => "ridges",
         _ => "places",
     }

@@ -10,7 +10,7 @@ import prefixed from "./prefixed.json" with { type: "json" };
 export const NUMBERS = [
   "edition", "aspect", "span", "sea", "drowning", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
   "curl", "stretch", "valleys", "valley-spacing", "concavity", "captures", "hardness", "hardness-scale", "bending",
-  "bending-variation", "strike", "center-x", "center-y", "fall", "channel-area", "head-variation", "trim", "trim-variation", "tributary-spacing", "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
+  "bending-variation", "strike", "center-x", "center-y", "fall", "channel-area", "head-variation", "trim", "trim-variation", "tributary-spacing", "simplify", "width", "bank-variation", "deltas", "waves", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
   "great-rivers", "flat-share", "neck", "oxbows", "clearance", "taper", "mountains", "plains", "rills", "lakes", "shade", "warmth", "rain", "rain-shadow", "wind", "label-size", "language", "woods", "hills",
 ] as const;
 export const TEXTS = [

@@ -103,6 +103,8 @@ test("JSON holds the whole network @core", async ({ page }) => {
     "rivers",
     "oxbows",
     "lakes",
+    "distributaries",
+    "deltas",
     "names",
   ]);
   const { nodes, sources, oxbows } = pictureOf(PLAIN, 16, 16).summary;

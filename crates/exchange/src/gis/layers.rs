@@ -65,7 +65,7 @@ const fn real(name: &'static str, help: &'static str) -> Column {
 pub const KEY: Column = whole("key", "no other feature of the map has the same, of whatever kind");
 
 /// The layers, from the ground up.
-pub static LAYERS: [Layer; 9] = [
+pub static LAYERS: [Layer; 11] = [
     Layer {
         name: "land",
         description: "The pieces of land, the largest first; lakes at the sea's level are holes.",
@@ -93,6 +93,19 @@ pub static LAYERS: [Layer; 9] = [
         ],
     },
     Layer {
+        name: "deltas",
+        description: "The land that rivers have built into the sea, which is part of the land.",
+        geometry: "MULTIPOLYGON",
+        has_heights: false,
+        kinds: &["delta"],
+        columns: &[
+            whole("number", "its place in the JSON form"),
+            whole("river", "the river that built it"),
+            real("area_m2", "its area"),
+            KEY,
+        ],
+    },
+    Layer {
         name: "basins",
         description: "The basins of the rivers that reach the sea.",
         geometry: "MULTIPOLYGON",
@@ -115,6 +128,20 @@ pub static LAYERS: [Layer; 9] = [
             whole("number", "the `id` of the JSON form"),
             whole("river", "the river that left it"),
             whole("born", "the round of meandering in which it was cut off"),
+            KEY,
+        ],
+    },
+    Layer {
+        name: "distributaries",
+        description: "The branches of rivers in their deltas, each from where it begins.",
+        geometry: "LINESTRING",
+        has_heights: false,
+        kinds: &["distributary"],
+        columns: &[
+            whole("number", "the `id` of the JSON form"),
+            whole("river", "the river that divides"),
+            whole("parent", "the branch that it is one of the two arms of, null if it begins where the river divides"),
+            real("share", "the share of the river's water that it carries"),
             KEY,
         ],
     },

@@ -37,6 +37,8 @@ pub fn of_layer(name: &str) -> String {
     match name {
         "land" => vector(&fill(&opaque(atlas::LAND), &opaque(atlas::COAST), "0.3"), ""),
         "lakes" => vector(&fill(&opaque(atlas::WATER), &opaque(atlas::COAST), "0.3"), ""),
+        "deltas" => vector(&fill(NONE, &opaque(atlas::COAST), "0.1"), ""),
+        "distributaries" => vector(&line(&opaque(atlas::RIVER), Some(r#"0.12 + 1.1 * sqrt("share")"#)), ""),
         "basins" => vector(&fill(NONE, BASIN, "0.2"), ""),
         "oxbow_lakes" => vector(&fill(&opaque(atlas::WATER), &opaque(atlas::COAST), "0.1"), ""),
         // Width goes with the root of discharge, as in nature.
