@@ -113,9 +113,9 @@ fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
 fn check_ground(session: &Session, ground: &[geojson::Feature]) {
     let kind = |feature: &geojson::Feature| feature.property("kind").unwrap().as_str().unwrap().to_owned();
     let kinds: Vec<String> = ground.iter().map(kind).collect();
-    assert!(
-        kinds.is_sorted_by_key(|kind| ["basin", "land", "water", "ridge"].iter().position(|own| own == kind).unwrap())
-    );
+    assert!(kinds.is_sorted_by_key(|kind| {
+        ["basin", "land", "water", "delta", "distributary", "ridge"].iter().position(|own| own == kind).unwrap()
+    }));
     // The units of a degree.
     let units = 111_320.0 / session.map().unwrap().scale().metres_a_unit;
     let rings = |feature: &geojson::Feature| match feature.geometry.clone().unwrap().value {

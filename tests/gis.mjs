@@ -21,7 +21,7 @@ const NAME = "Riverseed map, metres from its centre";
 const LINKS = {
   island: "country=usual&seed=kauri&attractors=900",
   lake: "country=usual&seed=leven&land=basin&attractors=300",
-  lakeland: "country=usual&seed=saimaa&sea=0.3&attractors=900&lakes=0.7",
+  lakeland: "country=usual&seed=saimaa&sea=0.3&attractors=900&lakes=0.7&deltas=0.7",
   valley: "country=usual&seed=matai&land=valley&attractors=400&aspect=0.5",
   // Oxbow lakes, no sea, and a seed and a title that would like to be markup, a statement and a path.
   hostile:

@@ -60,10 +60,11 @@ fn tied(tree: &Tree) -> BTreeSet<[u32; 2]> {
 /// The number of rivers of a trimmed tree that are rivers of the untrimmed one with the same identity, and the number
 /// of all.
 fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize) {
-    let of = |more: &str| lowest(&rivers(link, &format!("{growth}&courses=grown&style=ink&{more}")));
+    // Which deltas are built depends on all rivers around, and brooks run on over them.
+    let of = |more: &str| lowest(&rivers(link, &format!("{growth}&deltas=0&courses=grown&style=ink&{more}")));
     let trimmed = of(&format!("trim={trim}&channel-area={channel_area}"));
     let whole = of("trim=0&channel-area=1&head-variation=0&tributary-spacing=0");
-    let tied = tied(finished(link, &format!("{growth}&style=ink")).tree());
+    let tied = tied(finished(link, &format!("{growth}&deltas=0&style=ink")).tree());
     let is_kept = |(identity, at): &(&u32, &(Vec2, u32))| {
         whole.get(identity) == Some(at) || tied.contains(&at.0.to_array().map(f32::to_bits))
     };

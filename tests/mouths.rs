@@ -111,6 +111,34 @@ fn the_line_of_the_coast_is_open_across_a_river_in_all_styles() {
     }
 }
 
+/// The end of the widest branch of a delta: a point of the coast, the way to the sea, and its width.
+fn widest_tip(session: &Session) -> (Vec2, Vec2, f32) {
+    let deltas = session.deltas().unwrap();
+    let tips = deltas.distributaries.iter().filter(|branch| branch.reaches_sea);
+    let place = |branch: &riverseed::deltas::Distributary| *branch.line.last().unwrap();
+    let end = tips.map(place).max_by(|a, b| a.half.total_cmp(&b.half)).unwrap();
+    let distance = session.land().unwrap().coast_distance();
+    let seaward = -distance.slope(end.at).normalize();
+    (end.at + seaward * distance.height(end.at), seaward, 2.0 * end.half)
+}
+
+#[test]
+fn branches_of_a_delta_open_the_line_of_the_coast() {
+    for style in OPEN {
+        let session = finished(&format!("seed=Veldemar&deltas=0.5&labels=none&style={style}"));
+        let (at, seaward, width) = widest_tip(&session);
+        assert!(width > 5.0, "{width}");
+        let distance = session.land().unwrap().coast_distance();
+        let close = Close::of(&session, at);
+        let sea = close.pixel(at + seaward * OFFSHORE);
+        for tenth in -1..=1 {
+            let aside = tenth as f32 * 0.1 * width;
+            let here = close.pixel(along_coast(|at| distance.height(at), at, seaward, aside));
+            assert!(apart(here, sea) < 24, "{style}: {here:?} is not the sea, {sea:?}, at {tenth}");
+        }
+    }
+}
+
 #[test]
 fn a_river_turns_into_the_sea_within_its_mouth() {
     for style in ["dark", "night", "blueprint", "basins"] {

@@ -19,7 +19,7 @@ from importlib.metadata import version as _version
 from typing import TYPE_CHECKING
 
 from riverseed import _native
-from riverseed._arrays import Lakes, Nodes, Oxbows, Relief, Rivers
+from riverseed._arrays import Distributaries, Lakes, Nodes, Oxbows, Relief, Rivers
 from riverseed._map import Map, Name
 from riverseed._options import texts as _texts
 from riverseed._parameters import Parameter, parameters
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 __all__ = [
     "FORMS",
     "LAYERS",
+    "Distributaries",
     "Lakes",
     "Map",
     "Name",

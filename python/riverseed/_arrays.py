@@ -105,6 +105,20 @@ class Oxbows(_Lines):
 
 
 @dataclass(frozen=True, eq=False)
+class Distributaries(_Lines):
+    """The branches of rivers in their deltas, as lines, each after the one that it belongs to. They are no rivers."""
+
+    river: NDArray[np.uint32]
+    """The river that divides."""
+    parent: NDArray[np.int32]
+    """The branch that it is one of the two arms of; -1 if it begins where the river divides."""
+    share: NDArray[np.float32]
+    """The share of the river's water that it carries."""
+    sea: NDArray[np.bool_]
+    """True if it ends in the sea, False if it divides."""
+
+
+@dataclass(frozen=True, eq=False)
 class Lakes:
     """The lakes that rivers run through, a column each, the greatest first, and their shores as rings.
 

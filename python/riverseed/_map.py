@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riverseed import _native
-from riverseed._arrays import Lakes, Nodes, Oxbows, Relief, Rivers
+from riverseed._arrays import Distributaries, Lakes, Nodes, Oxbows, Relief, Rivers
 from riverseed._options import by_keyword, pixels
 from riverseed._summary import Summary
 from riverseed._words import describe
@@ -283,6 +283,11 @@ class Map:
     def oxbows(self) -> Oxbows:
         """The lakes that rivers have left."""
         return Oxbows(**self._grown.oxbows())
+
+    @cached_property
+    def distributaries(self) -> Distributaries:
+        """The branches of rivers in their deltas."""
+        return Distributaries(**self._grown.distributaries())
 
     @cached_property
     def lakes(self) -> Lakes:

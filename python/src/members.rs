@@ -66,6 +66,10 @@ impl Map {
         network::oxbows(py, self)
     }
 
+    fn distributaries<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        network::distributaries(py, self)
+    }
+
     fn lakes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         lakes::lakes(py, self)
     }

@@ -5,7 +5,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riverseed::analyse::statistics::{self, Measures};
 use riverseed::annotate::names::Names;
-use riverseed::network::{NONE, Network};
+use riverseed::deltas::Distributary;
+use riverseed::network::{NONE, Network, Place};
 use riverseed::prune::Pruned;
 use riverseed::tree::NO_PARENT;
 
@@ -117,5 +118,39 @@ pub fn oxbows<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
     put(&fields, "river", oxbows.river)?;
     put(&fields, "born", oxbows.born)?;
     oxbows.lakes.put(&fields)?;
+    Ok(fields)
+}
+
+/// The columns of `riverseed.Distributaries`.
+struct Distributaries {
+    river: Vec<u32>,
+    parent: Vec<i32>,
+    share: Vec<f32>,
+    sea: Vec<bool>,
+    courses: Lines,
+}
+
+impl Distributaries {
+    fn of(branches: &[Distributary]) -> Self {
+        let place = |place: &Place| [place.at.x, place.at.y, 2.0 * place.half];
+        Self {
+            river: branches.iter().map(|branch| branch.river).collect(),
+            parent: branches.iter().map(|branch| branch.parent.map_or(-1, |parent| parent as i32)).collect(),
+            share: branches.iter().map(|branch| branch.share).collect(),
+            sea: branches.iter().map(|branch| branch.reaches_sea).collect(),
+            courses: Lines::of(branches.iter().map(|branch| branch.line.iter().map(place))),
+        }
+    }
+}
+
+/// Makes the fields of `riverseed.Distributaries`.
+pub fn distributaries<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
+    let branches = map.read(py, |map| Ok(Distributaries::of(&map.deltas().distributaries)))?;
+    let fields = PyDict::new(py);
+    put(&fields, "river", branches.river)?;
+    put(&fields, "parent", branches.parent)?;
+    put(&fields, "share", branches.share)?;
+    put(&fields, "sea", branches.sea)?;
+    branches.courses.put(&fields)?;
     Ok(fields)
 }

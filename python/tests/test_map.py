@@ -124,6 +124,18 @@ def test_a_relief_has_lakes_level_over_their_beds(lakeland: riverseed.Map) -> No
     assert (relief.depths > 0).sum() > 100
 
 
+def test_distributaries_are_those_of_the_json_form() -> None:
+    grown = riverseed.grow(seed="Thornwick", deltas=0.6, style="ink", labels="none")
+    branches, listed = grown.distributaries, json.loads(grown.json())["distributaries"]
+    assert len(branches) == len(listed) > 4
+    assert same(branches.river, [branch["river"] for branch in listed])
+    assert same(branches.parent, [-1 if branch["parent"] is None else branch["parent"] for branch in listed])
+    assert same(branches.share, [branch["share"] for branch in listed])
+    assert same(branches.sea, [branch["sea"] for branch in listed])
+    for line, branch in zip(branches.lines(), listed, strict=True):
+        assert line.tolist() == np.array(branch["points"], np.float32).tolist()
+
+
 def test_oxbow_lakes_are_those_of_the_json_form(form: dict[str, Any], small: riverseed.Map) -> None:
     assert len(small.oxbows) == len(form["oxbows"]) > 0
     assert same(small.oxbows.river, [lake["river"] for lake in form["oxbows"]])

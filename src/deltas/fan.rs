@@ -11,7 +11,7 @@ use crate::base::work;
 use crate::domain::Domain;
 use crate::land::CoastDistance;
 
-/// The angle between two branches, in radians: 72° (Coffey and Rothman 2017), and the least and greatest multiple of it.
+/// The angle between two branches, in radians: 72° (Coffey and Shaw 2017), and the least and greatest multiple of it.
 const ANGLE: f32 = 1.256_637;
 const ANGLES: (f32, f32) = (0.82, 1.15);
 

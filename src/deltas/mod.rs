@@ -1,7 +1,7 @@
 //! Deltas: land that great rivers build into the sea, with the branches that they divide into.
 //!
 //! A delta grows at the mouth of a finished river, out of the sediment that is left once its drowned valley is filled
-//! (`drown`). Branches split at their tips, about 72° apart (Coffey and Rothman 2017), unequally (Edmonds and Slingerland
+//! (`drown`). Branches split at their tips, about 72° apart (Coffey and Shaw 2017), unequally (Edmonds and Slingerland
 //! 2008). Waves close the bays between them. The river itself ends at the apex, so the network stays a forest: branches are no
 //! rivers, and no measure counts them.
 //!
@@ -57,6 +57,17 @@ pub struct Distributary {
     pub line: Vec<Place>,
     /// `true` if it ends in the sea, `false` if it divides.
     pub reaches_sea: bool,
+}
+
+impl Distributary {
+    /// Returns the middle line with half the width at each place, and the point that follows the last one.
+    pub(crate) fn middle(&self) -> Vec<Place> {
+        let mut line = self.line.clone();
+        if let [.., from, to] = self.line[..] {
+            line.push(Place { at: 2.0 * to.at - from.at, ..to });
+        }
+        line
+    }
 }
 
 /// The deltas of a map.

@@ -98,8 +98,9 @@ impl Plain {
         Vec2::new(place[0] as f32, place[1] as f32) * self.spacing
     }
 
-    /// Lists the corners of the window within a distance of a segment.
-    fn near(&self, from: Vec2, to: Vec2, far: f32) -> impl Iterator<Item = usize> + use<> {
+    /// Lists the corners of the window in a box around a segment.
+    #[inline(never)] // in a page, one copy is enough
+    fn near(&self, from: Vec2, to: Vec2, far: f32) -> Vec<usize> {
         let corner = Vec2::new(self.first[0] as f32, self.first[1] as f32) * self.spacing;
         let index = |at: f32, count: usize| ((at / self.spacing).ceil().max(0.0) as usize).min(count);
         let (least, most) = (from.min(to) - far - corner, from.max(to) + far - corner + self.spacing);
@@ -107,7 +108,7 @@ impl Plain {
         let down = index(least.y, self.rows)..index(most.y, self.rows);
         work::count(across.len() * down.len());
         let columns = self.columns;
-        down.flat_map(move |row| across.clone().map(move |column| row * columns + column))
+        down.flat_map(|row| across.clone().map(move |column| row * columns + column)).collect()
     }
 
     /// Measures the distance into the strips of land along branches.
@@ -152,7 +153,7 @@ impl Plain {
             }
             let at = self.at(i);
             let reach = radius + 1.6 * self.spacing;
-            let open = self.near(at, at, reach).filter(|&other| discs[other]);
+            let open = self.near(at, at, reach).into_iter().filter(|&other| discs[other]);
             let inside = open.map(|other| distance(self.at(other), at) + land[other]).fold(reach, fast_min);
             fast_max(here, fast_min(inside, beside))
         };
@@ -214,7 +215,7 @@ impl Plain {
         const INLAND: f32 = 0.3;
         let is_at_sea = |field: &[f32], spacings: f32| {
             let far = spacings * self.spacing;
-            self.near(mouth, mouth, far).any(|i| field[i] <= 0.0 && distance(self.at(i), mouth) < far)
+            self.near(mouth, mouth, far).into_iter().any(|i| field[i] <= 0.0 && distance(self.at(i), mouth) < far)
         };
         let has_no_sea = is_at_sea(&self.before, 1.5) && !is_at_sea(&self.field, 1.0) && self.is_new(mouth);
         has_no_sea || (self.height(mouth) > INLAND && self.has_changed(mouth))
@@ -222,7 +223,7 @@ impl Plain {
 
     /// Returns `true` if there is new land close to a point.
     fn is_new(&self, point: Vec2) -> bool {
-        self.near(point, point, 1.5 * self.spacing).any(|i| self.field[i] > 0.0 && self.before[i] <= 0.0)
+        self.near(point, point, 1.5 * self.spacing).into_iter().any(|i| self.field[i] > 0.0 && self.before[i] <= 0.0)
     }
 
     fn height_in(&self, field: &[f32], point: Vec2) -> f32 {
@@ -244,7 +245,7 @@ impl Plain {
         for link in links {
             let clear = 0.5 * link.width + 0.75 * self.spacing + 1.0;
             for &at in &link.line {
-                for i in self.near(at, at, clear).filter(|&i| distance(self.at(i), at) < clear) {
+                for i in self.near(at, at, clear).into_iter().filter(|&i| distance(self.at(i), at) < clear) {
                     passable[i] = false;
                 }
             }
@@ -258,7 +259,7 @@ impl Plain {
         let mut queue = Queue::default();
         let mut cost = vec![f32::INFINITY; passable.len()];
         let mut from = vec![usize::MAX; passable.len()];
-        for i in self.near(mouth, mouth, 1.5 * self.spacing).filter(|&i| passable[i]) {
+        for i in self.near(mouth, mouth, 1.5 * self.spacing).into_iter().filter(|&i| passable[i]) {
             cost[i] = distance(self.at(i), mouth);
             queue.push(cost[i], i as u32);
         }
@@ -272,11 +273,9 @@ impl Plain {
             if column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows {
                 continue;
             }
-            for other in [i - 1, i + 1]
-                .into_iter()
-                .flat_map(|i| [i, i - self.columns, i + self.columns])
-                .chain([i - self.columns, i + self.columns])
-            {
+            for step in 0..9 {
+                // The corner itself is among them; it is not farther than it is.
+                let other = i + step % 3 + step / 3 * self.columns - 1 - self.columns;
                 let reached = cost[i] + distance(self.at(i), self.at(other));
                 if passable[other] && reached < cost[other] {
                     (cost[other], from[other]) = (reached, i);

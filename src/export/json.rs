@@ -59,7 +59,10 @@ fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) 
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)))
         .value("lakes", Json::list(map.lakes().list.len(), move |i| waters::lake(map, i, &named_places)))
-        .value("distributaries", Json::list(deltas.distributaries.len(), |i| waters::distributary(&deltas.distributaries[i])))
+        .value(
+            "distributaries",
+            Json::list(deltas.distributaries.len(), |i| waters::distributary(&deltas.distributaries[i])),
+        )
         .value("deltas", Json::list(deltas.list.len(), |i| waters::delta(&deltas.list[i])));
     if let Some(names) = names {
         form.value("names", names::list(names));

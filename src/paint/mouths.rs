@@ -19,6 +19,7 @@ use super::strokes::Vertex;
 use super::view::View;
 use super::waters::Opening;
 use crate::base::geometry::{direction, distance};
+use crate::deltas::Distributary;
 use crate::land::SmoothedDistance;
 use crate::network::{Network, PastCourses, Place};
 use crate::recipe::CourseShape;
@@ -97,8 +98,8 @@ pub(crate) struct Drawn<'a> {
 }
 
 impl Drawn<'_> {
-    /// Finds the tongues in all mouths at a coast.
-    pub fn tongues(&self, network: &Network, shown: &SmoothedDistance) -> Vec<Tongue> {
+    /// Finds the tongues in all mouths at a coast, of rivers and of their branches in deltas.
+    pub fn tongues(&self, network: &Network, distributaries: &[Distributary], shown: &SmoothedDistance) -> Vec<Tongue> {
         if self.palette.lines == Lines::Skeleton {
             return Vec::new();
         }
@@ -109,7 +110,9 @@ impl Drawn<'_> {
             let is_great = is_great.as_ref().is_some_and(|is_great| is_great(id, river.order));
             self.tongue(&network.middle(river), is_great, shown)
         };
-        network.mouths().into_iter().filter_map(tongue).collect()
+        let branch = |branch: &Distributary| self.tongue(&branch.middle(), false, shown);
+        let branches = distributaries.iter().filter(|branch| branch.reaches_sea).filter_map(branch);
+        network.mouths().into_iter().filter_map(tongue).chain(branches).collect()
     }
 
     /// Finds the tongue in the mouth of a river; `None` if that is a brook, or ends elsewhere than at a coast.
@@ -294,7 +297,7 @@ mod tests {
             hairline: 0.0,
             coast_width: COAST_WIDTH,
         };
-        drawn.tongues(&network, &SmoothedDistance::of(&coast)).pop()
+        drawn.tongues(&network, &[], &SmoothedDistance::of(&coast)).pop()
     }
 
     #[test]

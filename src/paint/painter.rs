@@ -29,7 +29,7 @@ use crate::base::memory;
 use crate::domain::Domain;
 use crate::lakes::Lakes;
 use crate::land::Land;
-use crate::network::{Network, PastCourses};
+use crate::network::PastCourses;
 use crate::prune::{self, Trim};
 use crate::relief::Relief;
 use crate::tree::Tree;
@@ -267,7 +267,7 @@ impl Painter {
         self.waters.banks.touch_all();
         let PaintSettings { scheme, .. } = rivers.settings;
         let changed = self.compose(scheme);
-        self.open_mouths(rivers.network, Some(rivers.past), &rivers.settings, 1.0);
+        self.open_mouths(rivers.inland(), Some(rivers.past), &rivers.settings, 1.0);
         if let Some(annotation) = rivers.annotation {
             masks::lay(&mut self.pixmap, annotation, scheme);
         }
@@ -277,12 +277,7 @@ impl Painter {
     /// Paints rivers at once as a preview: `times` as wide as they are, without an annotation, on the existing ground, even
     /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
     /// without any change, if there is no suitable ground.
-    pub fn paint_draft(
-        &mut self,
-        inland: Inland<'_>,
-        settings: &PaintSettings,
-        times: f32,
-    ) -> Option<Rect> {
+    pub fn paint_draft(&mut self, inland: Inland<'_>, settings: &PaintSettings, times: f32) -> Option<Rect> {
         let PaintSettings { scheme, courses, .. } = *settings;
         if !self.ground.is_ready_for_draft(&self.view, scheme) {
             return None;
@@ -294,7 +289,7 @@ impl Painter {
         draw_network(&mut self.waters, &self.view, inland, courses, palette(scheme).lines, widening);
         self.waters.banks.touch_all();
         let changed = self.compose(scheme);
-        self.open_mouths(inland.network, None, settings, times);
+        self.open_mouths(inland, None, settings, times);
         changed
     }
 
@@ -304,7 +299,7 @@ impl Painter {
     }
 
     /// Lays the sea into the mouths of rivers.
-    fn open_mouths(&mut self, network: &Network, past: Option<&PastCourses>, settings: &PaintSettings, times: f32) {
+    fn open_mouths(&mut self, inland: Inland<'_>, past: Option<&PastCourses>, settings: &PaintSettings, times: f32) {
         /// The width of a line that can be seen.
         const HAIRLINE_PX: f32 = 0.8;
         self.tongues.clear();
@@ -320,7 +315,7 @@ impl Painter {
             hairline: HAIRLINE_PX / self.view.scale,
             coast_width: COAST_WIDTH * thinned(self.view.scale),
         };
-        let tongues = drawn.tongues(network, shown);
+        let tongues = drawn.tongues(inland.network, inland.distributaries, shown);
         let painter = TonguePainter {
             view: &self.view,
             courses: settings.courses,

@@ -57,7 +57,20 @@ fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
         let all: Vec<(String, u64)> = list(&file["features"]).iter().map(kinds).collect();
         assert_eq!(all[..expected.len()], expected, "every river, every lake");
         let grounds = [
-            "basin", "land", "water", "ridge", "reach", "sea", "gulf", "lake", "island", "bay", "cape", "strait",
+            "basin",
+            "land",
+            "water",
+            "delta",
+            "distributary",
+            "ridge",
+            "reach",
+            "sea",
+            "gulf",
+            "lake",
+            "island",
+            "bay",
+            "cape",
+            "strait",
             "range",
         ];
         let is_ground = |(kind, _): &(String, u64)| grounds.contains(&kind.as_str());

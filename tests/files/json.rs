@@ -25,12 +25,14 @@ fn members_are_those_that_are_told_of() {
             "rivers",
             "oxbows",
             "lakes",
+            "distributaries",
+            "deltas",
             "names",
             "attractors",
         ];
         assert_eq!(names(&file), members);
         let without = written(|text| to_json::write(text, &session.map().unwrap(), None));
-        assert_eq!(names(&without), members[..11]);
+        assert_eq!(names(&without), members[..13]);
     });
 }
 

@@ -6,7 +6,7 @@ use riverseed::network::NONE;
 use riverseed::recipe::{Key, link};
 
 use super::definitions::{lakes, magnitudes, orders};
-use super::{of_all, some};
+use super::{geojson, json, list, of_all, some};
 
 #[test]
 fn data_are_what_the_network_says() {
@@ -46,6 +46,54 @@ fn data_are_what_the_network_says() {
         let expected: Vec<u32> = lakes(network).into_iter().map(|(id, _)| id).filter(|_| !skeleton).collect();
         assert_eq!(lakes_seen, expected, "every lake");
     });
+}
+
+#[test]
+fn branches_of_deltas_are_in_all_files() {
+    let mut count = 0;
+    of_all(|session| {
+        let map = session.map().unwrap();
+        let (branches, deltas) = (&map.deltas().distributaries, &map.deltas().list);
+        let text = to_svg::svg(&map).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let data =
+            |node: roxmltree::Node<'_, '_>, name: &str| node.attribute(name).map(|text| text.parse::<f64>().unwrap());
+        let paths = document
+            .descendants()
+            .filter(|node| node.attribute("id").is_some_and(|id| id.starts_with("distributary-")));
+        let drawn: Vec<_> =
+            paths.map(|node| ["data-river", "data-parent", "data-share"].map(|name| data(node, name))).collect();
+        let expected: Vec<_> = branches
+            .iter()
+            .map(|branch| {
+                [
+                    Some(f64::from(branch.river)),
+                    branch.parent.map(f64::from),
+                    Some(f64::from((branch.share * 100.0).round() / 100.0)),
+                ]
+            })
+            .collect();
+        assert_eq!(drawn.len(), expected.len());
+        for (drawn, expected) in drawn.iter().zip(&expected) {
+            assert_eq!(drawn[..2], expected[..2]);
+            assert!((drawn[2].unwrap() - expected[2].unwrap()).abs() < 0.006);
+        }
+        let (form, collection) = (json(session), geojson(session));
+        let of_kind = |kind: &str| {
+            list(&collection["features"]).iter().filter(|feature| feature["properties"]["kind"] == kind).count()
+        };
+        assert_eq!((list(&form["distributaries"]).len(), of_kind("distributary")), (branches.len(), branches.len()));
+        assert_eq!((list(&form["deltas"]).len(), of_kind("delta")), (deltas.len(), deltas.len()));
+        for (written, branch) in list(&form["distributaries"]).iter().zip(branches) {
+            assert_eq!(list(&written["points"]).len(), branch.line.len());
+            assert_eq!(
+                (written["sea"].as_bool(), written["parent"].as_u64()),
+                (Some(branch.reaches_sea), branch.parent.map(u64::from))
+            );
+        }
+        count += branches.len();
+    });
+    assert!(count > 5, "{count}");
 }
 
 /// Whether a path's first point is one of the domain, in units, y down.

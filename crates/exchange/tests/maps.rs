@@ -10,7 +10,7 @@ use riverseed_exchange::{Form, Options, Source, write};
 
 /// Small maps of many kinds: lands, growths, oxbow lakes, ridges, no sea at all, and a seed that would like to be markup.
 pub const LINKS: [&str; 7] = [
-    "country=usual&seed=kauri&land=island&attractors=700",
+    "country=usual&seed=kauri&land=island&attractors=700&deltas=0.7",
     "country=usual&seed=kea&land=archipelago&attractors=300&growth=colonize",
     "country=usual&seed=matai&land=valley&attractors=300",
     "country=usual&seed=totara&land=rectangle&attractors=600&oxbows=1&meander-rounds=300&meander-strength=1&flat-share=1&great-rivers=16&neck=3&width=16",

@@ -2,7 +2,7 @@
 //!
 //! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
-//! discharge. Lakes are `lake-2`, those that rivers have left `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! discharge. Branches in deltas are `distributary-4`. Lakes are `lake-2`, those that rivers have left `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
 //! In `water` is what lies between the banks of wide rivers, over all banks. The line of the coast lies over the rivers, and in
 //! `mouths` the sea lies over both.
 //! The link of the recipe is in the file's metadata.
@@ -42,7 +42,7 @@ use crate::paint::mouths::Drawn;
 use crate::paint::palette::{BasinColours, Palette, Tints};
 use crate::paint::relief::{Basins, by_rain};
 use crate::paint::waters::Opening;
-use crate::paint::{Lines, PaintSettings, palette_of};
+use crate::paint::{Inland, Lines, PaintSettings, palette_of};
 use crate::recipe::{CourseShape, link};
 use crate::relief::{Rainfall, Relief};
 
@@ -125,7 +125,9 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
     }
     out.text("</g>\n");
     if let Some(opening) = opening {
-        water::draw(&mut out, (network, lakes), (&palette, opening), (has_shore, has_halo), courses);
+        let distributaries = &map.deltas().distributaries[..];
+        let inland = Inland { network, distributaries, lakes: Some(lakes) };
+        water::draw(&mut out, inland, (&palette, opening), (has_shore, has_halo), courses);
     }
     if let Some((past, look)) = past {
         out.text("<g id=\"great");
@@ -146,7 +148,7 @@ fn drawn(map: &Map, annotation: &AnnotationText) -> Result<String, ExportError> 
             hairline: 0.0,
             coast_width: COAST_WIDTH,
         };
-        mouths::draw(&mut out, &drawn, network, land, has_halo, courses);
+        mouths::draw(&mut out, &drawn, (network, &map.deltas().distributaries), land, has_halo, courses);
     }
     neatline::draw(&mut out, size, land.map(Arc::as_ref), settings.scheme);
     out.written(&annotation.labels);
@@ -229,6 +231,7 @@ fn draw_distributaries(out: &mut Text, distributaries: &[Distributary], width: W
         if let Some(parent) = branch.parent {
             out.text("\" data-parent=\"").whole(parent);
         }
+        out.text("\" data-share=\"").units(branch.share);
         let wide = |place: &Place| match width {
             Width::Own { share, more } => Place { half: place.half * share + more, ..*place },
             Width::Even { half } => Place { half, ..*place },

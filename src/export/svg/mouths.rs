@@ -4,6 +4,7 @@ use super::bank;
 use super::ground::{level, water};
 use super::path::Path;
 use super::text::Text;
+use crate::deltas::Distributary;
 use crate::land::{Land, SmoothedDistance};
 use crate::network::{Banks, Network};
 use crate::paint::ground::COAST_WIDTH;
@@ -16,7 +17,7 @@ use crate::recipe::CourseShape;
 pub(super) fn draw(
     out: &mut Text,
     drawn: &Drawn<'_>,
-    network: &Network,
+    (network, distributaries): (&Network, &[Distributary]),
     land: &Land,
     is_masked: bool,
     courses: CourseShape,
@@ -24,7 +25,7 @@ pub(super) fn draw(
     /// The distance that tongues reach beyond the line of the coast, so that nothing of its edge shines through, in units.
     const BEYOND: f32 = 0.2;
     let (shown, sea) = (SmoothedDistance::of(land.coast_distance()), water(drawn.palette));
-    let tongues = drawn.tongues(network, &shown);
+    let tongues = drawn.tongues(network, distributaries, &shown);
     if tongues.is_empty() {
         return;
     }

@@ -6,10 +6,10 @@ use super::path::Path;
 use super::text::Text;
 use super::{VISIBLE, cut};
 use crate::lakes::{Lake, Lakes};
-use crate::network::{Banks, Network, Place};
-use crate::paint::Lines;
+use crate::network::{Banks, Place};
 use crate::paint::palette::Palette;
 use crate::paint::waters::Opening;
+use crate::paint::{Inland, Lines};
 use crate::recipe::CourseShape;
 
 /// The number of pixels of a unit in which rivers of files open, as they do in a picture of that scale.
@@ -18,7 +18,7 @@ pub(super) const SCALE: f32 = 1.0;
 /// Draws the water of all rivers and lakes that open, within the shore and without what letters mask.
 pub(super) fn draw(
     out: &mut Text,
-    (network, lakes): (&Network, &Lakes),
+    Inland { network, distributaries, lakes }: Inland<'_>,
     (palette, opening): (&Palette, Opening),
     (has_shore, has_halo): (bool, bool),
     courses: CourseShape,
@@ -31,10 +31,13 @@ pub(super) fn draw(
     for river in &network.rivers {
         add(&mut path, &between(network.middle(river), share, opening), courses);
     }
+    for branch in distributaries {
+        add(&mut path, &between(branch.line.clone(), share, opening), courses);
+    }
     if !path.is_empty() {
         out.text("<path d=\"").path(&path).text("\"/>\n");
     }
-    for lake in &lakes.list {
+    for lake in lakes.iter().flat_map(|lakes| &lakes.list) {
         out.text("<path fill-rule=\"evenodd\" d=\"").path(&rings(lake)).text("\"/>\n");
     }
     let oxbows = if palette.lines == Lines::Wide { &network.oxbows[..] } else { &[] };

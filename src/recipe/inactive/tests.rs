@@ -48,10 +48,10 @@ fn what_does_something_has_no_reason_not_to() {
 }
 
 /// A recipe in which nearly every parameter has an effect, whatever the defaults are.
-const LIVELY: &str = "country=usual&land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20";
+const LIVELY: &str = "country=usual&land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins&trim=20&deltas=0.5";
 
 const NO_COAST: (&str, &str) =
-    ("sea drowning roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
+    ("sea drowning roughness mouth-spacing shores deltas waves", "the whole rectangle is land, so there is no coast");
 const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
 const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
 const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
@@ -100,6 +100,18 @@ const EXPECTED: &[(&str, &[(&str, &str)])] = &[
             NOT_DRAINING,
             IN_CELLS,
             NO_CLIMATE,
+        ],
+    ),
+    (
+        "land=island&deltas=0",
+        &[
+            ("sides", "this land has the sea all around it"),
+            NOT_DRAWN,
+            NO_SENSITIVITY,
+            NOT_DRAINING,
+            IN_CELLS,
+            NO_CLIMATE,
+            ("waves", "rivers carry no sediment"),
         ],
     ),
     (

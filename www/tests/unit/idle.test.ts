@@ -25,6 +25,7 @@ const recipes = [
   "curl=0.6",
   `growth=drainage&pattern=trellis&${FINE}`,
   `growth=drainage&pattern=radial&${FINE}`,
+  "land=island&deltas=0.5",
   "meander-rounds=0",
   "meander-strength=0",
   "great-rivers=0",
@@ -35,8 +36,8 @@ const recipes = [
   "courses=grown&style=skeleton",
 ].map((link) => merged(COARSE, link));
 
-/** What these do depends on whether two lines come near each other, a side branch is about as long as the trim, or a valley can hold a lake. */
-const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation", "lakes"];
+/** What these do depends on whether two lines come near each other, a side branch is about as long as the trim, or a valley can hold a lake, or the sea a delta. */
+const BY_CHANCE = ["neck", "oxbows", "clearance", "trim-variation", "lakes", "deltas", "waves"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
   return [...sameByChance(link), "country"]; // who chooses another country keeps what these links name
@@ -54,6 +55,9 @@ const CLOSE = merged(
   PLAIN,
   "mouths=3&attractors=500&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1",
 );
+
+/** A coast with great rivers, which have sediment. */
+const COAST = merged(PLAIN, "land=island&attractors=800&width=24&deltas=0.7&waves=0.5");
 
 const keys = table.parameters
   .filter(isAdjustable)
@@ -114,10 +118,11 @@ for (const link of tried) {
 }
 
 for (const key of BY_CHANCE) {
+  const where = key === "deltas" || key === "waves" ? COAST : CLOSE;
   test.skipIf(isSecondTier)(
     `${key} changes something where lines come near each other`,
     () => {
-      const [least, most] = textsOf(key).map((text) => drawn(`${CLOSE}&${key}=${text}`));
+      const [least, most] = textsOf(key).map((text) => drawn(merged(where, `${key}=${text}`)));
       expect(least).not.toBe(most);
     },
     60_000,
