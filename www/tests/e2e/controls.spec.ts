@@ -47,6 +47,9 @@ function reasonIn(link: string, key: string): string | undefined {
 /** Many mouths on one coast. */
 const MANY = `${SMALL}&land=island&mouths=30`;
 
+/** A coast at which great rivers build deltas if they have sediment. */
+const COAST = "seed=kauri&country=usual&land=island&attractors=800&width=24&edition=1&style=ink&labels=none";
+
 /** Recipes in one of which every control has something to do. */
 const CONTEXTS = [
   SMALL,
@@ -58,6 +61,7 @@ const CONTEXTS = [
   "seed=kauri&country=usual&growth=brownian&edition=1",
   `${SMALL}&meander=none`,
   `${SMALL}&valleys=0&style=atlas`,
+  `${COAST}&deltas=0.7`,
 ];
 
 /** Many rivers that meander for long: here they come near each other. */
@@ -66,6 +70,8 @@ const CLOSE = `${SMALL.replace("kauri", "rimu")}&land=rectangle&mouths=3&curl=0&
 function contextOf(key: string): string {
   if (["neck", "oxbows", "clearance"].includes(key)) return CLOSE;
   if (key === "mouth-spacing") return MANY;
+  if (key === "deltas") return COAST;
+  if (key === "waves") return `${COAST}&deltas=0.7`;
   if (key === "trim-variation") return `${SMALL}&trim=30`;
   if (key === "growth" || key === "great-rivers") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
