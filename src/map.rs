@@ -62,7 +62,7 @@ const FINER: f32 = 0.5;
 /// laid, and of the rivers that trimming makes of a tree.
 pub(crate) fn relief_settings(
     recipe: &Recipe,
-    (land, low_stand, flats): (Option<&Arc<Land>>, Option<&Arc<CoastDistance>>, Option<&Arc<CoastDistance>>),
+    (land, [low_stand, flats]): (Option<&Arc<Land>>, [Option<&Arc<CoastDistance>>; 2]),
     (tree, trim): (&Tree, Trim),
     total_discharge: u32,
 ) -> ReliefSettings {
@@ -219,7 +219,7 @@ impl Map {
 
     /// Returns the settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
-        let coasts = (self.land.as_ref(), self.low_stand.as_ref(), self.flats.as_ref());
+        let coasts = (self.land.as_ref(), [self.low_stand.as_ref(), self.flats.as_ref()]);
         relief_settings(&self.recipe, coasts, (&self.tree, self.trim), self.grown.total_discharge)
     }
 }

@@ -442,7 +442,7 @@ impl Session {
         let (recipe, coasts, growth, trim) = (&self.recipe, &self.coasts, &self.growth, self.trim());
         let deltas = &self.deltas;
         let settings = || {
-            let coasts = (land.as_ref(), coasts.low_stand(), deltas.flats());
+            let coasts = (land.as_ref(), [coasts.low_stand(), deltas.flats()]);
             relief_settings(recipe, coasts, (growth.tree(), trim), growth.total_discharge())
         };
         let lakes = || {

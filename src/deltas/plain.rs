@@ -164,8 +164,9 @@ impl Plain {
     fn fill_ponds(&self, field: &mut [f32]) {
         const LEVEL: f32 = 4.0;
         let (columns, rows) = (self.columns, self.rows);
-        let is_rim =
-            |i: &usize| i % columns == 0 || (i + 1) % columns == 0 || i / columns == 0 || i / columns + 1 == rows;
+        let is_rim = |i: &usize| {
+            i.is_multiple_of(columns) || (i + 1).is_multiple_of(columns) || i / columns == 0 || i / columns + 1 == rows
+        };
         let mut is_sea = vec![false; field.len()];
         let mut left: Vec<usize> = (0..field.len()).filter(is_rim).collect();
         work::count(4 * field.len());

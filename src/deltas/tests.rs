@@ -58,8 +58,9 @@ fn check_splits(map: &Map, of: u32, text: &str) {
         let arms = arms(deltas, of, parent.map(|parent| parent.id));
         let [one, other] = arms[..] else { panic!("{text}: {} arms", arms.len()) };
         let half = parent.map_or(trunk, |parent| parent.line[0].half);
-        let sum = one.line[0].half.powi(2) + other.line[0].half.powi(2);
-        assert!((sum / half.powi(2) - 1.0).abs() < 1e-4, "{text}: {sum} of {half}");
+        let square = |half: f32| half * half;
+        let sum = square(one.line[0].half) + square(other.line[0].half);
+        assert!((sum / square(half) - 1.0).abs() < 1e-4, "{text}: {sum} of {half}");
         let way = |branch: &Distributary| direction(branch.line[1].at - branch.line[0].at);
         let angle = libm::acosf(way(one).dot(way(other))).to_degrees();
         assert!((57.0..=87.0).contains(&angle), "{text}: {angle}°");
