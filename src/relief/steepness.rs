@@ -150,7 +150,8 @@ pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
 
 /// Returns the factor for the steepness at a distance into flat ground, in units.
 fn of_flat(within: f32) -> f32 {
-    const LEAST: f32 = 0.03;
+    /// Much flatter ground would rise by so little from cell to cell that fronts cross it many times.
+    const LEAST: f32 = 0.12;
     const BLEND: f32 = 4.0;
     1.0 + (LEAST - 1.0) * smooth_step(within / BLEND + 0.5)
 }
