@@ -178,3 +178,33 @@ fn land_of_deltas_is_land() {
         assert_ne!(land.at(middle), Cell::Water, "branch {} of river {}", branch.id, branch.river);
     }
 }
+
+#[test]
+fn a_changed_session_is_painted_as_a_new_one() {
+    use crate::picture::Picture;
+    let recipe = |more: &str| {
+        link::read(&format!(
+            "seed=kauri&country=usual&land=island&attractors=800&width=24&style=ink&labels=none&{more}"
+        ))
+        .unwrap()
+    };
+    let painted = |picture: &mut Picture, session: &mut Session| {
+        while session.advance(1).unwrap() {
+            picture.paint(session);
+        }
+        picture.paint(session);
+        picture.pixmap().data().to_vec()
+    };
+    let new = || Picture::new(900, 600).unwrap();
+    let (mut picture, mut session) = (new(), Session::new(recipe("deltas=0.7")).unwrap());
+    picture.frame(&session, None);
+    painted(&mut picture, &mut session);
+    for more in ["deltas=0.7&waves=0.9", "deltas=0.7", "deltas=0.3", "deltas=0", "deltas=0.7"] {
+        session.change(recipe(more)).unwrap();
+        let changed = painted(&mut picture, &mut session);
+        let (mut other, mut fresh) = (new(), Session::new(recipe(more)).unwrap());
+        other.frame(&fresh, None);
+        let expected = painted(&mut other, &mut fresh);
+        assert!(changed == expected, "{more}");
+    }
+}
