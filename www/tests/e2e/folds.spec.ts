@@ -26,6 +26,7 @@ test("at first what shapes a map most stands in the panel, and all else behind d
   ]);
   await expect(page.locator(".group[open]")).toHaveCount(0);
   await openSettings(page);
+  // A map in ink has a relief to set, since lakes lie in it.
   const headings = [
     "Land",
     "Growth",

@@ -20,9 +20,12 @@ async function stopAt(page: Page, share: number): Promise<string> {
   return word;
 }
 
-/** Which pixels of the map are of a river: a bank, or the pale water between two banks. */
-async function ink(page: Page): Promise<boolean[]> {
-  return await page.locator("#canvas").evaluate(async (shown: HTMLCanvasElement) => {
+/** The red of the pale water between two banks is 221, that of paper 246. */
+const PAPER = 232;
+
+/** Finds the pixels that are of a river: of a bank, or of the water between two banks. */
+async function rivers(page: Page): Promise<boolean[]> {
+  return await page.locator("#canvas").evaluate(async (shown: HTMLCanvasElement, paper) => {
     const read = (): Uint8ClampedArray => {
       const { width, height } = shown;
       const copy = Object.assign(document.createElement("canvas"), { width, height });
@@ -37,13 +40,13 @@ async function ink(page: Page): Promise<boolean[]> {
       if (next.every((value, i) => value === last[i])) break;
       last = next;
     }
-    return Array.from({ length: last.length / 4 }, (_, i) => (last[4 * i] ?? 255) < 232);
-  });
+    return Array.from({ length: last.length / 4 }, (_, i) => (last[4 * i] ?? 255) < paper);
+  }, PAPER);
 }
 
 /** Counts the pixels of streams that are gone at a second stop. */
 function gone(first: readonly boolean[], second: readonly boolean[]): number {
-  return first.filter((isInk, i) => isInk && !second[i]).length;
+  return first.filter((isRiver, i) => isRiver && !second[i]).length;
 }
 
 test("in the last quarter of the blue part streams are captured, and before that none is", async ({ page }) => {
@@ -52,7 +55,7 @@ test("in the last quarter of the blue part streams are captured, and before that
   const stops: boolean[][] = [];
   for (const share of [0.25, 0.5, 0.75, 1]) {
     await stopAt(page, share);
-    stops.push(await ink(page));
+    stops.push(await rivers(page));
   }
   const [quarter = [], half = [], third = [], end = []] = stops;
   expect(gone(quarter, half)).toBe(0);
