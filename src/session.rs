@@ -264,7 +264,7 @@ impl Session {
     }
 
     /// Returns the current generation. It is replaced whenever results are discarded, by [`Session::change`],
-    /// [`Session::restart`], a round of drainage or the rise of the sea. While it stays the same, the session only advances.
+    /// [`Session::restart`], a round of drainage, the rise of the sea or new deltas. While it stays the same, the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
@@ -410,6 +410,10 @@ impl Session {
         let rivers =
             self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
         self.deltas.step(rivers, land, settings)?;
+        if self.deltas.is_made() {
+            // There is another land now.
+            self.generation = Generation::next();
+        }
         Ok(())
     }
 

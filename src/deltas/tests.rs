@@ -188,13 +188,17 @@ fn a_changed_session_is_painted_as_a_new_one() {
         ))
         .unwrap()
     };
-    let painted = |picture: &mut Picture, session: &mut Session| {
-        while session.advance(1).unwrap() {
-            // As a page does while a hand moves.
+    // As a page does: it shows what there is while a hand moves, in every `every`-th step, as a draft, which may be whole or
+    // begun, and then as it is.
+    let painted = |picture: &mut Picture, session: &mut Session, every: usize| {
+        for step in 0_usize.. {
+            if !session.advance(1).unwrap() {
+                break;
+            }
             let recipe = session.recipe().clone();
-            match picture.paint_draft(session, &recipe) {
-                Some(_) => {}
-                None => drop(picture.paint(session)),
+            if step.is_multiple_of(every) {
+                let _ = picture.paint_draft(session, &recipe);
+                picture.paint(session);
             }
         }
         picture.paint(session);
@@ -203,13 +207,18 @@ fn a_changed_session_is_painted_as_a_new_one() {
     let new = || Picture::new(900, 600).unwrap();
     let (mut picture, mut session) = (new(), Session::new(recipe("deltas=0.7")).unwrap());
     picture.frame(&session, None);
-    painted(&mut picture, &mut session);
+    painted(&mut picture, &mut session, 1);
     for more in ["deltas=0.7&waves=0.9", "deltas=0.7", "deltas=0.3", "deltas=0", "deltas=0.7"] {
-        session.change(recipe(more)).unwrap();
-        let changed = painted(&mut picture, &mut session);
         let (mut other, mut fresh) = (new(), Session::new(recipe(more)).unwrap());
+        fresh.finish().unwrap();
         other.frame(&fresh, None);
-        let expected = painted(&mut other, &mut fresh);
-        assert!(changed == expected, "{more}");
+        let expected = painted(&mut other, &mut fresh, 1);
+        for every in [1, 1000] {
+            session.change(recipe("deltas=0.7&waves=0.2")).unwrap();
+            painted(&mut picture, &mut session, 1);
+            session.change(recipe(more)).unwrap();
+            let changed = painted(&mut picture, &mut session, every);
+            assert!(changed == expected, "{more}, every {every}");
+        }
     }
 }
