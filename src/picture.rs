@@ -180,7 +180,7 @@ impl Picture {
         if self.make_land_in_transgression(session) {
             return Painted::Part;
         }
-        let land = self.transgression.as_ref().map(|(_, land)| land).or(session.land()).cloned();
+        let land = self.transgression.as_ref().map(|(_, land)| land).or(session.shown_shore().0).cloned();
         self.forget_what_is_over(Source::Session(session.generation()), session.domain(), land.as_ref());
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), land.as_deref());
@@ -270,7 +270,7 @@ impl Picture {
     fn is_on_land_of(&self, session: &Session) -> bool {
         self.shown
             .as_ref()
-            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
+            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.shown_shore().0))
     }
 
     /// Returns the position of the domain on the picture.
@@ -323,13 +323,14 @@ impl Picture {
 
 /// Returns the rivers of a session without relief and annotation, as before they are finished; `None` before there are any.
 fn rivers_of(session: &Session) -> Option<Rivers<'_>> {
+    let (land, distributaries) = session.shown_shore();
     Some(Rivers {
         network: session.network()?,
-        distributaries: session.deltas().map_or(&[], |deltas| &deltas.distributaries),
+        distributaries,
         past: session.past()?,
         rounds: session.rounds()?,
         finished: false,
-        land: session.land().map(Arc::as_ref),
+        land: land.map(Arc::as_ref),
         relief: None,
         lakes: session.lakes(),
         annotation: None,

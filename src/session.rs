@@ -18,7 +18,7 @@ use self::deltas::DeltaStage;
 use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
-use crate::deltas::{DeltaSettings, Deltas, Sediment};
+use crate::deltas::{DeltaSettings, Deltas, Distributary, Sediment};
 use crate::domain::Domain;
 use crate::drown::Transgression;
 use crate::grow::{GrowError, Growth, GrowthSettings};
@@ -131,7 +131,7 @@ impl Session {
             growth,
             ticks: 0,
             shaping: None,
-            deltas: DeltaStage::Waiting,
+            deltas: DeltaStage::default(),
             relief: ReliefStage::Waiting,
             generation: Generation::next(),
             map_id: MapId::next(),
@@ -211,7 +211,10 @@ impl Session {
             self.relief = ReliefStage::Waiting;
         }
         if stage.is_some_and(|stage| stage <= Stage::Shape) {
-            self.deltas = DeltaStage::Waiting;
+            self.deltas.renew();
+        }
+        if !self.has_deltas() {
+            self.deltas.forget();
         }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
             self.discard_rivers();
@@ -258,7 +261,7 @@ impl Session {
 
     fn discard_rivers(&mut self) {
         self.shaping = None;
-        self.deltas = DeltaStage::Waiting;
+        self.deltas.forget();
         self.relief = ReliefStage::Waiting;
         self.tree_generation = Generation::next();
     }
@@ -380,7 +383,7 @@ impl Session {
         const BYTES_A_NODE: usize = 64;
         ask_for_memory(self.tree().len(), BYTES_A_NODE, 0)?;
         let Pruned { tree, .. } = self.pruned();
-        Shaping::new(&tree, self.growth.may_cross(), self.land().cloned(), self.network_settings())
+        Shaping::new(&tree, self.growth.may_cross(), self.coasts.land().cloned(), self.network_settings())
     }
 
     /// Returns `true` if rivers build deltas that have not been made yet.
@@ -477,6 +480,13 @@ impl Session {
     /// Returns the deltas of rivers; `None` until they are made.
     pub fn deltas(&self) -> Option<&Arc<Deltas>> {
         self.deltas.deltas()
+    }
+
+    /// Returns the land and the branches of rivers that a picture shows. While the rivers of a tree are made again, their deltas
+    /// stay as they were.
+    pub(crate) fn shown_shore(&self) -> (Option<&Arc<Land>>, &[Distributary]) {
+        let (deltas, land) = self.deltas.shown().unzip();
+        (land.or(self.coasts.land()), deltas.map_or(&[], |deltas| &deltas.distributaries))
     }
 
     /// Returns `true` if no step is left.

@@ -62,7 +62,7 @@ fn is_kept_as_large_as(growth: f32, label: &Label, larger: &[Label]) -> bool {
     names(larger).any(|other| {
         let reach = match label.kind {
             // It becomes shorter towards one end.
-            Kind::Offshore | Kind::Cape => 0.5 * length(label) + label.em,
+            Kind::Offshore | Kind::Cape | Kind::Tarn => 0.5 * length(label) + label.em,
             Kind::River => 1.2 * label.em,
             _ => 0.6 * label.em,
         };

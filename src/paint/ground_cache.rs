@@ -176,7 +176,7 @@ impl GroundCache {
         let (display, wind) = (rivers.settings.relief, rivers.settings.wind);
         self.prepared.take_if(|prepared| !prepared.is_of(relief));
         let prepared = self.prepared.get_or_insert_with(|| Prepared::new(relief));
-        if prepared.prepare(&look, (display, wind), rivers.network, view) {
+        if prepared.prepare(&look, (display, wind), (rivers.network, rivers.distributaries), view) {
             return true;
         }
         self.raised.take_if(|raised| !raised.is_of(relief, rivers.lakes, &rivers.settings));

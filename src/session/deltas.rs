@@ -7,14 +7,13 @@ use crate::land::{CoastDistance, Land};
 use crate::network::Network;
 use crate::relief::ReliefError;
 
-/// The state of deltas.
+/// The deltas of a session, as far as they are made.
 #[derive(Clone, Debug, Default)]
-pub(super) enum DeltaStage {
-    /// Not begun, or not asked for.
-    #[default]
-    Waiting,
-    Making(Box<DeltaMaker>),
-    Made(Shore),
+pub(super) struct DeltaStage {
+    maker: Option<Box<DeltaMaker>>,
+    made: Option<Shore>,
+    /// Those of the same tree's rivers before a change, which pictures show until there are others.
+    former: Option<Shore>,
 }
 
 impl DeltaStage {
@@ -26,59 +25,61 @@ impl DeltaStage {
         settings: impl FnOnce() -> Option<DeltaSettings>,
     ) -> Result<(), ReliefError> {
         let refused = |_| ReliefError::OutOfMemory { megabytes: DeltaMaker::MEGABYTES };
-        match self {
-            Self::Waiting => {
-                if let Some(settings) = settings() {
-                    *self = Self::Making(DeltaMaker::new(settings, land.clone()).into());
-                }
-            }
-            Self::Making(maker) => {
-                if let Some(shore) = maker.step(network).map_err(refused)? {
-                    *self = Self::Made(shore);
-                }
-            }
-            Self::Made(_) => {}
+        if self.is_made() {
+            return Ok(());
+        }
+        let Some(maker) = &mut self.maker else {
+            self.maker = settings().map(|settings| DeltaMaker::new(settings, land.clone()).into());
+            return Ok(());
+        };
+        if let Some(shore) = maker.step(network).map_err(refused)? {
+            *self = Self { made: Some(shore), ..Self::default() };
         }
         Ok(())
     }
 
-    /// Returns `true` once they are made.
-    pub fn is_made(&self) -> bool {
-        self.shore().is_some()
+    /// Begins anew, because rivers have changed. What they had built is still shown.
+    pub fn renew(&mut self) {
+        *self = Self { former: self.made.take().or(self.former.take()), ..Self::default() };
     }
 
-    fn shore(&self) -> Option<&Shore> {
-        match self {
-            Self::Made(shore) => Some(shore),
-            Self::Waiting | Self::Making(_) => None,
-        }
+    /// Forgets all deltas, because there are none, or because other rivers will grow.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Returns `true` once they are made.
+    pub fn is_made(&self) -> bool {
+        self.made.is_some()
     }
 
     /// Returns the deltas, or `None` until they are made.
     pub fn deltas(&self) -> Option<&Arc<Deltas>> {
-        self.shore().map(|shore| &shore.deltas)
+        self.made.as_ref().map(|shore| &shore.deltas)
     }
 
     /// Returns the land with deltas, or `None` until they are made.
     pub fn land(&self) -> Option<&Arc<Land>> {
-        self.shore().map(|shore| &shore.land)
+        self.made.as_ref().map(|shore| &shore.land)
     }
 
     /// Returns the distance into flat ground that rivers have laid; `None` if there is none.
     pub fn flats(&self) -> Option<&Arc<CoastDistance>> {
-        self.shore().and_then(|shore| shore.flats.as_ref())
+        self.made.as_ref().and_then(|shore| shore.flats.as_ref())
     }
 
     /// Returns the rivers, if some of them run on over new land.
     pub fn network(&self) -> Option<&Arc<Network>> {
-        self.shore().and_then(|shore| shore.network.as_ref())
+        self.made.as_ref().and_then(|shore| shore.network.as_ref())
+    }
+
+    /// Returns the deltas that pictures show, and the land with them: those of the rivers before until there are others.
+    pub fn shown(&self) -> Option<(&Deltas, &Arc<Land>)> {
+        self.made.as_ref().or(self.former.as_ref()).map(|shore| (&*shore.deltas, &shore.land))
     }
 
     /// Returns the approximate memory of a copy of this state, in bytes. What is made is shared.
     pub fn bytes(&self) -> usize {
-        match self {
-            Self::Making(maker) => maker.bytes(),
-            Self::Waiting | Self::Made(_) => 0,
-        }
+        self.maker.as_ref().map_or(0, |maker| maker.bytes())
     }
 }

@@ -65,8 +65,8 @@ impl SessionDrafts {
     /// where the sea rises; the exact land for the session's own recipe. `None` if the recipe differs in more, if there is no sea, or
     /// if the session's land was given.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
-        let own =
-            session.land().filter(|_| !session.coasts.are_given && session.recipe().differs_in(wanted, &OF_COASTS))?;
+        let has_draft = !session.coasts.are_given && session.recipe().differs_in(wanted, &OF_COASTS);
+        let own = session.shown_shore().0.filter(|_| has_draft)?;
         if session.recipe() == wanted {
             return Some(own.clone());
         }

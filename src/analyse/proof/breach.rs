@@ -28,6 +28,8 @@ pub enum Fault {
     },
     /// The river ends so many units from the course of the river that it joins.
     Detached(f32),
+    /// A branch of the river begins so many units from where it should.
+    Parted(f32),
     /// The mouth lies so many units from the coast: positive inland, negative in the sea.
     OffCoast(f32),
     /// The river joins none and has no mouth, or comes back to itself.
@@ -62,6 +64,7 @@ impl Fault {
             Self::Rises(up) => format!("rises by {:.2} m", up * scale.metres_up),
             Self::Crosses { other } => format!("crosses river {other}"),
             Self::Detached(far) => format!("ends {:.0} m from the river that it joins", scale.metres(far)),
+            Self::Parted(far) => format!("has a branch that begins {:.0} m away", scale.metres(far)),
             Self::OffCoast(inland) if inland < 0.0 => format!("ends {:.0} m out in the sea", scale.metres(-inland)),
             Self::OffCoast(inland) => format!("ends {:.0} m inland", scale.metres(inland)),
             Self::Lost => "comes to no mouth".into(),

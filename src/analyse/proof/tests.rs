@@ -5,8 +5,9 @@ use glam::Vec2;
 use super::*;
 use crate::analyse::statistics::samples::{into, network, to_sea};
 use crate::digest::digest_of_session;
+use crate::deltas::Distributary;
 use crate::domain::Domain;
-use crate::network::{NONE, Network, River};
+use crate::network::{NONE, Network, Place, River};
 use crate::recipe::link;
 use crate::relief::Relief;
 use crate::scale::MapScale;
@@ -94,7 +95,7 @@ fn a_river_that_runs_over_itself_crosses_too() {
 }
 
 fn arrived(network: &Network) -> Vec<(u32, Vec2, Fault)> {
-    wrong(&joins::arrivals(network, |at| 100.0 - at.x))
+    wrong(&joins::arrivals(network, &[], |at| 100.0 - at.x))
 }
 
 #[test]
@@ -114,6 +115,37 @@ fn a_tributary_without_its_junction_ends_inland() {
     let mut network = valley();
     network.vertices[3].at.x = 104.0;
     assert_eq!(arrived(&network), [(0, Vec2::new(104.0, 50.0), Fault::OffCoast(-4.0))]);
+}
+
+/// Makes the branch of the stem that runs straight from one place to another.
+fn branch(id: u32, parent: Option<u32>, from: (f32, f32), to: (f32, f32)) -> Distributary {
+    let line = [from, to].map(|at| Place { at: at.into(), half: 1.0 }).into();
+    Distributary { id, river: 0, parent, share: 0.5, line, reaches_sea: parent.is_some() }
+}
+
+#[test]
+fn a_river_that_divides_arrives_by_all_its_branches() {
+    let mut network = valley();
+    // The stem ends inland, where it divides; one arm divides again.
+    network.vertices[3].at.x = 80.0;
+    let sound = [
+        branch(0, None, (80.0, 50.0), (90.0, 45.0)),
+        branch(1, None, (80.0, 50.0), (100.0, 60.0)),
+        branch(2, Some(0), (90.0, 45.0), (100.0, 40.0)),
+        branch(3, Some(0), (90.0, 45.0), (101.0, 48.0)),
+    ];
+    let arrived = |branches: &[Distributary]| wrong(&joins::arrivals(&network, branches, |at| 100.0 - at.x));
+    assert_eq!(arrived(&sound), []);
+    assert_eq!(arrived(&[]), [(0, Vec2::new(80.0, 50.0), Fault::OffCoast(20.0))]);
+    let mut short = sound.clone();
+    short[3].line[1].at.x = 95.0;
+    assert_eq!(arrived(&short), [(0, Vec2::new(95.0, 48.0), Fault::OffCoast(5.0))]);
+    let mut parted = sound.clone();
+    parted[2].line[0].at.y = 43.0;
+    assert_eq!(arrived(&parted), [(0, Vec2::new(90.0, 43.0), Fault::Parted(2.0))]);
+    let mut aside = sound;
+    aside[1].line[0].at.y = 54.0;
+    assert_eq!(arrived(&aside), [(0, Vec2::new(80.0, 54.0), Fault::Parted(4.0))]);
 }
 
 #[test]
@@ -201,6 +233,7 @@ fn faults_are_told_in_words_and_metres() {
     assert_eq!(told(Fault::Rises(0.5)), "rises by 12.50 m");
     assert_eq!(told(Fault::Crosses { other: 3 }), "crosses river 3");
     assert_eq!(told(Fault::Detached(2.0)), "ends 400 m from the river that it joins");
+    assert_eq!(told(Fault::Parted(5.0)), "has a branch that begins 1000 m away");
     assert_eq!(told(Fault::OffCoast(5.0)), "ends 1000 m inland");
     assert_eq!(told(Fault::OffCoast(-5.0)), "ends 1000 m out in the sea");
     assert_eq!(told(Fault::Carries { discharge: 2, inflow: 3 }), "carries 2, and 3 flow into it");

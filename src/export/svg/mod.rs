@@ -199,7 +199,7 @@ type InBasins = (Basins, BasinColours);
 /// Makes the map's basins with their colours; `None` if the style has no colours for them or shows no relief.
 fn basins(map: &Map, network: &Network, palette: &Palette) -> Option<InBasins> {
     let look = palette.relief.and_then(|look| look.basins)?;
-    Some((Basins::new(map.shown_relief()?, network, look.colours), look))
+    Some((Basins::new(map.shown_relief()?, (network, &map.deltas().distributaries), look.colours), look))
 }
 
 /// Writes the colour of a river if it has one of its basin.

@@ -7,6 +7,7 @@ use super::field::Field;
 use super::field::{Place, places};
 use crate::base::geometry::distance;
 use crate::base::sort::argsort;
+use crate::deltas::Distributary;
 use crate::land::trace::rings;
 use crate::land::{beside, nearest};
 use crate::network::{Network, River};
@@ -32,12 +33,16 @@ const ALIKE: i32 = 10_000;
 const UNKNOWN: u32 = u32::MAX;
 
 impl Basins {
-    /// Finds the basins of a relief and of the network that belongs to it.
-    pub fn new(relief: &Relief, network: &Network, colours: &[Colour]) -> Self {
+    /// Finds the basins of a relief and of the rivers that belong to it, with their branches.
+    pub fn new(relief: &Relief, (network, branches): (&Network, &[Distributary]), colours: &[Colour]) -> Self {
         let of_rivers = network.basins();
         let mut basins = vec![UNKNOWN; relief.heights().len()];
+        for branch in branches {
+            let course = branch.line.iter().map(|place| (place.at, 2.0 * place.half));
+            mark(relief, course, of_rivers[branch.river as usize], &mut basins);
+        }
         for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
-            mark(relief, network, river, basin, &mut basins);
+            mark(relief, course(network, river), basin, &mut basins);
         }
         follow_the_water(relief, true, &mut basins);
         fill_strips(relief, &mut basins);
@@ -144,13 +149,18 @@ fn full_share(scale: f32, cell_size: f32) -> f32 {
     0.5 + 0.75 * cells - cells * cells * cells / 3.0
 }
 
-/// Marks the cells that a river covers.
-fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &mut [u32]) {
-    let (course, cell_size) = (network.course(river), relief.cell_size());
-    for (from, to) in course.clone().zip(course.skip(1)) {
-        let count = (distance(from.at, to.at) / (0.5 * cell_size)).ceil().max(1.0);
-        let reach = (to.width() * 0.5 / cell_size).ceil() as i32;
-        for at in (0..=count as usize).map(|i| from.at.lerp(to.at, i as f32 / count)) {
+/// Lists the places of a river, with its width at each.
+fn course(network: &Network, river: &River) -> impl Iterator<Item = (Vec2, f32)> + Clone {
+    network.course(river).map(|vertex| (vertex.at, vertex.width()))
+}
+
+/// Marks the cells that a river or a branch covers.
+fn mark(relief: &Relief, course: impl Iterator<Item = (Vec2, f32)> + Clone, basin: u32, basins: &mut [u32]) {
+    let cell_size = relief.cell_size();
+    for ((from, _), (to, width)) in course.clone().zip(course.skip(1)) {
+        let count = (distance(from, to) / (0.5 * cell_size)).ceil().max(1.0);
+        let reach = (width * 0.5 / cell_size).ceil() as i32;
+        for at in (0..=count as usize).map(|i| from.lerp(to, i as f32 / count)) {
             for y in -reach..=reach {
                 for x in -reach..=reach {
                     basins[relief.cell(at + Vec2::new(x as f32, y as f32) * cell_size)] = basin;
@@ -270,18 +280,24 @@ mod tests {
 
     #[test]
     fn basins_of_a_colour_never_touch_and_rivers_have_that_of_the_land_around_them() {
+        let mut branches_seen = 0;
         for land in ["island", "archipelago", "rectangle"] {
-            let text = format!("seed=kea&land={land}&growth=drainage&attractors=2500&mouths=0&style=basins");
+            let text = format!("seed=kea&deltas=0.7&land={land}&growth=drainage&attractors=2500&mouths=0&style=basins");
             let mut session = Session::new(link::read(&text).unwrap()).unwrap();
             session.finish().unwrap();
             let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
-            let basins = Basins::new(relief, network, COLOURS);
+            let branches = &session.deltas().map_or(&[][..], |deltas| &deltas.distributaries);
+            let basins = Basins::new(relief, (network, branches), COLOURS);
             let of_rivers = network.basins();
             assert_eq!(of_rivers.iter().max(), Some(&(network.mouths().len() as u32)), "{land}");
             let mut basin_of = vec![UNKNOWN; relief.heights().len()];
+            for branch in *branches {
+                let line = branch.line.iter().map(|place| (place.at, 2.0 * place.half));
+                mark(relief, line, of_rivers[branch.river as usize], &mut basin_of);
+            }
             let (mut own, mut all) = (0, 0);
             for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
-                mark(relief, network, river, basin, &mut basin_of);
+                mark(relief, course(network, river), basin, &mut basin_of);
                 for vertex in &network.vertices[river.vertex_range()] {
                     all += 1;
                     own += usize::from(basins.cells[relief.cell(vertex.at)] == basins.rivers_colour(&of_rivers, basin));
@@ -289,6 +305,12 @@ mod tests {
             }
             // If two rivers pass through one cell, it can have only one colour.
             assert!(own * 50 > all * 49, "{land}: {own} of {all}");
+            for branch in *branches {
+                let place = branch.line[branch.line.len() / 2].at;
+                let colour = basins.rivers_colour(&of_rivers, of_rivers[branch.river as usize]);
+                assert_eq!(basins.cells[relief.cell(place)], colour, "{land}: branch {}", branch.id);
+            }
+            branches_seen += branches.len();
             follow_the_water(relief, true, &mut basin_of);
             fill_strips(relief, &mut basin_of);
             follow_the_water(relief, false, &mut basin_of);
@@ -298,6 +320,7 @@ mod tests {
                 others.for_each(|&other| assert_ne!(colour(basin), colour(other as usize), "{land}: {basin}, {other}"));
             }
         }
+        assert!(branches_seen > 0);
     }
 
     #[test]
@@ -309,7 +332,7 @@ mod tests {
             let mut session = Session::new(link::read(&text).unwrap()).unwrap();
             session.finish().unwrap();
             let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
-            let basins = Basins::new(relief, network, COLOURS);
+            let basins = Basins::new(relief, (network, &[]), COLOURS);
             let flow = Flow::new(relief, network, &session.map().unwrap().relief_settings()).unwrap();
             let of_file = flow.basins.iter().zip(&basins.cells).filter(|(number, _)| **number > 0);
             let (mut same, mut all) = (0, 0);

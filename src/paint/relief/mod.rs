@@ -22,6 +22,7 @@ use self::shade::{Colours, Shading};
 use super::coverage::Coverage;
 use super::palette::{Colour, ReliefLook, Tints};
 use super::view::{Rows, View};
+use crate::deltas::Distributary;
 use crate::network::Network;
 use crate::relief::{Relief, Wind};
 pub(crate) use basins::Basins;
@@ -98,7 +99,7 @@ impl Prepared {
         &mut self,
         look: &ReliefLook,
         (ReliefDisplay { light, metres_up }, wind): (ReliefDisplay, Option<Wind>),
-        network: &Network,
+        rivers: (&Network, &[Distributary]),
         view: &View,
     ) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
@@ -115,7 +116,7 @@ impl Prepared {
         } else if let Some(look) = &look.basins
             && self.basins.is_none()
         {
-            self.basins = Some(BasinPixels::new(Basins::new(relief, network, look.colours), view));
+            self.basins = Some(BasinPixels::new(Basins::new(relief, rivers, look.colours), view));
         } else {
             return look.hachures.is_some() && self.strokes.as_mut().is_some_and(Strokes::advance);
         }
