@@ -305,6 +305,24 @@ fn every_raster_is_read_back_as_it_was() {
     assert!(most <= (widest * 1000.0).ceil() && most > widest * 500.0, "{most} of {widest}");
 }
 
+#[test]
+fn branches_of_deltas_are_rivers_of_the_raster() {
+    let session = finished("country=usual&seed=kauri&land=island&attractors=700&deltas=0.7");
+    let map = session.map().unwrap();
+    let rasters = Rasters::with_size(&map, 1500).unwrap();
+    let Values::Words(widths) = rasters.values(Layer::Rivers) else { panic!() };
+    let Values::Bytes(land) = rasters.values(Layer::Land) else { panic!() };
+    let branches = &map.deltas().distributaries;
+    assert!(branches.len() > 10, "{}", branches.len());
+    for place in branches.iter().flat_map(|branch| &branch.line) {
+        let [column, row] = (place.at / rasters.cell_size).to_array().map(|along| along as usize);
+        let cell = row * rasters.columns + column;
+        // Tips lie in the sea.
+        let least = if land[cell] > 0 { (2000.0 * place.half) as u16 } else { 0 };
+        assert!(widths[cell] >= least, "{} at {}: {} of {least}", column, row, widths[cell]);
+    }
+}
+
 fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
     let maps = [
         ("country=usual&seed=kea&attractors=1500", 1025),

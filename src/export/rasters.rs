@@ -11,9 +11,10 @@ pub use super::levels::Scale;
 use super::{ExportError, rivers};
 use crate::analyse::statistics::Drained;
 use crate::base::memory;
+use crate::deltas::{Deltas, Distributary};
 use crate::domain::Domain;
 use crate::map::Map;
-use crate::network::{NONE, Network, Vertex};
+use crate::network::{NONE, Network, Place, Vertex};
 use crate::recipe::link;
 use crate::relief::{Flow, Grid, Relief, ReliefError, ReliefSettings};
 use crate::scale::MapScale;
@@ -54,6 +55,7 @@ pub struct Rasters {
     /// The width of the river in each cell, in units; 0 if there is none.
     widths: Vec<f32>,
     network: Arc<Network>,
+    deltas: Arc<Deltas>,
     drained: Drained,
 }
 
@@ -64,7 +66,7 @@ pub enum Layer {
     Heights,
     /// 255 on land, 0 at sea.
     Land,
-    /// The width of rivers in thousandths of a unit, 0 elsewhere. Thousandths are fine enough, and large enough that
+    /// The width of rivers and their branches in thousandths of a unit, 0 elsewhere. Thousandths are fine enough, and large enough that
     /// the raster does not look all black.
     Rivers,
     /// Flow directions (D8).
@@ -186,8 +188,9 @@ impl Rasters {
             scale,
             map_scale,
             steps,
-            widths: widths(&relief, &flow, network, Vertex::width),
+            widths: widths(&relief, &flow, (network, map.deltas()), Vertex::width),
             network: map.network().clone(),
+            deltas: map.deltas().clone(),
             drained: Drained::of(map),
             relief,
             flow,
@@ -348,7 +351,7 @@ impl Rasters {
             0.0 => 0.0,
             _ => self.drained.river_width(vertex.discharge) as f32,
         };
-        widths(&self.relief, &self.flow, &self.network, width)
+        widths(&self.relief, &self.flow, (&self.network, &self.deltas), width)
     }
 
     /// Returns the index of the lake of each cell of the map, [`NONE`] elsewhere; empty if there are no lakes.
@@ -405,27 +408,42 @@ fn thousandths(width: f32) -> u16 {
     (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
 }
 
-/// Returns for each cell the greatest of the widths, as `of` has them, of rivers that pass it or have its middle between their drawn
-/// banks; 0 where there is none.
-fn widths(relief: &Relief, flow: &Flow, network: &Network, of: impl Fn(&Vertex) -> f32) -> Vec<f32> {
+/// Returns for each cell the greatest of the widths, as `of` has them, of rivers and their branches that pass it or have its middle
+/// between their drawn banks; 0 where there is none.
+fn widths(
+    relief: &Relief,
+    flow: &Flow,
+    (network, deltas): (&Network, &Deltas),
+    of: impl Fn(&Vertex) -> f32,
+) -> Vec<f32> {
     let mut widths = vec![0.0f32; relief.heights().len()];
-    for river in &network.rivers {
-        let course: Vec<_> = network.course(river).collect();
+    let mut trace = |course: &[Vertex]| {
         for pair in course.windows(2) {
-            let (from, to) = (pair[0], pair[1]);
+            let (from, to) = (&pair[0], &pair[1]);
             let count = (from.at.distance(to.at) / (0.5 * relief.cell_size())).ceil().max(1.0);
             for i in 0..=count as usize {
                 let share = i as f32 / count;
                 stamp(relief, &mut widths, from.at.lerp(to.at, share), (from.width(), of(from)));
             }
         }
-    }
+    };
+    network.rivers.iter().for_each(|river| trace(&network.course(river).copied().collect::<Vec<_>>()));
+    deltas.distributaries.iter().for_each(|branch| trace(&vertices(network, branch)));
     for (width, &river) in widths.iter_mut().zip(&flow.rivers) {
         // The river's path may take a corner that its line misses.
         let least = network.rivers.get(river as usize).map_or(0.0, |river| of(&network.vertices[river.start as usize]));
         *width = width.max(least);
     }
     widths
+}
+
+/// Returns the vertices that a branch would have as a river of its share of the water.
+fn vertices(network: &Network, branch: &Distributary) -> Vec<Vertex> {
+    let trunk = network.discharge(&network.rivers[branch.river as usize]);
+    let discharge = (trunk as f32 * branch.share).round() as u32;
+    let vertex =
+        |place: &Place| Vertex { at: place.at, left: place.half, right: place.half, discharge, ..Vertex::default() };
+    branch.line.iter().map(vertex).collect()
 }
 
 /// Marks the cells of a river of this width at a point, with the width that is told.
