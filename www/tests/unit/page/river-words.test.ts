@@ -34,7 +34,7 @@ test("where its water goes is told by name, and names with an article keep one",
   expect(into("The Lamprey")).toBe("Flows into the Lamprey, then the sea");
   expect(into("", "Ash")).toBe("Flows into a greater river, then the Ash, then the sea");
   expect(into("A", "B", "C", "D")).toBe("Flows into the A, then the B, then the C, and on to the sea");
-  expect(courseOf({ ...RIVER, endsIn: "lake" })).toBe("Flows into the lake");
+  expect(courseOf({ ...RIVER, endsIn: "lake" })).toBe("Flows into the lake, which has no outlet");
 });
 
 test("a river whose name was taken away is called so", () => {

@@ -6,6 +6,9 @@ import type { PointedRiver } from "../../page-worker/protocol.ts";
 /** The most rivers downstream that are named; the rest is left out. */
 const MOST_NAMED = 3;
 
+/** What rivers run into at last, by its kind. */
+const ENDS: Record<PointedRiver["endsIn"], string> = { sea: "the sea", lake: "the lake, which has no outlet" };
+
 /** Returns the name of a river or lake, or a phrase if it has none. */
 export function titleOf({ name, lake }: PointedRiver): string {
   if (lake) return lake.name === "" ? "A lake without a name" : lake.name;
@@ -26,10 +29,10 @@ export function measuresOf({ order, orderHere, length, share, area, lake }: Poin
 /** Describes the way of its water to the sea. */
 export function courseOf({ name, into, endsIn, lake }: PointedRiver): string {
   if (lake) return `${name === "" ? "A river" : `The ${name.replace(/^the /i, "")}`} runs out of it`;
-  if (into.length === 0) return `Flows into the ${endsIn}`;
+  if (into.length === 0) return `Flows into ${ENDS[endsIn]}`;
   const named = into.slice(0, MOST_NAMED).map(inSentence);
   const rest = into.length > MOST_NAMED ? ", and on to" : ", then";
-  return `Flows into ${named.join(", then ")}${rest} the ${endsIn}`;
+  return `Flows into ${named.join(", then ")}${rest} ${ENDS[endsIn]}`;
 }
 
 /** Returns a name for the middle of a sentence. Some names have an article already. */
