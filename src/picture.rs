@@ -268,9 +268,9 @@ impl Picture {
 
     /// Returns `true` if the picture's ground is that of the session's land.
     fn is_on_land_of(&self, session: &Session) -> bool {
-        self.shown
-            .as_ref()
-            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.shown_shore().0))
+        self.shown.as_ref().is_some_and(|(_, domain, land)| {
+            *domain == session.domain() && is_same(land.as_ref(), session.shown_shore().0)
+        })
     }
 
     /// Returns the position of the domain on the picture.

@@ -127,7 +127,8 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let guards = (1.0f64..=4.0, 0.0f64..=1.0, 1.0f64..=20.0);
     let courses = prop_oneof![3 => Just("smooth"), 1 => Just("grown")];
     let rivers = ((courses, 0u32..=95), 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
-    let deltas = (zero_or(1.0), 0.0f64..=1.0).prop_map(|(deltas, waves)| format!("&deltas={deltas:.2}&waves={waves:.2}"));
+    let deltas =
+        (zero_or(1.0), 0.0f64..=1.0).prop_map(|(deltas, waves)| format!("&deltas={deltas:.2}&waves={waves:.2}"));
     let edition = prop_oneof![Just(String::new()), Just(format!("&edition={EDITION}"))];
     let start = (random_seed(), edition);
     let last = (1.0f64..=3.7, deltas);

@@ -4,8 +4,8 @@ use glam::Vec2;
 
 use super::*;
 use crate::analyse::statistics::samples::{into, network, to_sea};
-use crate::digest::digest_of_session;
 use crate::deltas::Distributary;
+use crate::digest::digest_of_session;
 use crate::domain::Domain;
 use crate::network::{NONE, Network, Place, River};
 use crate::recipe::link;

@@ -22,6 +22,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 mod umbrellas;
+mod waters;
 
 pub use along_coast::along_coast;
 pub use areas::area_exponent;
@@ -39,6 +40,7 @@ pub use pieces::Look;
 pub use streams::{Streams, hack_exponent};
 pub use table::{Measure, Nature, TABLE};
 pub use umbrellas::umbrellas;
+pub use waters::Waters;
 
 use glam::Vec2;
 
@@ -98,6 +100,8 @@ pub struct Measures {
     pub look: Look,
     /// The directions of the rivers.
     pub directions: Option<Directions>,
+    /// What rivers run into and through: coasts, lakes and deltas.
+    pub waters: Waters,
 }
 
 impl Measures {
@@ -131,6 +135,7 @@ impl Measures {
             area_exponent: area_exponent(map.tree(), &Hydrology::of(map.tree()).discharge),
             look: Look::typical(&Look::all(network, map.domain().size, density as f32)),
             directions: Directions::of(network, spacing),
+            waters: Waters::of(map),
         }
     }
 

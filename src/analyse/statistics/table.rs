@@ -67,7 +67,7 @@ const fn pieces(median: f64, least: f64, most: f64) -> Option<Nature> {
 }
 
 /// All measures.
-pub static TABLE: [Measure; 32] = [
+pub static TABLE: [Measure; 36] = [
     Measure {
         name: "bifurcation-ratio",
         label: "Bifurcation ratio",
@@ -360,5 +360,41 @@ pub static TABLE: [Measure; 32] = [
         places: 2,
         nature: None,
         value: |measures| measures.directions.map(|of| of.outward),
+    },
+    Measure {
+        name: "coast-dimension",
+        label: "Dimension of coasts",
+        help: "by what power boxes along the coasts become more as they become smaller, from 64 units to 4",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.waters.coast_dimension,
+    },
+    Measure {
+        name: "lake-share",
+        label: "Share under lakes",
+        help: "the share of the land that is under lakes along rivers",
+        unit: "",
+        places: 3,
+        nature: None,
+        value: |measures| Some(measures.waters.lake_share),
+    },
+    Measure {
+        name: "lake-exponent",
+        label: "Exponent of lakes",
+        help: "the power by which lakes along rivers become rarer the larger they are",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.waters.lake_exponent,
+    },
+    Measure {
+        name: "deltas",
+        label: "Great mouths with a delta",
+        help: "the share that have a delta, of the twelve greatest mouths at least a twelfth as wide as the widest",
+        unit: "",
+        places: 2,
+        nature: None,
+        value: |measures| measures.waters.deltas,
     },
 ];

@@ -37,7 +37,7 @@ test("a sentence sums them up, without a score", () => {
   expect(summed(told([{ ...SINUOSITY, value: 1 }]))).toBe("As in nature, but for these: how winding: straighter.");
   const { value: _, ...small } = SINUOSITY;
   expect(summed(told([small]))).toBe("Too few rivers to measure.");
-  expect(told([small])[0]?.verdict).toBe("too few rivers to tell");
+  expect(told([small])[0]?.verdict).toBe("too little to tell");
 });
 
 test("a pattern is told by its name, and how far each is by the help", () => {
@@ -69,7 +69,7 @@ test("a finished map is measured", () => {
     /^Checked on this map: nothing runs uphill \([\d,]+ steps from cell to cell\), nothing crosses \([\d,]+ segments\), every river arrives \(\d+ rivers\), discharge adds up \([\d,]+ vertices\)\.$/,
   );
   const rows = told(river.measures());
-  expect(rows).toHaveLength(23);
+  expect(rows).toHaveLength(27);
   expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(14);
   expect(asText(rows)).toMatch(/^Pattern: [a-z]+$/m);
   expect(asText(rows)).toMatch(

@@ -39,10 +39,14 @@ const PLAIN: readonly Plain[] = [
   { name: "umbrellas", label: "Trunks that meet like ribs of an umbrella", below: "", above: "" },
   { name: "parallels", label: "Rivers that run side by side", below: "", above: "" },
   { name: "along-coast", label: "Rivers that run along a coast", below: "", above: "" },
+  { name: "coast-dimension", label: "How ragged coasts are", below: "", above: "" },
+  { name: "lake-share", label: "Share of the land under lakes", below: "", above: "" },
+  { name: "lake-exponent", label: "How fast large lakes become rarer", below: "", above: "" },
+  { name: "deltas", label: "Great mouths with a delta", below: "", above: "" },
 ];
 
 const NATURAL = "as in nature";
-const TOO_SMALL = "too few rivers to tell";
+const TOO_SMALL = "too little to tell";
 
 /** A row as it is shown and copied. */
 export interface Told {
