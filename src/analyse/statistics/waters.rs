@@ -40,7 +40,8 @@ impl Waters {
     pub fn of(map: &Map) -> Self {
         let lakes = &map.lakes().list;
         let area = land_area(map);
-        let of_lakes: f64 = lakes.iter().map(|lake| f64::from(lake.area)).sum();
+        // A sum of nothing would be less than zero by its sign.
+        let of_lakes = lakes.iter().fold(0.0, |sum, lake| sum + f64::from(lake.area));
         Self {
             coast_dimension: dimension(&coasts(map)),
             lake_share: if area > 0.0 { of_lakes / area } else { 0.0 },
@@ -134,6 +135,7 @@ mod tests {
         assert!((0.0..=1.0).contains(&waters.deltas.unwrap()), "{waters:?}");
         let plain = Waters::of(&map("country=usual&land=rectangle&attractors=300&lakes=0"));
         assert_eq!((plain.coast_dimension, plain.lake_share, plain.lake_exponent), (None, 0.0, None));
+        assert!(plain.lake_share.is_sign_positive());
         assert_eq!(plain.deltas, Some(0.0));
     }
 }
