@@ -47,7 +47,7 @@ impl Sediment {
 pub(crate) struct Load {
     /// Its mouth, in units.
     pub at: glam::Vec2,
-    /// Its width there and the volume, in units.
+    /// The width that room is left for, and the volume, in units.
     pub width: f32,
     pub left: f32,
 }

@@ -184,7 +184,7 @@ fn a_changed_session_is_painted_as_a_new_one() {
     use crate::picture::Picture;
     let recipe = |more: &str| {
         link::read(&format!(
-            "seed=kauri&country=usual&land=island&attractors=800&width=24&style=ink&labels=none&{more}"
+            "seed=kauri&country=usual&land=island&drowning=0.6&attractors=800&width=24&style=ink&labels=none&{more}"
         ))
         .unwrap()
     };
@@ -208,7 +208,7 @@ fn a_changed_session_is_painted_as_a_new_one() {
     let (mut picture, mut session) = (new(), Session::new(recipe("deltas=0.7")).unwrap());
     picture.frame(&session, None);
     painted(&mut picture, &mut session, 1);
-    for more in ["deltas=0.7&waves=0.9", "deltas=0.7", "deltas=0.3", "deltas=0", "deltas=0.7"] {
+    for more in ["deltas=0.7&waves=0.9", "deltas=0.7", "deltas=0.7&width=12", "deltas=0.3", "deltas=0"] {
         let (mut other, mut fresh) = (new(), Session::new(recipe(more)).unwrap());
         fresh.finish().unwrap();
         other.frame(&fresh, None);

@@ -23,8 +23,6 @@ pub(super) struct Level {
     is_rough: bool,
     /// The sediment with which rivers fill their rias; `None` if they carry none.
     sediment: Option<Sediment>,
-    /// The width of a river of all the water, in units.
-    max_width: f32,
     /// What has been filled.
     silted: Silted,
 }
@@ -43,13 +41,13 @@ impl Level {
         ask(heights.len() * BYTES_A_CORNER)?;
         let sorted = sort_corners(low_stand, &heights);
         let silted = Silted::default();
-        Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true, sediment: None, max_width: 0.0, silted })
+        Ok(Self { heights, sorted, sea, share: sea, tries: 0, is_rough: true, sediment: None, silted })
     }
 
-    /// Lets great rivers fill their rias with sediment; a river of all the water is `max_width` units wide.
+    /// Lets great rivers fill their rias with sediment.
     #[must_use]
-    pub fn with_sediment(self, sediment: Option<Sediment>, max_width: f32) -> Self {
-        Self { sediment, max_width, ..self }
+    pub fn with_sediment(self, sediment: Option<Sediment>) -> Self {
+        Self { sediment, ..self }
     }
 
     /// Tries a level. Returns it, and the land above it, if the share of sea is right; the exact coast is traced only
@@ -83,8 +81,7 @@ impl Level {
     /// Fills rias at a level that is nearly right, and leaves room for deltas. Returns `true` if heights may have changed.
     fn fill_rias(&mut self, low_stand: &Land, rivers: &GreatRivers, level: f32) -> Result<bool, Refused> {
         let Some(sediment) = &self.sediment else { return Ok(false) };
-        self.silted =
-            rias::fill(rivers, sediment, low_stand.coast_distance(), &mut self.heights, (level, self.max_width))?;
+        self.silted = rias::fill(rivers, sediment, low_stand.coast_distance(), &mut self.heights, level)?;
         self.sea += expected_area(&self.silted.loads) / (low_stand.size().x * low_stand.size().y);
         Ok(true)
     }

@@ -27,7 +27,7 @@ use crate::base::work;
 use crate::deltas::Sediment;
 use crate::grow::DrainageSettings;
 use crate::land::{CoastDistance, Land, LowStand};
-use crate::recipe::{NumberKey, Recipe};
+use crate::recipe::Recipe;
 use crate::relief::LowStandRelief;
 use crate::tree::Tree;
 use level::Level;
@@ -145,10 +145,7 @@ impl Drowning {
                 true => Part::Waves(valleys, waves),
                 false => {
                     let level = Level::new(&self.low_stand.land, waves.into_heights(), self.low_stand.sea)?;
-                    Part::Level(
-                        valleys,
-                        level.with_sediment(Sediment::of(&self.recipe), self.recipe.number(NumberKey::Width)),
-                    )
+                    Part::Level(valleys, level.with_sediment(Sediment::of(&self.recipe)))
                 }
             },
             Part::Level(valleys, mut level) => match level.advance(&self.low_stand.land, &valleys.rivers)? {

@@ -54,7 +54,11 @@ struct Filling<'a> {
     plains: Vec<(u32, f32)>,
 }
 
-/// Fills the rias of great rivers at some level of the sea; a river of all the map's water is `max_width` units wide.
+/// The width of a river of all the map's water by which room is left for deltas, in units: about that of most countries. It is not
+/// the recipe's, because whoever widens rivers is to move no coast.
+const MAX_WIDTH: f32 = 22.0;
+
+/// Fills the rias of great rivers at some level of the sea.
 ///
 /// # Errors
 /// If there is not enough memory.
@@ -63,7 +67,7 @@ pub(super) fn fill(
     sediment: &Sediment,
     lattice: &CoastDistance,
     heights: &mut [f32],
-    (level, max_width): (f32, f32),
+    level: f32,
 ) -> Result<Silted, Refused> {
     const BYTES_A_NODE: usize = 32;
     ask(rivers.nodes.len() * BYTES_A_NODE)?;
@@ -74,7 +78,7 @@ pub(super) fn fill(
     for end in ends(rivers, &filling) {
         let node = rivers.nodes[end];
         let volume = sediment.of_river(node.area / rivers.area, node.identity);
-        let width = max_width * (node.area / rivers.area).sqrt();
+        let width = MAX_WIDTH * (node.area / rivers.area).sqrt();
         if let Some((at, left)) = filling.fill_ria(&filling.course(rivers, end), volume) {
             add(&mut loads, Load { at, width, left });
         }

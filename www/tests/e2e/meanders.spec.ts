@@ -12,7 +12,7 @@ import {
   unfold,
 } from "./riverpage.ts";
 
-const LINK = "seed=kauri&attractors=600&meander-rounds=400&lakes=0&style=ink&labels=none";
+const LINK = "seed=kauri&attractors=600&meander-rounds=400&lakes=0&deltas=0&style=ink&labels=none";
 
 /** Pauses as soon as the river is in a phase; the picture that is then shown. The page's clock is stopped. */
 async function paused(page: Page, phase: string): Promise<string> {
