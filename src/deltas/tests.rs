@@ -183,10 +183,9 @@ fn land_of_deltas_is_land() {
 fn a_changed_session_is_painted_as_a_new_one() {
     use crate::picture::Picture;
     let recipe = |more: &str| {
-        link::read(&format!(
-            "seed=kauri&country=usual&land=island&drowning=0.6&attractors=800&width=24&style=ink&labels=none&{more}"
-        ))
-        .unwrap()
+        let usual = "seed=kauri&country=usual&land=island&drowning=0.6&attractors=800&style=ink&labels=none";
+        let width = if more.contains("width") { "" } else { "&width=24" };
+        link::read(&format!("{usual}&{more}{width}")).unwrap()
     };
     // As a page does: it shows what there is while a hand moves, in every `every`-th step, as a draft, which may be whole or
     // begun, and then as it is.
