@@ -86,7 +86,7 @@ test("the panel tells how river-like the rivers are, and of the next ones as wel
   await openWithPanel(page, "seed=kauri");
   await page.getByText("How river-like?").click();
   const rows = page.locator(".measures > div");
-  await expect(rows).toHaveCount(23);
+  await expect(rows).toHaveCount(27);
   await expect(rows.first()).toContainText(/as in nature|than in nature/);
   await expect(page.locator(".measured")).toContainText("parcels unreached");
   await expect(page.locator(".kept")).toContainText("Checked on this map: nothing runs uphill");
