@@ -18,7 +18,6 @@ use self::deltas::DeltaStage;
 use self::relief::ReliefStage;
 use crate::base::memory;
 use crate::base::random::Seed;
-use crate::deltas::{DeltaSettings, Deltas, Distributary, Sediment};
 use crate::domain::Domain;
 use crate::drown::Transgression;
 use crate::grow::{GrowError, Growth, GrowthSettings};
@@ -188,7 +187,7 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         let keeps_rivers = self.recipe.differs_in(&recipe, &[NumberKey::Deltas.into(), NumberKey::Waves.into()]);
-        // What fills valleys decides where the sea ends, to which the tree is cut.
+        // Sediment in valleys decides where the sea ends, to which the tree is cut.
         let has_other_sediment = self.recipe.number(NumberKey::Deltas) != recipe.number(NumberKey::Deltas)
             && stage.is_some_and(|stage| stage > Stage::Grow);
         let keeps_relief = stage.is_some() && self.recipe.differs_in(&recipe, &[NumberKey::Lakes.into()]);
@@ -386,40 +385,6 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.coasts.land().cloned(), self.network_settings())
     }
 
-    /// Returns `true` if rivers build deltas that have not been made yet.
-    fn lacks_deltas(&self) -> bool {
-        self.has_deltas() && !self.deltas.is_made()
-    }
-
-    /// Returns `true` if rivers build deltas: there is a coast, and they carry sediment.
-    fn has_deltas(&self) -> bool {
-        self.recipe.number(NumberKey::Deltas) > 0.0 && self.coasts.land().is_some()
-    }
-
-    /// Makes a step of the deltas of finished rivers.
-    fn build_deltas(&mut self) -> Result<(), SessionError> {
-        let Some(land) = self.coasts.land() else { return Ok(()) };
-        let (recipe, coasts, growth) = (&self.recipe, &self.coasts, &self.growth);
-        let settings = || {
-            let silted = coasts.silted();
-            Some(DeltaSettings {
-                sediment: Sediment::of(recipe)?,
-                waves: recipe.number(NumberKey::Waves),
-                total_discharge: growth.total_discharge(),
-                loads: silted.map(|silted| silted.loads.clone()),
-                plains: silted.map(|silted| silted.plains.clone()).unwrap_or_default(),
-            })
-        };
-        let rivers =
-            self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
-        self.deltas.step(rivers, land, settings)?;
-        if self.deltas.is_made() {
-            // There is another land now.
-            self.generation = Generation::next();
-        }
-        Ok(())
-    }
-
     /// Returns `true` if the style shows a relief, or lakes on one, that has not been made yet.
     fn wants_relief(&self) -> bool {
         self.needs_relief() && self.relief.lakes().is_none()
@@ -475,18 +440,6 @@ impl Session {
     /// Returns the lakes along rivers; `None` until they are made.
     pub fn lakes(&self) -> Option<&Arc<Lakes>> {
         self.relief.lakes()
-    }
-
-    /// Returns the deltas of rivers; `None` until they are made.
-    pub fn deltas(&self) -> Option<&Arc<Deltas>> {
-        self.deltas.deltas()
-    }
-
-    /// Returns the land and the branches of rivers that a picture shows. While the rivers of a tree are made again, their deltas
-    /// stay as they were.
-    pub(crate) fn shown_shore(&self) -> (Option<&Arc<Land>>, &[Distributary]) {
-        let (deltas, land) = self.deltas.shown().unzip();
-        (land.or(self.coasts.land()), deltas.map_or(&[], |deltas| &deltas.distributaries))
     }
 
     /// Returns `true` if no step is left.

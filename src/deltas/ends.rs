@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::network::{NONE, Network, Vertex};
+use crate::network::{NONE, Network, River, Vertex};
 
 /// Returns a network some of whose rivers run on from their mouths, as wide as there.
 pub(super) fn extended(network: &Network, ends: &[(u32, Vec<Vec2>)]) -> Network {
@@ -18,7 +18,7 @@ pub(super) fn extended(network: &Network, ends: &[(u32, Vec<Vec2>)]) -> Network 
             }
         }
         let (start, end) = (starts[id as usize], longer.vertices.len() as u32);
-        longer.rivers.push(crate::network::River { start, end, ..*river });
+        longer.rivers.push(River { start, end, ..*river });
     }
     for river in longer.rivers.iter_mut().filter(|river| river.junction != NONE) {
         let parent = river.parent as usize;

@@ -22,10 +22,11 @@ const SHARES: (f32, f32, f32) = (0.5, 0.14, 0.8);
 const LEAST_SPLIT: f32 = 0.15;
 const LEAST: f32 = 0.03;
 
-/// The least and greatest multiple of the usual length of a branch, and the greatest share of that of the branch before it: what is
-/// left takes it on to the sea.
-const SHORTER: f32 = 0.58;
+/// The least and greatest multiple of the usual length of a branch.
 const LENGTHS: (f32, f32) = (0.75, 1.25);
+
+/// The greatest length of a branch, as a share of that of the branch before it; the rest is left for its way over new land to the sea.
+const SHORTER: f32 = 0.58;
 
 /// The room that a branch finds ahead of its tip, in units and in widths, so that it can go on to the sea over its own land.
 const AHEAD: (f32, f32) = (5.0, 1.0);
@@ -88,7 +89,7 @@ pub(super) struct Site<'a> {
     pub apex: Vec2,
     pub heading: Vec2,
     pub width: f32,
-    /// What branches keep clear of: places with a distance, in units.
+    /// Places with the distance that branches keep from them, in units.
     pub kept: &'a [(Vec2, f32)],
     pub identity: u32,
     pub chance: ItemHash,

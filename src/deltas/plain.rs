@@ -70,7 +70,7 @@ impl Plain {
         self.fill_ponds(&mut field);
         self.field = field;
         let (area, volume) = self.size_of(&self.field);
-        // What lies along the branches is paid for.
+        // The strips along branches are paid for.
         area <= most.area && (radius == 0.0 || volume <= most.volume)
     }
 

@@ -42,7 +42,7 @@ impl Sediment {
     }
 }
 
-/// What a river has left of its sediment where its drowned valley ends.
+/// The sediment that a river has left where its drowned valley ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Load {
     /// Its mouth, in units.
@@ -69,7 +69,7 @@ pub(super) fn reach(width: f32, volume: f32) -> f32 {
 /// Estimates the area of the deltas that rivers will build, in square units, before their branches are known.
 pub(crate) fn expected_area(loads: &[Load]) -> f32 {
     const A_SQUARE: f32 = 0.8;
-    /// Whether it is used or not, the share of sea stays within a hundredth of what is asked for.
+    /// The share of sea stays within a hundredth of the one asked for, even if none of this room is used.
     const MOST: f32 = 8_000.0;
     let area = |load: &Load| {
         let reach = reach(load.width, load.left);

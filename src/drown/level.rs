@@ -23,7 +23,7 @@ pub(super) struct Level {
     is_rough: bool,
     /// The sediment with which rivers fill their rias; `None` if they carry none.
     sediment: Option<Sediment>,
-    /// What has been filled.
+    /// The rias that have been filled.
     silted: Silted,
 }
 
@@ -86,7 +86,7 @@ impl Level {
         Ok(true)
     }
 
-    /// Takes what rivers have filled.
+    /// Takes the rias that rivers have filled.
     pub fn take_silted(&mut self) -> Silted {
         std::mem::take(&mut self.silted)
     }

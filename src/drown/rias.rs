@@ -35,7 +35,7 @@ const SHORTEST: f32 = 10.0;
 /// The distance from the frame of the map at which plains end, in units.
 const OFF_FRAME: f32 = 40.0;
 
-/// What sediment has made of drowned valleys.
+/// Drowned valleys as sediment has filled them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Silted {
     /// The mouths of great rivers, with the sediment that they have left.
@@ -86,7 +86,7 @@ pub(super) fn fill(
     Ok(Silted { loads, plains: filling.plains })
 }
 
-/// Adds a load; where rivers have come to meet on a plain, to that of the greater.
+/// Adds a load, to that of the greater river where two meet on a plain.
 fn add(loads: &mut Vec<Load>, load: Load) {
     const NEAR: f32 = 4.0;
     match loads.iter_mut().find(|other| distance(other.at, load.at) < NEAR) {

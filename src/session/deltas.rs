@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::deltas::{DeltaMaker, DeltaSettings, Deltas, Shore};
+use super::{Generation, Session, SessionError};
+use crate::deltas::{DeltaMaker, DeltaSettings, Deltas, Distributary, Sediment, Shore};
 use crate::land::{CoastDistance, Land};
-use crate::network::Network;
+use crate::network::{Network, Shaping};
+use crate::recipe::NumberKey;
 use crate::relief::ReliefError;
 
 /// The deltas of a session, as far as they are made.
@@ -81,5 +83,53 @@ impl DeltaStage {
     /// Returns the approximate memory of a copy of this state, in bytes. What is made is shared.
     pub fn bytes(&self) -> usize {
         self.maker.as_ref().map_or(0, |maker| maker.bytes())
+    }
+}
+
+impl Session {
+    /// Returns the deltas of rivers; `None` until they are made.
+    pub fn deltas(&self) -> Option<&Arc<Deltas>> {
+        self.deltas.deltas()
+    }
+
+    /// Returns the land and the branches of rivers that a picture shows. While the rivers of a tree are made again, their deltas
+    /// stay as they were.
+    pub(crate) fn shown_shore(&self) -> (Option<&Arc<Land>>, &[Distributary]) {
+        let (deltas, land) = self.deltas.shown().unzip();
+        (land.or(self.coasts.land()), deltas.map_or(&[], |deltas| &deltas.distributaries))
+    }
+
+    /// Returns `true` if rivers build deltas that have not been made yet.
+    pub(super) fn lacks_deltas(&self) -> bool {
+        self.has_deltas() && !self.deltas.is_made()
+    }
+
+    /// Returns `true` if rivers build deltas: there is a coast, and they carry sediment.
+    pub(super) fn has_deltas(&self) -> bool {
+        self.recipe.number(NumberKey::Deltas) > 0.0 && self.coasts.land().is_some()
+    }
+
+    /// Makes a step of the deltas of finished rivers.
+    pub(super) fn build_deltas(&mut self) -> Result<(), SessionError> {
+        let Some(land) = self.coasts.land() else { return Ok(()) };
+        let (recipe, coasts, growth) = (&self.recipe, &self.coasts, &self.growth);
+        let settings = || {
+            let silted = coasts.silted();
+            Some(DeltaSettings {
+                sediment: Sediment::of(recipe)?,
+                waves: recipe.number(NumberKey::Waves),
+                total_discharge: growth.total_discharge(),
+                loads: silted.map(|silted| silted.loads.clone()),
+                plains: silted.map(|silted| silted.plains.clone()).unwrap_or_default(),
+            })
+        };
+        let rivers =
+            self.shaping.as_ref().and_then(Shaping::meander).map_or(Network::EMPTY, |meander| &**meander.drawn());
+        self.deltas.step(rivers, land, settings)?;
+        if self.deltas.is_made() {
+            // There is another land now.
+            self.generation = Generation::next();
+        }
+        Ok(())
     }
 }

@@ -100,7 +100,7 @@ pub struct Measures {
     pub look: Look,
     /// The directions of the rivers.
     pub directions: Option<Directions>,
-    /// What rivers run into and through: coasts, lakes and deltas.
+    /// The coasts, lakes and deltas.
     pub waters: Waters,
 }
 

@@ -11,7 +11,7 @@ use crate::base::work;
 use crate::land::{Cell, Land};
 use crate::tree::{Hydrology, NO_PARENT, Tree};
 
-/// What a tree was before it was cut, in case the sea rises otherwise.
+/// A tree before it was cut, in case the sea rises otherwise.
 #[derive(Debug)]
 pub(super) struct Whole {
     tree: Arc<Tree>,

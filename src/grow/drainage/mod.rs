@@ -73,7 +73,7 @@ pub struct Drainage {
     ending: Option<Ending>,
     /// The land that the risen sea has left; `None` if it has not risen.
     left: Option<Left>,
-    /// What the tree was before that.
+    /// The tree before that.
     whole: Option<Arc<Whole>>,
 }
 

@@ -6,7 +6,7 @@ import type { PointedRiver } from "../../page-worker/protocol.ts";
 /** The most rivers downstream that are named; the rest is left out. */
 const MOST_NAMED = 3;
 
-/** What rivers run into at last, by its kind. */
+/** The water in which the way of a river's water ends, in words. */
 const ENDS: Record<PointedRiver["endsIn"], string> = { sea: "the sea", lake: "the lake, which has no outlet" };
 
 /** Returns the name of a river or lake, or a phrase if it has none. */
