@@ -33,3 +33,9 @@ fn great_rivers_end_apart() {
 }
 
 tiers!(great_rivers_end_apart);
+
+#[test]
+fn room_for_deltas_is_left_before_rivers_fill_their_inlets() {
+    // With a sea that rises once more after them, two great rivers end at the head of one inlet.
+    assert_eq!(neighbours("seed=Oakhollow&deltas=0.5"), Vec::<String>::new());
+}

@@ -148,3 +148,18 @@ fn rivers_that_are_not_finished_are_not_asked_about() {
     session.finish().unwrap();
     assert_eq!(inspected(&session).source(u32::MAX - 1), None);
 }
+
+#[test]
+fn a_branch_of_a_delta_is_found_as_its_river() {
+    let session = finished("seed=Oakhollow&deltas=0.5");
+    let (map, inspector) = (session.map().unwrap(), inspected(&session));
+    let deltas = map.deltas();
+    assert!(!deltas.is_empty());
+    for branch in &deltas.distributaries {
+        let middle = branch.line[branch.line.len() / 2].at;
+        let spot = inspector.nearest(middle, 0.0).unwrap();
+        assert_eq!(spot.river, branch.river);
+        let tips = deltas.distributaries.iter().filter(|other| other.river == branch.river && other.reaches_sea);
+        assert_eq!(inspector.facts(&spot).mouths, tips.count());
+    }
+}

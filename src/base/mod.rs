@@ -8,6 +8,7 @@ pub(crate) mod hash;
 pub(crate) mod memory;
 pub(crate) mod numbers;
 pub(crate) mod parallel;
+pub(crate) mod parts;
 pub(crate) mod queue;
 pub mod random;
 pub(crate) mod rings;

@@ -105,6 +105,11 @@ pub(super) struct Fan<'a> {
     pub reach: f32,
 }
 
+/// Counts the branches that do not divide.
+pub(super) fn count_tips(links: &[Link]) -> usize {
+    links.iter().filter(|link| link.arms.is_none()).count()
+}
+
 /// A branch to grow: where it begins, which way it is to run, and the branch that it is an arm of.
 #[derive(Clone, Copy)]
 struct Arm {
@@ -126,20 +131,15 @@ impl<'a> Fan<'a> {
         let reach = reach(site.width, volume);
         let mut best = Self::of_reach(site, volume, SCALES[0] * reach);
         for scale in &SCALES[1..] {
-            if best.tips() >= MANY || scale * reach < LEAST_WIDTHS * site.width {
+            if count_tips(&best.links) >= MANY || scale * reach < LEAST_WIDTHS * site.width {
                 break;
             }
             let next = Self::of_reach(site, volume, scale * reach);
-            if next.tips() > best.tips() {
+            if count_tips(&next.links) > count_tips(&best.links) {
                 best = next;
             }
         }
         best
-    }
-
-    /// Counts the branches that do not split.
-    pub fn tips(&self) -> usize {
-        self.links.iter().filter(|link| link.arms.is_none()).count()
     }
 
     fn of_reach(site: Site<'a>, volume: f32, reach: f32) -> Self {

@@ -5,12 +5,14 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::ends::extended;
-use super::fan::{Fan, Link, Site};
+use super::fan::{Fan, Link, Site, count_tips};
+use super::pieces::Pieces;
 use super::plain::{Most, Plain, radii};
 use super::sediment::{LEAST, Load, RIVERS, Sediment, expected_area};
 use super::{Delta, Deltas, Distributary, tips};
 use crate::base::geometry::{direction, distance, fast_max, fast_min};
 use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::rings;
 use crate::base::sort::argsort;
 use crate::base::work;
 use crate::domain::Domain;
@@ -50,14 +52,33 @@ pub(crate) struct DeltaMaker {
     /// The distances from the coast, as deltas have changed it so far, and those into flat ground.
     heights: Vec<f32>,
     flats: Vec<f32>,
+    /// The waters and lands of the map with the deltas that it has so far.
+    pieces: Pieces,
     /// The rivers that are left, the greatest last, with their sediment.
     rivers: Vec<(u32, f32)>,
+    /// The delta that is built next.
+    plan: Option<Plan>,
     /// The area that new land may still have, in square units.
     area: f32,
     made: Deltas,
     /// The ways on which rivers run on to the sea from mouths that lie in new land now.
     ends: Vec<(u32, Vec<Vec2>)>,
     has_begun: bool,
+}
+
+/// A delta that is to be built.
+#[derive(Clone, Debug)]
+struct Plan {
+    river: u32,
+    apex: Vec2,
+    /// The places that its branches keep clear of, each with a distance in units.
+    kept: Vec<(Vec2, f32)>,
+    most: Most,
+    links: Vec<Link>,
+    /// The land along the branches.
+    bare: Plain,
+    /// The radii of bays that are yet to be tried, in units, the greatest last.
+    radii: Vec<f32>,
 }
 
 /// The greatest share of the map that deltas take from the sea, besides the area that was left for them.
@@ -79,7 +100,9 @@ impl DeltaMaker {
             land,
             heights: Vec::new(),
             flats: Vec::new(),
+            pieces: Pieces::default(),
             rivers: Vec::new(),
+            plan: None,
             area,
             made: Deltas::default(),
             ends: Vec::new(),
@@ -87,7 +110,7 @@ impl DeltaMaker {
         }
     }
 
-    /// Makes a delta, if a river has one. Returns the land once all are made.
+    /// Plans a delta, or tries to build the one that is planned. Returns the land once all are made.
     ///
     /// # Errors
     /// If there is not enough memory. A further call tries the same step again.
@@ -96,9 +119,13 @@ impl DeltaMaker {
             self.begin(network).inspect_err(|_| self.has_begun = false)?;
             return Ok(None);
         }
+        if let Some(plan) = self.plan.take() {
+            self.plan = self.build(network, plan);
+            return Ok(None);
+        }
         let Some((river, volume)) = self.rivers.pop() else { return self.shore(network).map(Some) };
         if volume >= LEAST {
-            self.build(network, river, volume);
+            self.plan = self.plan(network, river, volume);
         }
         Ok(None)
     }
@@ -113,6 +140,7 @@ impl DeltaMaker {
         for &(corner, within) in &self.settings.plains {
             self.flats[corner as usize] = fast_max(self.flats[corner as usize], within);
         }
+        self.pieces = Pieces::of(heights, self.land.coast_distance().size().0);
         self.rivers = self.great_rivers(network);
         Ok(())
     }
@@ -146,10 +174,10 @@ impl DeltaMaker {
         nearest.map_or(0.0, |i| loads.remove(i).left)
     }
 
-    /// Builds the delta of a river, if there is room for one.
-    fn build(&mut self, network: &Network, river: u32, volume: f32) {
+    /// Grows the branches of a river's delta; `None` if there is no room for one.
+    fn plan(&self, network: &Network, river: u32, volume: f32) -> Option<Plan> {
         let course = network.middle(&network.rivers[river as usize]);
-        let [.., above, mouth, _] = course[..] else { return };
+        let [.., above, mouth, _] = course[..] else { return None };
         let coast = self.land.coast_distance();
         let kept = self.surroundings(network, river, mouth);
         let site = Site {
@@ -162,47 +190,49 @@ impl DeltaMaker {
             identity: network.rivers[river as usize].identity,
             chance: self.settings.sediment.chance(),
         };
-        let fan = Fan::grow(site, volume);
-        if fan.tips() < TIPS {
-            return;
+        let Fan { links, left, reach, .. } = Fan::grow(site, volume);
+        if count_tips(&links) < TIPS {
+            return None;
         }
-        let most = Most { volume: volume + fan.left, area: self.area };
-        for radius in radii(self.settings.waves, fan.reach) {
-            // A smaller plain is better than one that hardly a branch crosses.
-            let least = if radius > 0.0 { TIPS.max(fan.tips().div_ceil(2)) } else { TIPS };
-            let Some((plain, links)) = self.settled(fan.links.clone(), &kept, (radius, most), least) else { continue };
-            if self.covers_a_tip(&plain) || !self.leaves_seas_whole(&plain) {
-                continue;
-            }
-            if let Some(ends) = self.lead_on(network, river, &plain, &links) {
-                self.ends.extend(ends);
-                self.take(river, mouth.at, &plain, &links);
-                return;
-            }
-        }
+        let most = Most { volume: volume + left, area: self.area };
+        let mut radii = radii(self.settings.waves, reach).to_vec();
+        radii.reverse();
+        let bare = Plain::along(coast, &self.heights, &links);
+        Some(Plan { river, apex: mouth.at, kept, most, links, bare, radii })
     }
 
-    /// Builds the plain of some branches and brings them to the sea, without those that cannot reach it. `None` if fewer than so many
-    /// do, or if the plain is too large.
-    fn settled(
-        &self,
-        mut links: Vec<Link>,
-        kept: &[(Vec2, f32)],
-        (radius, most): (f32, Most),
-        least: usize,
-    ) -> Option<(Plain, Vec<Link>)> {
-        let tips = |links: &[Link]| links.iter().filter(|link| link.arms.is_none()).count();
-        while tips(&links) >= least {
-            let mut plain = Plain::along(self.land.coast_distance(), &self.heights, &links);
-            if !plain.close(radius, most) {
+    /// Builds a planned delta with bays of the greatest radius that is left. Returns the plan if that failed and another is left.
+    fn build(&mut self, network: &Network, mut plan: Plan) -> Option<Plan> {
+        let radius = plan.radii.pop()?;
+        let settled = self.settled(&plan, radius).filter(|(plain, _)| !self.covers_a_tip(plain));
+        let Some((plain, links)) = settled else { return Some(plan) };
+        let Some(pieces) = self.pieces_with(&plain) else { return Some(plan) };
+        let Some(ends) = self.lead_on(network, plan.river, &plain, &links) else { return Some(plan) };
+        self.ends.extend(ends);
+        self.pieces = pieces;
+        self.take(plan.river, plan.apex, &plain, &links);
+        None
+    }
+
+    /// Closes the bays of a planned delta up to a radius and brings its branches to the sea, without those that cannot reach it. `None`
+    /// if too few do, or if the plain is too large.
+    fn settled(&self, plan: &Plan, radius: f32) -> Option<(Plain, Vec<Link>)> {
+        // A smaller plain is better than one that hardly a branch crosses.
+        let least = if radius > 0.0 { TIPS.max(count_tips(&plan.links).div_ceil(2)) } else { TIPS };
+        let (mut plain, mut links) = (plan.bare.clone(), plan.links.clone());
+        loop {
+            if !plain.close(radius, plan.most) {
                 return None;
             }
-            match tips::carry(&links, &plain, kept) {
+            links = match tips::carry(&links, &plain, &plan.kept) {
                 Ok(links) => return Some((plain, links)),
-                Err(fewer) => links = fewer,
+                Err(fewer) => fewer,
+            };
+            if count_tips(&links) < least {
+                return None;
             }
+            plain = Plain::along(self.land.coast_distance(), &self.heights, &links);
         }
-        None
     }
 
     /// Lists the places that the branches of a river keep clear of: those of all other rivers nearby and of its own above.
@@ -249,21 +279,12 @@ impl DeltaMaker {
         tips.any(|branch| branch.line.last().is_some_and(|tip| plain.has_changed(tip.at)))
     }
 
-    /// Returns `true` if a plain cuts no water off from the rest of its sea.
-    fn leaves_seas_whole(&self, plain: &Plain) -> bool {
+    /// Finds the waters and lands of the map with a plain; `None` if it cuts water off or joins two islands.
+    fn pieces_with(&self, plain: &Plain) -> Option<Pieces> {
         let columns = self.land.coast_distance().size().0;
-        let mut after = self.heights.clone();
-        let changes: Vec<(usize, f32)> = plain.changes(columns).collect();
-        changes.iter().for_each(|&(corner, height)| after[corner] = height);
-        let [before, after] = [&self.heights, &after].map(|heights| waters(heights, columns));
-        let mut is_whole = true;
-        let mut of_sea = vec![0; self.heights.len()];
-        for (&before, &after) in before.iter().zip(&after).filter(|(_, after)| **after > 0) {
-            let of = &mut of_sea[before as usize];
-            is_whole &= *of == 0 || *of == after;
-            *of = after;
-        }
-        is_whole
+        let mut heights = self.heights.clone();
+        plain.changes(columns).for_each(|(corner, height)| heights[corner] = height);
+        self.pieces.after(&heights, columns)
     }
 
     /// Takes over a delta.
@@ -278,7 +299,7 @@ impl DeltaMaker {
             self.flats[corner] = fast_max(self.flats[corner], fast_min(height, FLAT));
         }
         let mut rings = SmoothedDistance::of(&coast.with_heights_of(&new)).rings_above(0.0);
-        rings.retain(|ring| area_of(ring).abs() > SPECK);
+        rings.retain(|ring| rings::area(ring).abs() > SPECK);
         let area = plain.area();
         self.area -= area;
         self.made.list.push(Delta { river, apex, waves: self.settings.waves, area, rings });
@@ -310,43 +331,13 @@ impl DeltaMaker {
 
     /// Returns the approximate memory of a copy, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.heights[..]) + size_of_val(&self.flats[..])
+        // Heights, flat ground, and the numbers of waters at two depths and of lands.
+        5 * size_of_val(&self.heights[..])
     }
-}
-
-/// Numbers the connected waters of a lattice from 1 on; 0 on land.
-fn waters(heights: &[f32], columns: usize) -> Vec<u32> {
-    work::count(2 * heights.len());
-    let mut number = vec![0; heights.len()];
-    let mut last = 0;
-    let mut left = Vec::new();
-    for start in 0..heights.len() {
-        if heights[start] > 0.0 || number[start] > 0 {
-            continue;
-        }
-        last += 1;
-        left.push(start);
-        while let Some(i) = left.pop() {
-            if heights[i] > 0.0 || std::mem::replace(&mut number[i], last) > 0 {
-                continue;
-            }
-            let column = i % columns;
-            left.extend((column > 0).then(|| i - 1));
-            left.extend((column + 1 < columns).then_some(i + 1));
-            left.extend(i.checked_sub(columns));
-            left.extend((i + columns < heights.len()).then_some(i + columns));
-        }
-    }
-    number
 }
 
 /// The area of a ring that is too small to tell, in square units.
 const SPECK: f32 = 24.0;
-
-/// Returns the area within a ring, in square units, negative if it runs the other way round.
-fn area_of(ring: &[Vec2]) -> f32 {
-    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum::<f32>() * 0.5
-}
 
 /// The distance into flat ground that is told, and the other way, in units.
 const FLAT: f32 = 8.0;

@@ -12,6 +12,7 @@
 mod ends;
 mod fan;
 mod maker;
+mod pieces;
 mod plain;
 mod sediment;
 #[cfg(test)]

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::fan::{Link, depth};
 use crate::base::geometry::{distance, fast_max, fast_min, nearest};
+use crate::base::parts::Parts;
 use crate::base::queue::Queue;
 use crate::base::work;
 use crate::land::CoastDistance;
@@ -66,9 +67,7 @@ impl Plain {
     /// Closes the bays between branches into which no disc of a radius fits. Returns `false` if that takes too much.
     pub fn close(&mut self, radius: f32, most: Most) -> bool {
         self.field = self.closed(&self.strips, radius);
-        let mut field = std::mem::take(&mut self.field);
-        self.fill_ponds(&mut field);
-        self.field = field;
+        self.fill_ponds();
         let (area, volume) = self.size_of(&self.field);
         // The strips along branches are paid for.
         area <= most.area && (radius == 0.0 || volume <= most.volume)
@@ -161,30 +160,22 @@ impl Plain {
     }
 
     /// Makes land of water that is cut off from the rest.
-    fn fill_ponds(&self, field: &mut [f32]) {
+    fn fill_ponds(&mut self) {
         const LEVEL: f32 = 4.0;
-        let (columns, rows) = (self.columns, self.rows);
-        let is_rim = |i: &usize| {
-            i.is_multiple_of(columns) || (i + 1).is_multiple_of(columns) || i / columns == 0 || i / columns + 1 == rows
-        };
-        let mut is_sea = vec![false; field.len()];
-        let mut left: Vec<usize> = (0..field.len()).filter(is_rim).collect();
-        work::count(4 * field.len());
-        while let Some(i) = left.pop() {
-            if field[i] > 0.0 || std::mem::replace(&mut is_sea[i], true) {
-                continue;
-            }
-            let (column, row) = (i % columns, i / columns);
-            left.extend((column > 0).then(|| i - 1));
-            left.extend((column + 1 < columns).then(|| i + 1));
-            left.extend((row > 0).then(|| i - columns));
-            left.extend((row + 1 < rows).then(|| i + columns));
-        }
-        for (i, field) in field.iter_mut().enumerate() {
-            if *field <= 0.0 && !is_sea[i] {
+        let is_water: Vec<bool> = self.field.iter().map(|field| *field <= 0.0).collect();
+        let waters = Parts::of(&is_water, self.columns);
+        let is_inner = waters.all(|i| !self.is_rim(i));
+        for (field, number) in self.field.iter_mut().zip(waters.number).filter(|(_, number)| *number > 0) {
+            if is_inner[number as usize] {
                 *field = LEVEL;
             }
         }
+    }
+
+    /// Returns `true` if a corner is at the rim of the window.
+    fn is_rim(&self, i: usize) -> bool {
+        let (column, row) = (i % self.columns, i / self.columns);
+        column == 0 || column + 1 == self.columns || row == 0 || row + 1 == self.rows
     }
 
     /// Returns the area and the volume of new land.
@@ -270,8 +261,7 @@ impl Plain {
             if self.field[i] <= 0.0 {
                 return Some(self.way(mouth, i, &from, passable));
             }
-            let (column, row) = (i % self.columns, i / self.columns);
-            if column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows {
+            if self.is_rim(i) {
                 continue;
             }
             for step in 0..9 {

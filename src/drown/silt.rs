@@ -7,6 +7,7 @@
 use glam::Vec2;
 
 use crate::base::geometry::{distance, nearest};
+use crate::base::parts::Parts;
 use crate::base::work;
 use crate::grow::DrainageSettings;
 use crate::land::CoastDistance;
@@ -190,36 +191,14 @@ fn hand_down_identities(nodes: &mut [Node]) {
 
 /// Raises the waters that plains have cut off from the sea of the low stand, so that the sea is in one piece.
 pub(super) fn fill_ponds(lattice: &CoastDistance, heights: &mut [f32], level: f32) {
-    let (columns, corners) = (lattice.size().0, heights.len());
-    let mut is_seen: Vec<bool> = heights.iter().map(|&height| height > level).collect();
-    work::count(corners);
-    for start in 0..corners {
-        if is_seen[start] {
-            continue;
-        }
-        let (mut water, mut left) = (Vec::new(), vec![start]);
-        while let Some(corner) = left.pop() {
-            if !std::mem::replace(&mut is_seen[corner], true) {
-                work::count(4);
-                water.push(corner);
-                left.extend(around(corner, columns, corners));
-            }
-        }
-        if water.iter().all(|&corner| lattice.heights()[corner] > 0.0) {
-            water.into_iter().for_each(|corner| heights[corner] = level + HEIGHT);
+    let is_water: Vec<bool> = heights.iter().map(|&height| height <= level).collect();
+    let waters = Parts::of(&is_water, lattice.size().0);
+    let is_cut_off = waters.all(|corner| lattice.heights()[corner] > 0.0);
+    for (height, number) in heights.iter_mut().zip(waters.number).filter(|(_, number)| *number > 0) {
+        if is_cut_off[number as usize] {
+            *height = level + HEIGHT;
         }
     }
-}
-
-/// Returns the corners beside a corner, in its row and its column; itself where there is none.
-fn around(corner: usize, columns: usize, corners: usize) -> [usize; 4] {
-    let (column, below) = (corner % columns, corner + columns);
-    [
-        corner - usize::from(column > 0),
-        corner + usize::from(column + 1 < columns),
-        corner.checked_sub(columns).unwrap_or(corner),
-        if below < corners { below } else { corner },
-    ]
 }
 
 #[cfg(test)]

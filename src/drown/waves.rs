@@ -12,9 +12,10 @@ use crate::land::CoastDistance;
 #[derive(Clone, Debug)]
 pub(super) struct Waves {
     heights: Vec<f32>,
-    before: Vec<f32>,
-    /// The share by which each corner moves toward the mean of its neighbours in a round; 0 for sea and rim.
-    softness: Vec<f32>,
+    /// The corners of soft land, each with the share by which it moves toward the mean of its neighbours in a round.
+    soft: Vec<(u32, f32)>,
+    /// The heights of those corners after the round.
+    moved: Vec<f32>,
     columns: usize,
     rows: usize,
     round: u32,
@@ -32,15 +33,16 @@ impl Waves {
     pub fn new(lattice: &CoastDistance, heights: Vec<f32>, softness: &[f32]) -> Result<Self, Refused> {
         let (columns, rows) = lattice.size();
         let (wide, high) = (columns + 2, rows + 2);
-        let mut this =
-            Self { heights: Vec::new(), before: Vec::new(), softness: Vec::new(), columns: wide, rows: high, round: 0 };
+        let (soft, moved) = (Vec::new(), Vec::new());
+        let mut this = Self { heights: Vec::new(), soft, moved, columns: wide, rows: high, round: 0 };
         lengthen(&mut this.heights, wide * high, RIM)?;
-        lengthen(&mut this.softness, wide * high, 0.0)?;
-        ask(wide * high * size_of::<f32>())?;
-        for (corner, (height, soft)) in heights.into_iter().zip(softness).enumerate() {
+        ask(wide * high * size_of::<(u32, f32, f32)>())?;
+        for (corner, (height, softness)) in heights.into_iter().zip(softness).enumerate() {
             let cell = (corner / columns + 1) * wide + corner % columns + 1;
             this.heights[cell] = height;
-            this.softness[cell] = if height > 0.0 { *soft } else { 0.0 };
+            if height > 0.0 && *softness > 0.0 {
+                this.soft.push((cell as u32, *softness));
+            }
         }
         Ok(this)
     }
@@ -60,17 +62,17 @@ impl Waves {
 
     /// Moves each corner of soft land toward the mean of its neighbours.
     fn blur(&mut self) {
-        self.before.clone_from(&self.heights);
-        work::count(self.heights.len());
-        for cell in self.columns..self.heights.len() - self.columns {
-            let soft = self.softness[cell];
-            if soft > 0.0 {
-                let here = self.before[cell];
-                let lifted = |beside: usize| if self.before[beside] == RIM { here } else { self.before[beside] };
-                let sum: f32 = self.beside(cell).into_iter().map(lifted).sum();
-                self.heights[cell] += soft * (0.25 * sum - here);
-            }
-        }
+        work::count(4 * self.soft.len());
+        let mut moved = std::mem::take(&mut self.moved);
+        moved.clear();
+        moved.extend(self.soft.iter().map(|&(cell, softness)| {
+            let here = self.heights[cell as usize];
+            let lifted = |beside: usize| if self.heights[beside] == RIM { here } else { self.heights[beside] };
+            let sum: f32 = self.beside(cell as usize).into_iter().map(lifted).sum();
+            here + softness * (0.25 * sum - here)
+        }));
+        self.soft.iter().zip(&moved).for_each(|(&(cell, _), &height)| self.heights[cell as usize] = height);
+        self.moved = moved;
     }
 
     /// Fills pits: lifts each corner of land, in the order of flooding from the sea, above the neighbour that its water leaves to.

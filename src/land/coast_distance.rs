@@ -406,27 +406,49 @@ impl Nearest {
     /// Lets each corner of a row take over a nearer piece from the neighbouring row and from its neighbours to the left
     /// and right.
     fn take_from_row(&mut self, row: usize, other: Option<usize>) {
-        let (start, columns) = (row * self.columns, self.columns);
-        if let Some(other) = other.map(|other| other * columns) {
-            for column in 0..columns {
-                let (west, east) = (column.saturating_sub(1), (column + 1).min(columns - 1));
-                let [west, middle, east] = [west, column, east].map(|beside| self.piece[other + beside]);
-                self.propose(column, row, west);
-                // Neighbours often have the same piece.
-                if middle != west {
-                    self.propose(column, row, middle);
-                }
-                if east != middle {
-                    self.propose(column, row, east);
+        let (columns, spacing) = (self.columns, self.spacing);
+        let other = other.map_or(Vec::new(), |other| self.piece[other * columns..][..columns].to_vec());
+        let places = row * columns..(row + 1) * columns;
+        let (coast, y) = (&self.coast[..], row as f32 * spacing);
+        let (pieces, squares) = (&mut self.piece[places.clone()], &mut self.squared[places]);
+        let mut proposals = 0;
+        let mut propose = |column: usize, here: &mut (u32, f32), piece: u32| {
+            if piece != here.0 {
+                proposals += 1;
+                if let Some(side) = coast.get(piece as usize) {
+                    let squared = side.squared_distance(Vec2::new(column as f32 * spacing, y));
+                    if squared < here.1 {
+                        *here = (piece, squared);
+                    }
                 }
             }
+        };
+        let mut west = u32::MAX;
+        for (column, (piece, squared)) in pieces.iter_mut().zip(squares.iter_mut()).enumerate() {
+            let mut here = (*piece, *squared);
+            if let Some(&middle) = other.get(column) {
+                let beside = [column.saturating_sub(1), (column + 1).min(columns - 1)].map(|beside| other[beside]);
+                propose(column, &mut here, beside[0]);
+                // Neighbours often have the same piece.
+                if middle != beside[0] {
+                    propose(column, &mut here, middle);
+                }
+                if beside[1] != middle {
+                    propose(column, &mut here, beside[1]);
+                }
+            }
+            propose(column, &mut here, west);
+            (*piece, *squared) = here;
+            west = here.0;
         }
-        for column in 1..columns {
-            self.propose(column, row, self.piece[start + column - 1]);
+        let mut east = u32::MAX;
+        for (column, (piece, squared)) in pieces.iter_mut().zip(squares.iter_mut()).enumerate().rev() {
+            let mut here = (*piece, *squared);
+            propose(column, &mut here, east);
+            (*piece, *squared) = here;
+            east = here.0;
         }
-        for column in (0..columns - 1).rev() {
-            self.propose(column, row, self.piece[start + column + 1]);
-        }
+        work::count(proposals);
     }
 
     #[inline]

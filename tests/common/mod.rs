@@ -127,10 +127,12 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let guards = (1.0f64..=4.0, 0.0f64..=1.0, 1.0f64..=20.0);
     let courses = prop_oneof![3 => Just("smooth"), 1 => Just("grown")];
     let rivers = ((courses, 0u32..=95), 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
+    let deltas =
+        (zero_or(1.0), 0.0f64..=1.0).prop_map(|(deltas, waves)| format!("&deltas={deltas:.2}&waves={waves:.2}"));
     let edition = prop_oneof![Just(String::new()), Just(format!("&edition={EDITION}"))];
     let start = (random_seed(), edition);
-    let span = 1.0f64..=3.7;
-    (start, land, ground, growth, bends, finish, rivers, span).prop_map(|(start, land, ground, growth, bends, finish, rivers, span)| {
+    let last = (1.0f64..=3.7, deltas);
+    (start, land, ground, growth, bends, finish, rivers, last).prop_map(|(start, land, ground, growth, bends, finish, rivers, (span, deltas))| {
         let span = libm::pow(10.0, span).clamp(10.0, 5000.0);
         let (seed, edition) = start;
         let (land, (sea, drowning), roughness, outline) = land;
@@ -145,7 +147,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         format!(
             "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&drowning={drowning:.2}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
-             &trim={trim}&width={width:.2}&style={style}&span={span:.2}{rivers}"
+             &trim={trim}&width={width:.2}&style={style}&span={span:.2}{rivers}{deltas}"
         )
     })
 }

@@ -64,6 +64,12 @@ impl CourseLines {
         Some(Spot { river, segment: 0, place, off: 0.0 })
     }
 
+    /// Returns the spot at a river's end; `None` if there is no such river.
+    pub fn mouth(&self, river: u32) -> Option<Spot> {
+        let &[.., _, place] = self.line(river) else { return None };
+        Some(Spot { river, segment: self.line(river).len() as u32 - 2, place, off: 0.0 })
+    }
+
     /// Finds the spot nearest to a point, of those whose bank is within reach. Among equally near spots the first
     /// river's wins.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {

@@ -22,7 +22,9 @@ use glam::Vec2;
 use self::basins::RiverBasins;
 use self::lines::CourseLines;
 use crate::analyse::statistics::Drained;
+use crate::base::geometry::{fast_min, nearest};
 use crate::base::memory;
+use crate::deltas::{Deltas, Distributary};
 use crate::map::Map;
 use crate::network::{NONE, Network, Place};
 
@@ -34,6 +36,7 @@ pub struct Inspector {
     orders: Vec<u8>,
     basins: RiverBasins,
     drained: Drained,
+    deltas: Arc<Deltas>,
 }
 
 /// The properties of a river.
@@ -51,6 +54,8 @@ pub struct RiverFacts {
     pub area: f64,
     /// The numbers, in the network, of the rivers that its water comes to, in order; empty if it reaches the sea itself.
     pub into: Vec<u32>,
+    /// The number of mouths by which it reaches the sea: the branches of its delta that end there, or 1.
+    pub mouths: usize,
 }
 
 impl Inspector {
@@ -68,6 +73,7 @@ impl Inspector {
             basins: RiverBasins::new(map)?,
             drained: Drained::of(map),
             network: network.clone(),
+            deltas: map.deltas().clone(),
         })
     }
 
@@ -98,9 +104,24 @@ impl Inspector {
         stretches
     }
 
-    /// Finds the place on a river that is nearest to a point, measured from the banks, if it is within `reach` units.
+    /// Finds the place on a river that is nearest to a point, measured from the banks, if it is within `reach` units. A point at a
+    /// branch of a delta finds the place where its river divides.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
-        self.lines.nearest(at, reach)
+        self.lines.nearest(at, reach).or_else(|| self.lines.mouth(self.branch(at, reach)?.river))
+    }
+
+    /// Finds the branch of a delta that is nearest to a point, measured from its banks, if it is within `reach` units.
+    fn branch(&self, at: Vec2, reach: f32) -> Option<&Distributary> {
+        let off = |branch: &Distributary| {
+            let off = |pair: &[Place]| {
+                let (away, _) = nearest(at, (pair[0].at, pair[1].at));
+                away - pair[0].half
+            };
+            branch.line.windows(2).map(off).fold(f32::INFINITY, fast_min)
+        };
+        let branches = self.deltas.distributaries.iter().map(|branch| (off(branch), branch));
+        let near = branches.filter(|(off, _)| *off <= reach);
+        near.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, branch)| branch)
     }
 
     /// Finds the source of a river by its number in the network; `None` if there is none.
@@ -119,7 +140,10 @@ impl Inspector {
             into.push(below);
             below = self.network.rivers[below as usize].parent;
         }
+        let mouths =
+            self.deltas.distributaries.iter().filter(|branch| branch.river == spot.river && branch.reaches_sea);
         RiverFacts {
+            mouths: mouths.count().max(1),
             order: river.order,
             order_here: self.orders[vertex as usize],
             length: self.network.length(river),

@@ -11,7 +11,8 @@ pub(in crate::recipe) const COUNT: usize = 34;
 /// joining. Few points are removed, so that courses keep their small turns, as rivers on maps do.
 pub(in crate::recipe) const COMMON: &str = "attractors=12500~0.2 bending~0.3 bending-variation~0.25 channel-area~0.3 trim~0.15 \
     tributary-spacing~0.25 head-variation~0.35 valleys~0.4 valley-spacing~0.2 hardness~0.35 hardness-scale~0.2 fall~0.35>0.2 \
-    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 simplify=10 rills~0.15 lakes=0.1:0.3";
+    width~0.08 meander-rounds~0.3 meander-elsewhere=0.14~0.4 simplify=10 rills~0.15 lakes=0.1:0.3 \
+    deltas=0.3:0.5 waves=0.2:0.6";
 
 /// Draws about the usual values, for land that is in no row: the rectangle, and what somebody has drawn.
 pub(in crate::recipe) const OWN: &str = "attractors~0.25 bending~0.4 bending-variation~0.3 channel-area~0.5 trim~0.4 \
@@ -138,7 +139,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "More sea than land: islets and rocks with short streams.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "lakes=0.2:0.5 span=16~0.4 land=archipelago sea=0.68:0.78 drowning=0.85:1 roughness=1 pattern=deranged hardness=1.2 \
+        draws: "deltas=0:0.15 lakes=0.2:0.5 span=16~0.4 land=archipelago sea=0.68:0.78 drowning=0.85:1 roughness=1 pattern=deranged hardness=1.2 \
            hardness-scale=14 valley-spacing=12 bending=1.2 channel-area=5 trim=18 width=16 meander-rounds=12 \
            mountains=0.35:0.9 plains=100",
         style: None,
@@ -149,7 +150,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A low coast of bare rock, broken into islets.",
         weight: 3,
         climates: "cold cold temperate",
-        draws: "lakes=0.3:0.6 span=40~0.4 land=continent sides=n|e|s|w|se|sw sea=0.45:0.6 drowning=0.85:1 roughness=1 pattern=deranged \
+        draws: "deltas=0:0.2 lakes=0.3:0.6 span=40~0.4 land=continent sides=n|e|s|w|se|sw sea=0.45:0.6 drowning=0.85:1 roughness=1 pattern=deranged \
            hardness=1.2 hardness-scale=16 bending=1.4 channel-area=5 trim=20 width=18 meander-rounds=12 \
            mountains=0.35:0.9 plains=150",
         style: None,
@@ -171,7 +172,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A coast whose valleys the sea has drowned.",
         weight: 4,
         climates: "temperate temperate wet",
-        draws: "span=60~0.35 land=continent sides=e|s|w|se|sw sea=0.33:0.48 drowning=0.6:0.95 roughness=1 bending=1.8 channel-area=5 \
+        draws: "deltas=0.1:0.3 span=60~0.35 land=continent sides=e|s|w|se|sw sea=0.33:0.48 drowning=0.6:0.95 roughness=1 bending=1.8 channel-area=5 \
            trim=24 width=24 meander-rounds=40 flat-share=0.4 captures=12 mountains=0.6:1.2 plains=250",
         style: None,
     },
@@ -181,7 +182,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A steep coast with long inlets between mountains.",
         weight: 5,
         climates: "cold",
-        draws: "lakes=0.3:0.5 span=110~0.35 land=continent sea=0.36:0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
+        draws: "deltas=0:0.2 lakes=0.3:0.5 span=110~0.35 land=continent sea=0.36:0.48 drowning=1 roughness=1 bending=1.8 channel-area=5 trim=24 width=20 \
            meander-rounds=20 mountains=2.8:4 plains=0 \
            sides,strike,pattern,hardness=w,80,trellis,1.3|e,100,trellis,1.3|n,172,trellis,1.3|w,0,dendritic,1|e,0,dendritic,1|s,0,dendritic,1.1|n,0,dendritic,0.9",
         style: None,
@@ -213,7 +214,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "One river drains nearly all of the land.",
         weight: 7,
         climates: "wet wet temperate temperate dry",
-        draws: "lakes=0.05:0.2 span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12:0.24 drowning=0.12 roughness=0.9 bending=2 \
+        draws: "deltas=0.5:0.7 lakes=0.05:0.2 span=480~0.3 land=continent sides=n|e|e|s|w|w mouths=1 sea=0.12:0.24 drowning=0.12 roughness=0.9 bending=2 \
            concavity=0.6 channel-area=7 trim=28 width=26 meander-rounds=56 flat-share=0.5 great-rivers=6 \
            mountains=1.6~0.35 plains=120:350 \
            pattern,captures,valleys,fall=dendritic,20,0.4,0.25|dendritic,20,0.5,0.2|centripetal,6,0.2,0.3",
@@ -225,7 +226,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "A green plain with broad rivers.",
         weight: 6,
         climates: "wet wet temperate temperate",
-        draws: "span=180~0.35 land=continent sides=n|e|s|w|sw|nw|se mouths=0|3|4|6 mouth-spacing=250 sea=0.15:0.35 drowning=0.15 \
+        draws: "deltas=0.45:0.65 span=180~0.35 land=continent sides=n|e|s|w|sw|nw|se mouths=0|3|4|6 mouth-spacing=250 sea=0.15:0.35 drowning=0.15 \
            roughness=0.9 bending=2 captures=12 channel-area=7 trim=28 width=26 meander-rounds=45 flat-share=0.5 \
            great-rivers=5 mountains=0.2:0.45 plains=400 rills=0.1:0.35 fall=0.2 shade=0.35",
         style: None,
@@ -372,7 +373,7 @@ pub static COUNTRIES: [Country; COUNT] = [
         help: "Water everywhere: a fine network of broad rivers.",
         weight: 4,
         climates: "wet",
-        draws: "lakes=0.05:0.15 span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12:0.25 \
+        draws: "deltas=0.5:0.7 lakes=0.05:0.15 span=360~0.3 land=continent sides=n|e|e|s|w mouths=0|2|3 mouth-spacing=300 captures=8 concavity=0.6 sea=0.12:0.25 \
            drowning=0.2 roughness=0.9 attractors=14000:19000 bending=2 channel-area=5 trim=22 width=28 \
            meander-rounds=48 flat-share=0.6 great-rivers=6 mountains=0.5:1.2 plains=350 fall=0.2",
         style: None,

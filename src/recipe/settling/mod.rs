@@ -47,6 +47,8 @@ const DECIDED: u128 = set(&[
     Key::TributarySpacing,
     Key::Simplify,
     Key::Width,
+    Key::Deltas,
+    Key::Waves,
     Key::MeanderRounds,
     Key::MeanderElsewhere,
     Key::GreatRivers,

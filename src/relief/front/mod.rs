@@ -42,8 +42,8 @@ pub(super) const TILE: usize = 256;
 /// The least height of a river, in sides of a cell.
 const LEAST_HEIGHT: f32 = 5e-5;
 
-/// The height of a step of the queue, in sides of a cell: less than the rise of most cells.
-const STEP: f32 = 0.1;
+/// The height of a low step of the queue, in sides of a cell: less than the rise of most cells, also of flat ground.
+const STEP: f32 = 0.03;
 
 impl Front {
     /// Divides the cells of a map into tiles of at most `side` by `side` cells, on a number of threads; `rises` has the

@@ -1,6 +1,6 @@
 //! The relief as a mesh with the picture on it, in one binary file (glTF 2.0).
 //!
-//! Metres, y up, x east, z south, the origin at the map's centre and the sea's surface. The sea is flat.
+//! Metres, y up, x east, z south, the origin at the map's centre and the sea's surface. The sea is flat, and so is each lake.
 
 use std::io::{Error, Result, Write};
 

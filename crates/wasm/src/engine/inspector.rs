@@ -34,6 +34,8 @@ export interface RiverFacts {
   readonly into: Uint32Array;
   /** What the last of them runs into. */
   readonly endsIn: "sea" | "lake";
+  /** The number of mouths by which the river itself reaches the sea, if it does. */
+  readonly mouths: number;
   /** The place on it. */
   readonly x: number;
   readonly y: number;
@@ -164,7 +166,7 @@ impl Inspector {
     }
 
     fn facts(&mut self, spot: &Spot) -> Object {
-        let RiverFacts { order, order_here, length, share, area, into } = self.rivers.facts(spot);
+        let RiverFacts { order, order_here, length, share, area, into, mouths } = self.rivers.facts(spot);
         let into: Vec<u32> = into.into_iter().filter_map(|river| self.mark_of(river)).collect();
         let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
         let Vec2 { x, y } = spot.place.at / self.size;
@@ -177,6 +179,7 @@ impl Inspector {
             ("area", self.scale.square_kilometres(area).into()),
             ("into", Uint32Array::from(&into[..]).into()),
             ("endsIn", self.ends_in.into()),
+            ("mouths", (mouths as u32).into()),
             ("x", x.into()),
             ("y", y.into()),
             ("way", overlay::lines(&[way], self.courses).into()),

@@ -14,6 +14,7 @@ const RIVER: PointedRiver = {
   area: 101_700,
   into: [],
   endsIn: "sea",
+  mouths: 1,
   x: 0,
   y: 0,
   way: "",
@@ -35,6 +36,7 @@ test("where its water goes is told by name, and names with an article keep one",
   expect(into("", "Ash")).toBe("Flows into a greater river, then the Ash, then the sea");
   expect(into("A", "B", "C", "D")).toBe("Flows into the A, then the B, then the C, and on to the sea");
   expect(courseOf({ ...RIVER, endsIn: "lake" })).toBe("Flows into the lake, which has no outlet");
+  expect(courseOf({ ...RIVER, mouths: 7 })).toBe("Flows into the sea through 7 mouths");
 });
 
 test("a river whose name was taken away is called so", () => {

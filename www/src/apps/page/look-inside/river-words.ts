@@ -27,9 +27,9 @@ export function measuresOf({ order, orderHere, length, share, area, lake }: Poin
 }
 
 /** Describes the way of its water to the sea. */
-export function courseOf({ name, into, endsIn, lake }: PointedRiver): string {
+export function courseOf({ name, into, endsIn, mouths, lake }: PointedRiver): string {
   if (lake) return `${name === "" ? "A river" : `The ${name.replace(/^the /i, "")}`} runs out of it`;
-  if (into.length === 0) return `Flows into ${ENDS[endsIn]}`;
+  if (into.length === 0) return `Flows into ${ENDS[endsIn]}${mouths > 1 ? ` through ${mouths} mouths` : ""}`;
   const named = into.slice(0, MOST_NAMED).map(inSentence);
   const rest = into.length > MOST_NAMED ? ", and on to" : ", then";
   return `Flows into ${named.join(", then ")}${rest} ${ENDS[endsIn]}`;
