@@ -75,6 +75,20 @@ impl Close {
         let i = (at.y as usize * pixmap.width() as usize + at.x as usize) * 4;
         pixmap.data()[i..i + 4].try_into().unwrap()
     }
+
+    /// The mean of the pixels around a point, in which the grain of paper is gone.
+    fn mean(&self, at: Vec2) -> [u8; 4] {
+        const FAR: i32 = 3;
+        let pixel = |i: i32| {
+            let (x, y) = (i % (2 * FAR + 1) - FAR, i / (2 * FAR + 1) - FAR);
+            self.pixel(at + Vec2::new(x as f32, y as f32) / 12.0)
+        };
+        let pixels: Vec<[u8; 4]> = (0..(2 * FAR + 1).pow(2)).map(pixel).collect();
+        std::array::from_fn(|k| {
+            let sum: u32 = pixels.iter().map(|pixel| u32::from(pixel[k])).sum();
+            (sum / pixels.len() as u32) as u8
+        })
+    }
 }
 
 fn apart(a: [u8; 4], b: [u8; 4]) -> i32 {
@@ -130,10 +144,10 @@ fn branches_of_a_delta_open_the_line_of_the_coast() {
         assert!(width > 5.0, "{width}");
         let distance = session.land().unwrap().coast_distance();
         let close = Close::of(&session, at);
-        let sea = close.pixel(at + seaward * OFFSHORE);
+        let sea = close.mean(at + seaward * OFFSHORE);
         for tenth in -1..=1 {
             let aside = tenth as f32 * 0.1 * width;
-            let here = close.pixel(along_coast(|at| distance.height(at), at, seaward, aside));
+            let here = close.mean(along_coast(|at| distance.height(at), at, seaward, aside));
             assert!(apart(here, sea) < 24, "{style}: {here:?} is not the sea, {sea:?}, at {tenth}");
         }
     }
