@@ -411,17 +411,9 @@ impl Nearest {
         let places = row * columns..(row + 1) * columns;
         let (coast, y) = (&self.coast[..], row as f32 * spacing);
         let (pieces, squares) = (&mut self.piece[places.clone()], &mut self.squared[places]);
-        let mut proposals = 0;
+        let mut measured = 0;
         let mut propose = |column: usize, here: &mut (u32, f32), piece: u32| {
-            if piece != here.0 {
-                proposals += 1;
-                if let Some(side) = coast.get(piece as usize) {
-                    let squared = side.squared_distance(Vec2::new(column as f32 * spacing, y));
-                    if squared < here.1 {
-                        *here = (piece, squared);
-                    }
-                }
-            }
+            measured += propose(coast, Vec2::new(column as f32 * spacing, y), here, piece);
         };
         let mut west = u32::MAX;
         for (column, (piece, squared)) in pieces.iter_mut().zip(squares.iter_mut()).enumerate() {
@@ -448,24 +440,29 @@ impl Nearest {
             (*piece, *squared) = here;
             east = here.0;
         }
-        work::count(proposals);
+        work::count(measured);
     }
 
-    #[inline]
+    /// Lets a corner take over a piece of coast if that is nearer than its own.
     fn propose(&mut self, column: usize, row: usize, piece: u32) {
         let i = row * self.columns + column;
-        if piece == self.piece[i] {
-            return;
-        }
-        work::count(1);
-        if let Some(side) = self.coast.get(piece as usize) {
-            let corner = Vec2::new(column as f32, row as f32) * self.spacing;
-            let squared = side.squared_distance(corner);
-            if squared < self.squared[i] {
-                (self.squared[i], self.piece[i]) = (squared, piece);
-            }
-        }
+        let mut here = (self.piece[i], self.squared[i]);
+        let corner = Vec2::new(column as f32, row as f32) * self.spacing;
+        work::count(propose(&self.coast, corner, &mut here, piece));
+        (self.piece[i], self.squared[i]) = here;
     }
+}
+
+/// Replaces the nearest piece of coast of a corner, with its squared distance, by another piece if that is nearer. Returns the
+/// number of distances that were measured.
+#[inline]
+fn propose(coast: &[Side], corner: Vec2, here: &mut (u32, f32), piece: u32) -> usize {
+    let Some(side) = coast.get(piece as usize).filter(|_| piece != here.0) else { return 0 };
+    let squared = side.squared_distance(corner);
+    if squared < here.1 {
+        *here = (piece, squared);
+    }
+    1
 }
 
 /// A straight piece of coast, prepared for distances from it.
