@@ -38,10 +38,12 @@ pub struct ClearanceGrid {
     /// The index in `entries` at which each cell begins.
     starts: Vec<u32>,
     entries: Vec<Entry>,
-    /// Half the length of the longest segment; and the greatest ratio of a half length to [`ClearanceGrid::expected`].
-    longest_half: f32,
-    stretch: f32,
+    /// Half the length of the longest segment whose search radius is at most that of each [class](Self::class).
+    longest_halves: [f32; CLASSES],
 }
+
+/// The number of classes of search radii, each as wide as a spacing: a wide river looks farther, and its segments are longer.
+const CLASSES: usize = 32;
 
 /// A segment in a cell.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,8 +92,8 @@ impl ClearanceGrid {
     }
 
     fn look_around(&self, own: Entry, survey: Survey<'_>, clearance: &mut [f32], tell: &mut dyn FnMut(NearbyPair)) {
-        // A longer one has a longer reach, and looks itself.
-        let radius = own.reach + own.half + self.stretch * self.expected(own.reach);
+        // One that looks farther finds this one itself.
+        let radius = own.reach + own.half + self.longest_halves[self.class(own.reach)];
         let i = own.segment as usize;
         for row in self.runs(own.middle, radius) {
             for other in &self.entries[row] {
@@ -114,16 +116,21 @@ impl ClearanceGrid {
         }
     }
 
-    /// Returns the half length to expect of a segment with a search radius, up to a common factor: longer where rivers are wide.
-    fn expected(&self, reach: f32) -> f32 {
-        fast_max(self.spacing, reach)
+    /// Returns the class of a search radius.
+    fn class(&self, reach: f32) -> usize {
+        ((reach / self.spacing) as usize).min(CLASSES - 1)
+    }
+
+    /// Returns half the length of the longest segment.
+    fn longest_half(&self) -> f32 {
+        self.longest_halves[CLASSES - 1]
     }
 
     /// Returns `true` if a line from one vertex to another, across a neck, meets no segment of the last measurement but
     /// those that end in either.
     pub fn is_free(&self, network: &Network, downstream: &[u32], (a, b): (u32, u32)) -> bool {
         let line = (network.vertices[a as usize].at, network.vertices[b as usize].at);
-        let radius = distance(line.0, line.1) * 0.5 + self.longest_half;
+        let radius = distance(line.0, line.1) * 0.5 + self.longest_half();
         self.runs((line.0 + line.1) * 0.5, radius).all(|row| {
             self.entries[row].iter().all(|other| {
                 let (j, below) = (other.segment, downstream[other.segment as usize]);
@@ -144,7 +151,7 @@ impl ClearanceGrid {
         margin: impl Fn(&Vertex) -> f32,
     ) -> bool {
         let vertices = &network.vertices;
-        self.runs(at, largest + self.longest_half).any(|row| {
+        self.runs(at, largest + self.longest_half()).any(|row| {
             self.entries[row].iter().any(|entry| {
                 let upper = &vertices[entry.segment as usize];
                 let lower = &vertices[downstream[entry.segment as usize] as usize];
@@ -153,33 +160,46 @@ impl ClearanceGrid {
         })
     }
 
-    /// Iterates over the segments of the last measurement whose bounding circles overlap a circle around a point.
-    pub fn segments(&self, at: Vec2, radius: f32) -> impl Iterator<Item = u32> + '_ {
-        let radius = radius + self.longest_half;
-        self.runs(at, radius).flat_map(move |row| {
-            let near = self.entries[row].iter().filter(move |entry| {
-                let far = radius - self.longest_half + entry.half;
-                entry.middle.distance_squared(at) < far * far
-            });
-            near.map(|entry| entry.segment)
-        })
+    /// Returns `true` if a condition holds for all segments of the last measurement whose bounding circles overlap a circle
+    /// around a point, with a radius that depends on the segment and is at most `largest`, in units.
+    pub fn all_near(
+        &self,
+        at: Vec2,
+        largest: f32,
+        radius: impl Fn(u32) -> f32,
+        mut holds: impl FnMut(u32) -> bool,
+    ) -> bool {
+        for row in self.runs(at, largest + self.longest_half()) {
+            for entry in &self.entries[row] {
+                let off = entry.middle.distance_squared(at);
+                let overlaps = |radius: f32| off < (radius + entry.half) * (radius + entry.half);
+                // Most lie beyond the largest circle.
+                if overlaps(largest) && overlaps(radius(entry.segment)) && !holds(entry.segment) {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     /// Sorts the segments into their cells.
     fn enter(&mut self, network: &Network, downstream: &[u32], reach: &[f32]) {
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
-        (self.longest_half, self.stretch) = (0.0, 0.0);
+        self.longest_halves = [0.0; CLASSES];
         let mut placed: Vec<(u32, Entry)> = Vec::with_capacity(downstream.len());
         for (segment, ((vertex, &below), &reach)) in (0..).zip(network.vertices.iter().zip(downstream).zip(reach)) {
             let Some(next) = network.vertices.get(below as usize) else { continue };
             let half = distance(vertex.at, next.at) * 0.5 + ROUNDING;
-            self.longest_half = fast_max(self.longest_half, half);
-            self.stretch = fast_max(self.stretch, half / self.expected(reach));
+            let longest = &mut self.longest_halves[self.class(reach)];
+            *longest = fast_max(*longest, half);
             let middle = (vertex.at + next.at) * 0.5;
             let cell = self.cell(middle);
             self.starts[cell as usize] += 1;
             placed.push((cell, Entry { middle, half, reach, segment }));
+        }
+        for class in 1..CLASSES {
+            self.longest_halves[class] = fast_max(self.longest_halves[class], self.longest_halves[class - 1]);
         }
         let mut end = 0;
         for start in &mut self.starts {
@@ -199,24 +219,15 @@ impl ClearanceGrid {
         (self.place(at.y, self.rows) * self.columns + self.place(at.x, self.columns)) as u32
     }
 
-    /// Returns half the greatest width that a circle around a height has within a row of cells, or a little more. The outer rows
-    /// also hold what lies beyond them.
-    fn half_chord(&self, y: f32, radius: f32, row: usize) -> f32 {
-        let (top, bottom) = (row as f32 * self.side, (row + 1) as f32 * self.side);
-        let is_outer = row == 0 || row + 1 == self.rows;
-        let off = if is_outer { 0.0 } else { fast_max(fast_max(top - y, y - bottom) - ROUNDING, 0.0) };
-        fast_max(radius * radius - off * off, 0.0).sqrt() + ROUNDING
-    }
-
     fn place(&self, x: f32, end: usize) -> usize {
         ((x / self.side) as usize).min(end - 1)
     }
 
-    /// Iterates over the ranges of the entries in the cells within a radius of a point, row by row.
+    /// Iterates over the ranges of the entries in the cells within a radius of a point, row by row: all of a square, since a cell
+    /// holds so few segments that to leave out those in its corners takes longer.
     fn runs(&self, at: Vec2, radius: f32) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        let (left, right) = (self.place(at.x - radius, self.columns), self.place(at.x + radius, self.columns));
         (self.place(at.y - radius, self.rows)..=self.place(at.y + radius, self.rows)).map(move |row| {
-            let half = self.half_chord(at.y, radius, row);
-            let (left, right) = (self.place(at.x - half, self.columns), self.place(at.x + half, self.columns));
             let row = row * self.columns;
             let run = self.starts[row + left] as usize..self.starts[row + right + 1] as usize;
             work::count(1 + run.len());

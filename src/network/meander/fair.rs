@@ -14,6 +14,7 @@ use super::super::smooth::LEAST_CLEARANCE;
 use super::super::{NONE, Network, River, Vertex};
 use super::{CAP, Survey, keeps_off_frame, river_of};
 use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
+use crate::base::sort::argsort;
 use crate::base::work;
 use crate::land::Land;
 
@@ -30,6 +31,9 @@ const FULLY: f32 = 0.5;
 const LEAST_WORK: u64 = 2_000_000;
 const WORK: u64 = 60;
 
+/// The least distance between segments, in units, so that lines stay apart.
+const NEAREST: f32 = 2.0 * LEAST_CLEARANCE;
+
 /// The least move that is a reason for another pass, in widths.
 const STILL: f32 = 0.01;
 
@@ -45,8 +49,9 @@ pub(super) struct Fairing<'a> {
     /// The positions of the vertices before they are eased, and the greatest distance that any had moved by then.
     places: Vec<Vec2>,
     drift: f32,
-    /// The greatest width of any river, in units.
+    /// The greatest width of any river, in units; and for each river, that of all which neither join it nor are joined by it.
     widest: f32,
+    widest_apart: Vec<f32>,
 }
 
 impl<'a> Fairing<'a> {
@@ -58,9 +63,10 @@ impl<'a> Fairing<'a> {
         survey: &'a mut Survey,
     ) -> Self {
         let places = network.vertices.iter().map(|vertex| vertex.at).collect();
-        let widest = network.vertices.iter().map(Vertex::width).fold(0.0, fast_max);
-        let drift = survey.drift;
-        Self { network, guard, land, settings, survey, places, drift, widest }
+        let widest = widths(network);
+        let widest_apart = widest_apart(network, &widest);
+        let (widest, drift) = (widest.into_iter().fold(0.0, fast_max), survey.drift);
+        Self { network, guard, land, settings, survey, places, drift, widest, widest_apart }
     }
 
     /// Eases bends in at most `passes` passes, fewer if they take long.
@@ -182,37 +188,54 @@ impl<'a> Fairing<'a> {
         let vertices = &self.network.vertices;
         let (i, to) = (moved.i, moved.to);
         let (from, old) = (vertices[end as usize].at, vertices[i as usize].at);
-        let reach = self.sight(segment);
-        let radius = distance(from, to) * 0.5 + reach + self.survey.drift;
-        self.guard.segments((from + to) * 0.5, radius).all(|other| {
+        let around = distance(from, to) * 0.5 + self.survey.drift;
+        let radius = |other: u32| around + self.sight(segment, other, plan);
+        let largest = around + self.longest_sight(segment, plan);
+        self.guard.all_near((from + to) * 0.5, largest, radius, |other| {
             let below = self.survey.downstream[other as usize];
             if [i, end].contains(&other) || [i, end].contains(&below) || moved.arms.iter().any(|arm| arm.holds(other)) {
                 return true;
             }
             let beside = (vertices[other as usize].at, vertices[below as usize].at);
             let far = gap((from, to), beside);
-            if far >= reach {
+            if far >= self.sight(segment, other, plan) {
                 return true;
             }
             moved.gaps.push((segment, other, far));
-            let is_apart = far >= 2.0 * LEAST_CLEARANCE && !meet((from, to), beside);
+            let is_apart = far >= NEAREST && !meet((from, to), beside);
             is_apart && self.keeps_its_distance(segment, other, far, ((from, old), beside), plan)
         })
     }
 
     /// Returns `true` if two segments are far enough apart for the banks of two rivers, or at least no nearer than before.
     fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment), plan: &Plan) -> bool {
-        let [own, other] = [a, b].map(|segment| plan.river_of[segment as usize]);
-        let parent = |river: u32| self.network.rivers[river as usize].parent;
-        let are_joined = own == other || parent(own) == other || parent(other) == own;
-        are_joined || far >= self.apart(a, b) || far >= gap(before.0, before.1)
+        self.are_joined(a, b, plan) || far >= self.apart(a, b) || far >= gap(before.0, before.1)
     }
 
-    /// Returns the distance within which others matter to a segment, by its banks and by the cap of its clearance, in
-    /// units.
-    fn sight(&self, segment: u32) -> f32 {
+    /// Returns `true` if two segments belong to one river, or to two of which one joins the other.
+    fn are_joined(&self, a: u32, b: u32, plan: &Plan) -> bool {
+        let [a, b] = [a, b].map(|segment| plan.river_of[segment as usize]);
+        are_joined(&self.network.rivers, a, b)
+    }
+
+    /// Returns the distance within which one segment matters to another, by the caps of their clearances and by the banks of two
+    /// rivers, in units.
+    fn sight(&self, a: u32, b: u32, plan: &Plan) -> f32 {
+        let [own, other] = [a, b].map(|segment| self.network.vertices[segment as usize].width());
+        let cap = self.cap(fast_max(own, other));
+        if self.are_joined(a, b, plan) { cap } else { fast_max(cap, self.apart(a, b)) }
+    }
+
+    /// Returns the greatest distance within which any segment matters to a given one, in units.
+    fn longest_sight(&self, segment: u32, plan: &Plan) -> f32 {
         let width = self.network.vertices[segment as usize].width();
-        fast_max((width + self.widest) * 0.5 + self.settings.min_clearance, CAP * self.settings.step(width))
+        let apart = self.widest_apart[plan.river_of[segment as usize] as usize];
+        fast_max(self.cap(self.widest), (width + apart) * 0.5 + self.settings.min_clearance)
+    }
+
+    /// Returns the distance up to which clearances are known of segments that are at most so wide, in units.
+    fn cap(&self, width: f32) -> f32 {
+        fast_max(CAP * self.settings.step(width), NEAREST)
     }
 
     /// Returns the distance between two segments at which the banks of their rivers keep theirs, in units.
@@ -220,6 +243,24 @@ impl<'a> Fairing<'a> {
         let [a, b] = [a, b].map(|i| self.network.vertices[i as usize].width());
         (a + b) * 0.5 + self.settings.min_clearance
     }
+}
+
+/// Returns the greatest width of each river, in units.
+fn widths(network: &Network) -> Vec<f32> {
+    let widest = |river: &River| network.vertices[river.vertex_range()].iter().map(Vertex::width).fold(0.0, fast_max);
+    network.rivers.iter().map(widest).collect()
+}
+
+/// Returns for each river the greatest width, in units, of all that neither join it nor are joined by it.
+fn widest_apart(network: &Network, widths: &[f32]) -> Vec<f32> {
+    let by_width = argsort(widths.iter().map(|width| u32::MAX - width.to_bits()));
+    let apart = |river: u32| by_width.iter().find(|&&other| !are_joined(&network.rivers, river, other as u32));
+    (0..network.rivers.len() as u32).map(|river| apart(river).map_or(0.0, |&other| widths[other])).collect()
+}
+
+/// Returns `true` if two rivers are one, or one joins the other.
+fn are_joined(rivers: &[River], a: u32, b: u32) -> bool {
+    a == b || rivers[a as usize].parent == b || rivers[b as usize].parent == a
 }
 
 /// A vertex on its way to another place.
