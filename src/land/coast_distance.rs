@@ -303,12 +303,11 @@ impl CoastDistance {
         &self.heights
     }
 
-    /// Interpolates heights at a share of the way from a row of corners to the next one, from the first column on.
-    pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
-        let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
-        for ((height, upper), lower) in heights.iter_mut().zip(corners(row)).zip(corners(row + 1)) {
-            *height = upper * (1.0 - share) + lower * share;
-        }
+    /// Interpolates the heights at both ends of an interval, at a share of the way from a row of corners to the next one.
+    #[inline]
+    pub(super) fn ends(&self, row: usize, interval: usize, share: f32) -> [f32; 2] {
+        let corner = |row: usize, column: usize| self.heights[row.min(self.rows - 1) * self.columns + column];
+        [interval, interval + 1].map(|column| corner(row, column) * (1.0 - share) + corner(row + 1, column) * share)
     }
 
     /// Lists, of the first intervals between a row of corners and the next one, the very first, those that a coast may

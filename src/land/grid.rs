@@ -29,20 +29,7 @@ pub(super) struct Grid {
 impl Grid {
     /// Makes a grid whose cells are land where their middles lie above water.
     pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
-        let (columns, rows) = extent(domain.size);
-        // The number of cells in an interval of the lattice.
-        let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
-        let mut heights = vec![0.0; columns.div_ceil(cells) + 1];
-        let (mut runs, mut coasts) = (Vec::new(), Vec::new());
-        for row in 0..rows {
-            if row.is_multiple_of(cells) {
-                coasts = coast_distance.coasts_between(row / cells, heights.len() - 1);
-            }
-            let y = ((row % cells) as f32 + 0.5) / cells as f32;
-            coast_distance.corners_between(row / cells, y, &mut heights);
-            land_of_row(row as u32, (columns, cells), (&coasts, &heights), &mut runs);
-        }
-        Self::of_runs(domain, runs)
+        Self::of_runs(domain, runs_above_water(domain, coast_distance))
     }
 
     /// Makes a grid from a list of cells, row by row; `true` is land. Rows may have more columns than are needed.
@@ -62,7 +49,8 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {
+    /// Makes a grid whose land is in these runs, row by row.
+    pub fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {
         let (columns, rows) = extent(domain.size);
         let mut cells = vec![Cell::Water; columns * rows];
         for Run { row, start, end, .. } in &runs {
@@ -179,10 +167,33 @@ fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
     cells.iter().fold(false, |any, &cell| any | (cell == Cell::Water))
 }
 
-/// Adds the stretches of a row's cells that lie above water. The height is linear from one lattice corner to the next,
-/// so most cells need not be looked at one by one. The pairs hold the number of columns and of cells in an interval, and
-/// the intervals to look at with the heights at the ends of all.
-fn land_of_row(row: u32, (columns, cells): (usize, usize), (coasts, heights): (&[u32], &[f32]), runs: &mut Vec<Run>) {
+/// Lists the stretches of cells whose middles lie above water, row by row. The height is linear from one lattice corner to the
+/// next, so most cells need not be looked at one by one.
+pub(super) fn runs_above_water(domain: &Domain, coast_distance: &CoastDistance) -> Vec<Run> {
+    let (columns, rows) = extent(domain.size);
+    // The number of cells in an interval of the lattice.
+    let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
+    let (mut runs, mut coasts) = (Vec::new(), Vec::new());
+    for row in 0..rows {
+        let (upper, y) = (row / cells, ((row % cells) as f32 + 0.5) / cells as f32);
+        if row.is_multiple_of(cells) {
+            coasts = coast_distance.coasts_between(upper, columns.div_ceil(cells));
+        }
+        let ends = |interval: usize| coast_distance.ends(upper, interval, y);
+        land_of_row(row as u32, (columns, cells), &coasts, ends, &mut runs);
+    }
+    runs
+}
+
+/// Adds the stretches of a row's cells that lie above water. The pair holds the number of columns and of cells in an interval; of
+/// the intervals to look at, `ends` returns the heights at both ends.
+fn land_of_row(
+    row: u32,
+    (columns, cells): (usize, usize),
+    coasts: &[u32],
+    ends: impl Fn(usize) -> [f32; 2],
+    runs: &mut Vec<Run>,
+) {
     let mut start = None;
     let mut turn = |column: usize, is_land: bool| match start {
         None if is_land => start = Some(column as u32),
@@ -193,7 +204,7 @@ fn land_of_row(row: u32, (columns, cells): (usize, usize), (coasts, heights): (&
         _ => {}
     };
     for interval in coasts.iter().map(|&interval| interval as usize) {
-        let (first, [left, right]) = (interval * cells, [heights[interval], heights[interval + 1]]);
+        let (first, [left, right]) = (interval * cells, ends(interval));
         if (left > 0.0) == (right > 0.0) {
             turn(first, left > 0.0);
             continue;

@@ -50,8 +50,7 @@ pub struct Region {
 impl Region {
     /// Returns `true` if a cell belongs to the region.
     pub fn contains(&self, column: u32, row: u32) -> bool {
-        let next = self.runs.partition_point(|run| (run.row, run.start) <= (row, column));
-        next.checked_sub(1).is_some_and(|run| self.runs[run].row == row && column < self.runs[run].end)
+        is_in(&self.runs, column, row)
     }
 
     /// Returns `true` if a point lies in one of its cells.
@@ -69,6 +68,12 @@ impl Region {
     pub(crate) fn corners(&self) -> Option<[Vec2; 2]> {
         around(self.runs.iter().map(Run::corners))
     }
+}
+
+/// Returns `true` if a cell lies in one of some runs, which come row by row.
+pub(super) fn is_in(runs: &[Run], column: u32, row: u32) -> bool {
+    let next = runs.partition_point(|run| (run.row, run.start) <= (row, column));
+    next.checked_sub(1).is_some_and(|run| runs[run].row == row && column < runs[run].end)
 }
 
 /// Returns the box around some boxes, each of which is given by its least and its greatest corner; `None` if there are none.

@@ -2,9 +2,9 @@
 
 use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
-use super::grid::Grid;
+use super::grid::{Grid, runs_above_water};
 use super::queries::Land;
-use super::regions::{Region, regions_of};
+use super::regions::{Region, Run, is_in, regions_of};
 use crate::domain::Domain;
 
 /// The least depth of water at the corners of the lattice, in units, so that every channel is some cells wide.
@@ -24,7 +24,8 @@ impl<'a> RisenSea<'a> {
     /// Raises the sea to a level, in units, of heights at the corners. Specks of land sink.
     pub fn new(low: &'a Land, heights: &[f32], level: f32) -> Self {
         let mut this = Self { low, over: heights.iter().map(|height| height - level).collect(), share: 0.0 };
-        this.share = 1.0 - this.sink_specks(&|lattice| lattice).1.share_of_land();
+        let land: u32 = this.sink_specks(&|lattice| lattice).1.iter().map(|run| run.end - run.start).sum();
+        this.share = 1.0 - land as f32 / Grid::cells_on(&this.domain()) as f32;
         this
     }
 
@@ -37,30 +38,39 @@ impl<'a> RisenSea<'a> {
     pub fn into_land(mut self) -> Land {
         // The exact coast may leave another speck.
         let low = self.low;
-        let (coast, grid) = self.sink_specks(&|lattice| low.with_ragged_coasts(lattice.settled()));
-        Land::on(grid, coast, self.low.ridges().to_vec())
+        let (coast, runs) = self.sink_specks(&|lattice| low.with_ragged_coasts(lattice.settled()));
+        self.land(coast, runs)
     }
 
     /// Makes the land that the sea has left, but for specks and notches, in half the time: for a picture that is soon gone. The
     /// land of a higher level lies within it.
     pub fn into_passing_land(self) -> Land {
-        let (coast, grid) = self.coast(CoastDistance::settled);
-        Land::on(grid, coast, self.low.ridges().to_vec())
+        let (coast, runs) = self.coast(CoastDistance::settled);
+        self.land(coast, runs)
     }
 
-    /// Sinks specks of land until there are none, as far as `settle` tells where the coast runs. Returns what is left.
-    fn sink_specks(&mut self, settle: &dyn Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+    fn land(&self, coast: CoastDistance, runs: Vec<Run>) -> Land {
+        Land::on(Grid::of_runs(&self.domain(), runs), coast, self.low.ridges().to_vec())
+    }
+
+    fn domain(&self) -> Domain {
+        Domain { size: self.low.size() }
+    }
+
+    /// Sinks specks of land until there are none, as far as `settle` tells where the coast runs. Returns what is left: the coast, and
+    /// the cells of land.
+    fn sink_specks(&mut self, settle: &dyn Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Vec<Run>) {
         /// The least area of an island, in cells.
         const SPECK: u32 = 40;
         /// The number of times that specks are looked for: each time there are fewer corners of land.
         const ROUNDS: usize = 8;
         let mut round = 1;
         loop {
-            let (coast, grid) = self.coast(settle);
-            let specks: Vec<Region> = regions_of(&grid.runs).into_iter().filter(|part| part.cells < SPECK).collect();
-            let bare = corners_without_cells(&coast, &grid);
+            let (coast, runs) = self.coast(settle);
+            let specks: Vec<Region> = regions_of(&runs).into_iter().filter(|part| part.cells < SPECK).collect();
+            let bare = corners_without_cells(&coast, &runs);
             if (specks.is_empty() && bare.is_empty()) || round == ROUNDS {
-                return (coast, grid);
+                return (coast, runs);
             }
             sink(&specks, &coast, &mut self.over);
             bare.into_iter().for_each(|corner| self.over[corner] = self.over[corner].min(-SHALLOWEST));
@@ -68,10 +78,10 @@ impl<'a> RisenSea<'a> {
         }
     }
 
-    fn coast(&self, settle: impl Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Grid) {
+    fn coast(&self, settle: impl Fn(CoastDistance) -> CoastDistance) -> (CoastDistance, Vec<Run>) {
         let coast = settle(self.low.coast_distance().with_heights_of(&self.over)).deepened(SHALLOWEST);
-        let grid = Grid::above_water(&Domain { size: self.low.size() }, &coast);
-        (coast, grid)
+        let runs = runs_above_water(&self.domain(), &coast);
+        (coast, runs)
     }
 }
 
@@ -89,13 +99,13 @@ fn sink(regions: &[Region], coast: &CoastDistance, over: &mut [f32]) {
 }
 
 /// Lists the corners of parts of the land without a single cell. There would still be a coast around them, and water lines.
-fn corners_without_cells(coast: &CoastDistance, grid: &Grid) -> Vec<usize> {
+fn corners_without_cells(coast: &CoastDistance, land: &[Run]) -> Vec<usize> {
     let (columns, _) = coast.size();
     let apart = (coast.spacing() / CELL_SIZE) as i32;
     let has_cell = |corner: usize| {
         let (column, row) = ((corner % columns) as i32 * apart, (corner / columns) as i32 * apart);
         let touching = [(column, row), (column - 1, row), (column, row - 1), (column - 1, row - 1)];
-        touching.into_iter().any(|(column, row)| grid.cell(column, row) == Cell::Land)
+        touching.into_iter().any(|(column, row)| is_in(land, column as u32, row as u32))
     };
     let mut parts = coast.regions(Cell::Land);
     parts.retain(|part| !coast.corners_of(part).any(has_cell));
@@ -133,8 +143,8 @@ mod tests {
                 let mut session = Session::new(link::read(&text).unwrap()).unwrap();
                 session.finish().unwrap();
                 let coast = session.land().unwrap().coast_distance();
-                let grid = Grid::above_water(&session.domain(), coast);
-                assert_eq!(corners_without_cells(coast, &grid), Vec::<usize>::new(), "{text}");
+                let land = runs_above_water(&session.domain(), coast);
+                assert_eq!(corners_without_cells(coast, &land), Vec::<usize>::new(), "{text}");
             }
         }
     }
