@@ -160,21 +160,25 @@ impl ClearanceGrid {
         })
     }
 
-    /// Returns `true` if a condition holds for all segments of the last measurement whose bounding circles overlap a circle
-    /// around a point, with a radius that depends on the segment and is at most `largest`, in units.
+    /// Returns `true` if a condition holds for all segments of the last measurement whose bounding circles come nearer to a circle
+    /// than its reach, which depends on the segment and is at most `longest`; the condition is asked with that reach. All lengths
+    /// are in units.
     pub fn all_near(
         &self,
-        at: Vec2,
-        largest: f32,
-        radius: impl Fn(u32) -> f32,
-        mut holds: impl FnMut(u32) -> bool,
+        (at, radius): (Vec2, f32),
+        longest: f32,
+        reach: impl Fn(u32) -> f32,
+        mut holds: impl FnMut(u32, f32) -> bool,
     ) -> bool {
-        for row in self.runs(at, largest + self.longest_half()) {
+        for row in self.runs(at, radius + longest + self.longest_half()) {
             for entry in &self.entries[row] {
-                let off = entry.middle.distance_squared(at);
-                let overlaps = |radius: f32| off < (radius + entry.half) * (radius + entry.half);
-                // Most lie beyond the largest circle.
-                if overlaps(largest) && overlaps(radius(entry.segment)) && !holds(entry.segment) {
+                let (off, own) = (entry.middle.distance_squared(at), radius + entry.half);
+                // Most lie beyond the longest reach.
+                if off >= (own + longest) * (own + longest) {
+                    continue;
+                }
+                let reach = reach(entry.segment);
+                if off < (own + reach) * (own + reach) && !holds(entry.segment, reach) {
                     return false;
                 }
             }
@@ -182,8 +186,8 @@ impl ClearanceGrid {
         true
     }
 
-    /// Sorts the segments into their cells.
-    fn enter(&mut self, network: &Network, downstream: &[u32], reach: &[f32]) {
+    /// Sorts the segments into their cells, each with its search radius.
+    pub fn enter(&mut self, network: &Network, downstream: &[u32], reach: &[f32]) {
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
         self.longest_halves = [0.0; CLASSES];

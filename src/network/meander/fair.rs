@@ -40,13 +40,14 @@ const STILL: f32 = 0.01;
 /// A network whose bends are being eased, after a survey.
 pub(super) struct Fairing<'a> {
     network: &'a mut Network,
-    /// The grid of the survey.
-    guard: &'a ClearanceGrid,
+    /// The grid of the survey, or one entered since.
+    guard: &'a mut ClearanceGrid,
     land: Option<&'a Land>,
     settings: &'a NetworkSettings,
     /// The survey, which is kept up to date.
     survey: &'a mut Survey,
-    /// The positions of the vertices before they are eased, and the greatest distance that any had moved by then.
+    /// The positions of the vertices when easing began or the grid was entered again, and the greatest distance that any had moved
+    /// by then.
     places: Vec<Vec2>,
     drift: f32,
     /// The greatest width of any river, in units; and for each river, that of all which neither join it nor are joined by it.
@@ -57,14 +58,14 @@ pub(super) struct Fairing<'a> {
 impl<'a> Fairing<'a> {
     pub fn new(
         network: &'a mut Network,
-        guard: &'a ClearanceGrid,
+        guard: &'a mut ClearanceGrid,
         land: Option<&'a Land>,
         settings: &'a NetworkSettings,
         survey: &'a mut Survey,
     ) -> Self {
         let places = network.vertices.iter().map(|vertex| vertex.at).collect();
         let widest = widths(network);
-        let widest_apart = widest_apart(network, &widest);
+        let widest_apart = widest_apart(&parents(network), &widest);
         let (widest, drift) = (widest.into_iter().fold(0.0, fast_max), survey.drift);
         Self { network, guard, land, settings, survey, places, drift, widest, widest_apart }
     }
@@ -76,10 +77,20 @@ impl<'a> Fairing<'a> {
         self.straighten_ends(&plan);
         let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
         for _ in 0..passes {
+            self.enter_again();
             restless.retain(|&river| work::steps() <= end && self.ease_river(river, &plan));
             if restless.is_empty() {
                 break;
             }
+        }
+    }
+
+    /// Enters the segments in the grid where they are now, if they may have moved so far that it has to be searched much wider.
+    fn enter_again(&mut self) {
+        if self.survey.drift > self.settings.spacing {
+            self.guard.enter(self.network, &self.survey.downstream, &vec![0.0; self.network.vertices.len()]);
+            self.places = self.network.vertices.iter().map(|vertex| vertex.at).collect();
+            (self.drift, self.survey.drift) = (0.0, 0.0);
         }
     }
 
@@ -188,17 +199,16 @@ impl<'a> Fairing<'a> {
         let vertices = &self.network.vertices;
         let (i, to) = (moved.i, moved.to);
         let (from, old) = (vertices[end as usize].at, vertices[i as usize].at);
-        let around = distance(from, to) * 0.5 + self.survey.drift;
-        let radius = |other: u32| around + self.sight(segment, other, plan);
-        let largest = around + self.longest_sight(segment, plan);
-        self.guard.all_near((from + to) * 0.5, largest, radius, |other| {
+        let around = ((from + to) * 0.5, distance(from, to) * 0.5 + self.survey.drift);
+        let sight = |other: u32| self.sight(segment, other, plan);
+        self.guard.all_near(around, self.longest_sight(segment, plan), sight, |other, sight| {
             let below = self.survey.downstream[other as usize];
             if [i, end].contains(&other) || [i, end].contains(&below) || moved.arms.iter().any(|arm| arm.holds(other)) {
                 return true;
             }
             let beside = (vertices[other as usize].at, vertices[below as usize].at);
             let far = gap((from, to), beside);
-            if far >= self.sight(segment, other, plan) {
+            if far >= sight {
                 return true;
             }
             moved.gaps.push((segment, other, far));
@@ -209,21 +219,16 @@ impl<'a> Fairing<'a> {
 
     /// Returns `true` if two segments are far enough apart for the banks of two rivers, or at least no nearer than before.
     fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment), plan: &Plan) -> bool {
-        self.are_joined(a, b, plan) || far >= self.apart(a, b) || far >= gap(before.0, before.1)
-    }
-
-    /// Returns `true` if two segments belong to one river, or to two of which one joins the other.
-    fn are_joined(&self, a: u32, b: u32, plan: &Plan) -> bool {
-        let [a, b] = [a, b].map(|segment| plan.river_of[segment as usize]);
-        are_joined(&self.network.rivers, a, b)
+        plan.are_joined(a, b) || far >= self.apart(a, b) || far >= gap(before.0, before.1)
     }
 
     /// Returns the distance within which one segment matters to another, by the caps of their clearances and by the banks of two
     /// rivers, in units.
+    #[inline]
     fn sight(&self, a: u32, b: u32, plan: &Plan) -> f32 {
         let [own, other] = [a, b].map(|segment| self.network.vertices[segment as usize].width());
         let cap = self.cap(fast_max(own, other));
-        if self.are_joined(a, b, plan) { cap } else { fast_max(cap, self.apart(a, b)) }
+        if plan.are_joined(a, b) { cap } else { fast_max(cap, self.apart(a, b)) }
     }
 
     /// Returns the greatest distance within which any segment matters to a given one, in units.
@@ -252,15 +257,21 @@ fn widths(network: &Network) -> Vec<f32> {
 }
 
 /// Returns for each river the greatest width, in units, of all that neither join it nor are joined by it.
-fn widest_apart(network: &Network, widths: &[f32]) -> Vec<f32> {
+fn widest_apart(parents: &[u32], widths: &[f32]) -> Vec<f32> {
     let by_width = argsort(widths.iter().map(|width| u32::MAX - width.to_bits()));
-    let apart = |river: u32| by_width.iter().find(|&&other| !are_joined(&network.rivers, river, other as u32));
-    (0..network.rivers.len() as u32).map(|river| apart(river).map_or(0.0, |&other| widths[other])).collect()
+    let apart = |river: u32| by_width.iter().find(|&&other| !are_joined(parents, river, other as u32));
+    (0..parents.len() as u32).map(|river| apart(river).map_or(0.0, |&other| widths[other])).collect()
+}
+
+/// Returns the river that each river joins, if any.
+fn parents(network: &Network) -> Vec<u32> {
+    network.rivers.iter().map(|river| river.parent).collect()
 }
 
 /// Returns `true` if two rivers are one, or one joins the other.
-fn are_joined(rivers: &[River], a: u32, b: u32) -> bool {
-    a == b || rivers[a as usize].parent == b || rivers[b as usize].parent == a
+#[inline]
+fn are_joined(parents: &[u32], a: u32, b: u32) -> bool {
+    a == b || parents[a as usize] == b || parents[b as usize] == a
 }
 
 /// A vertex on its way to another place.
@@ -353,6 +364,8 @@ impl Side {
 /// The river of each vertex, and the tributaries that end in it.
 struct Plan {
     river_of: Vec<u32>,
+    /// The river that each river joins, if any.
+    parents: Vec<u32>,
     is_junction: Vec<bool>,
     /// For each vertex, the last vertex of a tributary that ends there; and for each last vertex, that of the next such tributary.
     arms: Vec<u32>,
@@ -362,14 +375,25 @@ struct Plan {
 impl Plan {
     fn of(network: &Network) -> Self {
         let none = vec![NONE; network.vertices.len()];
-        let mut plan =
-            Self { river_of: river_of(network), is_junction: network.junctions(), arms: none.clone(), next: none };
+        let mut plan = Self {
+            river_of: river_of(network),
+            parents: parents(network),
+            is_junction: network.junctions(),
+            arms: none.clone(),
+            next: none,
+        };
         // In reverse, so that the first tributary comes first in its list.
         for river in network.rivers.iter().rev().filter(|river| river.junction != NONE && river.end > river.start) {
             let last = river.end - 1;
             plan.next[last as usize] = std::mem::replace(&mut plan.arms[river.junction as usize], last);
         }
         plan
+    }
+
+    /// Returns `true` if two segments belong to one river, or to two of which one joins the other.
+    #[inline]
+    fn are_joined(&self, a: u32, b: u32) -> bool {
+        are_joined(&self.parents, self.river_of[a as usize], self.river_of[b as usize])
     }
 
     /// Iterates over the last vertices of the rivers that join at a vertex.
@@ -394,7 +418,7 @@ mod tests {
         let reach = vec![WIDTH; downstream.len()];
         let clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
         let mut survey = Survey { downstream, step_scale: Vec::new(), clearance, drift: 0.0 };
-        Fairing::new(&mut network, &guard, None, &settings, &mut survey).ease(passes);
+        Fairing::new(&mut network, &mut guard, None, &settings, &mut survey).ease(passes);
         network
     }
 

@@ -377,7 +377,7 @@ impl Meander {
         let is_end = self.round <= ROUNDS_A_SURVEY || self.round == self.settings.rounds;
         let network = Arc::make_mut(&mut self.network);
         let passes = if is_end { MOST_PASSES } else { PASSES };
-        fair::Fairing::new(network, &self.guard, self.land.as_deref(), &self.settings, survey).ease(passes);
+        fair::Fairing::new(network, &mut self.guard, self.land.as_deref(), &self.settings, survey).ease(passes);
     }
 
     /// Moves bends. Returns the distance that each vertex has moved, in units.
