@@ -65,7 +65,7 @@ struct Survey<'a> {
 impl ClearanceGrid {
     /// Makes an empty grid for segments about as long as a spacing, or longer where rivers are wide.
     pub fn new(domain: &Domain, spacing: f32) -> Self {
-        let side = spacing * 2.0;
+        let side = spacing * 4.0;
         let cells = (domain.size / side).floor() + 1.0;
         Self { spacing, side, columns: cells.x as usize, rows: cells.y as usize, ..Self::default() }
     }
