@@ -22,11 +22,13 @@ export class Renderer<R extends River, Question, Answer> {
   readonly #scheduler: SharedScheduler;
   #unanswered = 0;
 
+  /** `workMs` is the time of a frame for work that somebody waits for, if not the usual. */
   constructor(
     private readonly means: Means<R, Question, Answer>,
     private readonly tell: (report: Report<Answer>) => void,
+    workMs?: number,
   ) {
-    this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);
+    this.#scheduler = new SharedScheduler(displayFrames, means.shareMs ?? workMs, workMs);
   }
 
   /** True while a report is due without another command. */

@@ -6,6 +6,9 @@ import type { River } from "../engine/types.ts";
 import type { Command, InitReply, Ping, Pong, Report } from "./protocol.ts";
 import type { Renderer } from "./renderer.ts";
 
+/** The time for work in a frame of a worker, in ms: nearly all of one, since no page waits here. */
+export const WORK_MS = 15;
+
 /** The messages that a renderer sends to the page. */
 export interface Line<Answer> {
   tell(report: Report<Answer>): void;

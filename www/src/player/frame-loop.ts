@@ -34,6 +34,11 @@ export const LONG_STEPS_MS = 20;
 /** The time between two pictures of a river that somebody waits for: each picture delays the end. */
 export const SETTLE_QUIET_MS = 250;
 /**
+ * The time from which on a new map is shown once it has coasts and rivers, before these bend: then the exact map is still long
+ * in coming, and differs little.
+ */
+export const FIRST_QUIET_MS = 60;
+/**
  * The longest time that one frame animates: after a pause in frames (a hidden tab, a busy machine) it does not catch
  * up.
  */
@@ -56,6 +61,11 @@ export interface Frames {
   request(callback: (now: number) => void, isUnseen?: boolean): number;
   cancel(handle: number): void;
   now(): number;
+  /**
+   * The time in a frame for steps, and for painting, of a river that somebody waits for, if not `SETTLE_BUDGET_MS` and
+   * `PAINT_BUDGET_MS`: longer in a thread that has nothing else to do.
+   */
+  readonly waitMs?: number | undefined;
 }
 
 /**
@@ -286,6 +296,10 @@ export class FrameLoop {
     return this.#runs && this.#audience !== "away";
   }
 
+  get #settleMs(): number {
+    return this.frames.waitMs ?? SETTLE_BUDGET_MS;
+  }
+
   get #isPassed(): boolean {
     return this.#audience === "past";
   }
@@ -344,7 +358,7 @@ export class FrameLoop {
   #proceed(now: number, phase: Phase): void {
     const course = this.#course;
     if (course.is === "settling" || (course.is === "growing" && this.#isPassed)) {
-      this.#advance(phase, 1, SETTLE_BUDGET_MS);
+      this.#advance(phase, 1, this.#settleMs);
     } else if (course.is === "growing") {
       const elapsed = course.last === undefined ? 0 : Math.min(now - course.last, LONGEST_STEP_MS);
       course.last = now;
@@ -355,7 +369,7 @@ export class FrameLoop {
 
   /** Makes steps to a share of the progress, within the budget, and pauses there. */
   #seek(share: number): void {
-    const end = this.frames.now() + SETTLE_BUDGET_MS;
+    const end = this.frames.now() + this.#settleMs;
     while (this.river.phase !== "finished" && progressOf(this.river) < share) {
       this.river.advance(1);
       if (this.frames.now() >= end) return;
@@ -366,7 +380,7 @@ export class FrameLoop {
   /** Makes a draft until something has been shown; then waits for the hand to rest. */
   #follow({ shown, since }: Following, phase: Phase): void {
     if (shown === "nothing") this.#makeDraft(phase);
-    else if (this.frames.now() - since >= REST_MS) this.#advance(phase, 1, SETTLE_BUDGET_MS);
+    else if (this.frames.now() - since >= REST_MS) this.#advance(phase, 1, this.#settleMs);
   }
 
   /** Returns whether a picture should be painted. A settling river is painted seldom, and one that nobody sees at its end. */
@@ -378,7 +392,9 @@ export class FrameLoop {
     const isFollowing = course.is === "following";
     if (isFollowing && (phase === "meandering" || phase === "relief")) return course.shown !== "rivers";
     const isGrown = before === "growing" && phase !== before;
-    return (isGrown && (isFollowing || course.showsTree)) || now - course.shownAt >= SETTLE_QUIET_MS;
+    const isFirst = !isFollowing && !course.hasShown && course.from === "growing" && phase === "meandering";
+    const quietMs = isFirst ? FIRST_QUIET_MS : SETTLE_QUIET_MS;
+    return (isGrown && (isFollowing || course.showsTree)) || now - course.shownAt >= quietMs;
   }
 
   #show(now: number): void {
@@ -392,7 +408,8 @@ export class FrameLoop {
 
   /** Paints within the budget. Returns whether there is more to do. */
   #paint(): boolean {
-    const end = this.frames.now() + PAINT_BUDGET_MS;
+    const isWatched = this.#course.is === "growing" && !this.#isPassed;
+    const end = this.frames.now() + (isWatched ? PAINT_BUDGET_MS : (this.frames.waitMs ?? PAINT_BUDGET_MS));
     const asDraft = this.#course.is === "following" && this.river.phase !== "finished";
     while (this.events.draw(asDraft)) {
       if (this.frames.now() >= end) return true;

@@ -33,6 +33,7 @@ export class SharedScheduler implements Frames {
   constructor(
     private readonly display: Frames,
     private readonly shareMs = SHARE_MS,
+    readonly waitMs?: number,
   ) {}
 
   now(): number {

@@ -47,8 +47,10 @@ class Stage implements Growing {
     readonly lastTick = 600,
     readonly meanders?: number,
     readonly rises = 0,
+    waitMs?: number,
   ) {
     const frames = {
+      waitMs,
       now: () => this.time,
       request: (callback: (now: number) => void) => {
         this.#callbacks.set(++this.#handles, callback);
@@ -501,13 +503,41 @@ test("a settling river that was grown shows its tree on the way, if it is asked 
 
 test("a settling river that is not asked to shows nothing but its end", () => {
   const stage = new Stage(20, 30);
-  stage.cost = 1;
+  stage.cost = 0.5;
   stage.loop.settle(false);
-  stage.frames(3);
+  stage.frames(2);
   expect(stage.loop.isBusy).toBe(true);
   stage.frames(10);
   expect(stage.drawn).toEqual([51]);
   expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
+});
+
+test("a new map is shown before it bends, if that is long in coming, and not again until some time has passed", () => {
+  const stage = new Stage(60, 100);
+  stage.cost = 1;
+  stage.loop.settle(false);
+  while (stage.drawn.length === 0) stage.frames(1);
+  expect([stage.phases, stage.drawn, stage.loop.state]).toEqual([["meandering"], [61], "settling"]);
+  stage.frames(Math.floor(SETTLE_QUIET_MS / 20));
+  expect(stage.drawn).toEqual([61, 161]);
+  const bent = new Stage(60, 100);
+  bent.cost = 0.1;
+  bent.loop.settle(false);
+  bent.frames(20);
+  expect(bent.phases, "the map is there soon").toEqual(["finished"]);
+});
+
+test("a thread of its own works longer for a river that somebody waits for, and as ever for an animated one", () => {
+  const stage = new Stage(10_000, 10, 0, 15);
+  stage.cost = 1;
+  stage.loop.settle(false);
+  stage.frames(1);
+  expect(stage.ticks).toBe(15);
+  const watched = new Stage(10_000, 10, 0, 15);
+  [watched.cost, watched.loop.speed] = [1, Number.POSITIVE_INFINITY];
+  watched.loop.watch();
+  watched.frames(2);
+  expect(watched.ticks).toBeLessThanOrEqual(2 * FRAME_BUDGET_MS);
 });
 
 test("a river that settles for long gives way once anything grown was shown", () => {
