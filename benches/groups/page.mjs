@@ -69,6 +69,10 @@ function* size() {
     ["the element's, with labels,", "www/pkg-label/riverseed_label_bg.wasm", atMost(361, 340)],
     ["the page's", "www/pkg-engine/riverseed_engine_bg.wasm", atMost(452, 440)],
   ]) {
+    if (!existsSync(file)) {
+      yield remark(`${file} is not built: make wasm`);
+      continue;
+    }
     const bytes = readFileSync(file);
     yield row(`${whose} wasm, brotli`, brotliCompressSync(bytes).length / 1000, "kB", bar);
     yield guide(`${whose} wasm, bare`, bytes.length / 1000, "kB");
