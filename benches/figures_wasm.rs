@@ -5,6 +5,10 @@ mod workload;
 
 use wasm_bindgen::prelude::*;
 
+/// That of the wasm packages, `crates/wasm`.
+#[global_allocator]
+static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
+
 /// All tasks that have been prepared.
 #[wasm_bindgen]
 #[derive(Default)]

@@ -18,6 +18,7 @@ mod labels;
 #[path = "../tests/common/literal.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod literal;
+mod maps;
 mod nature;
 mod network;
 #[path = "../tests/common/pairs.rs"]
@@ -80,9 +81,12 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["nature", measure, which] => nature::figure(measure, which),
         ["late", key, one, other] => pictures::late(&format!("{key}={one}"), &format!("{key}={other}")),
         #[cfg(feature = "png")]
-        ["whole" | "file" | "png" | "balanced-png", ..] => files::repetition(&words),
+        ["whole" | "to-json" | "file" | "png" | "balanced-png", ..] => files::repetition(&words),
         ["relief"] => relief::relief(),
-        ["map", look] => pictures::pictured_at(link::read(look).ok()?, 1024, 640),
+        ["map", look] => maps::whole(look),
+        ["map-picture", look] => maps::picture(look),
+        ["count", what, look] => maps::count(what, look),
+        ["phases", look] => maps::phases(look),
         ["grid", cells, threads] => relief::grid(cells.parse().ok()?, threads.parse().ok()?),
         ["restyle", land, style] => relief::repaint(land, &relief::restyled(style), true),
         ["restyle-less-painting", land, style] => relief::repaint(land, &relief::restyled(style), false),

@@ -38,7 +38,8 @@ fn large(growth: &str, attractors: &str) -> Option<Recipe> {
 /// Prepares a task; `None` if there is no such task.
 pub fn repetition(task: &[&str]) -> Option<Repetition> {
     match *task {
-        ["whole", growth, attractors] => whole(growth, attractors),
+        ["whole", growth, attractors] => whole(large(growth, attractors)?, &["json", "geojson", "svg"]),
+        ["to-json", link] => whole(link::read(link).ok()?, &["json"]),
         ["file", form, attractors] => file(form, attractors),
         ["png", style] => png(style, false),
         ["balanced-png", style] => png(style, true),
@@ -46,13 +47,12 @@ pub fn repetition(task: &[&str]) -> Option<Repetition> {
     }
 }
 
-/// Makes a whole map with its relief and its three data files. Returns the number of vertices.
-fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
-    let recipe = large(growth, attractors)?;
+/// Makes a whole map, with the relief that its style shows, and some of its data files. Returns the number of vertices.
+fn whole(recipe: Recipe, forms: &'static [&str]) -> Option<Repetition> {
     let vertices = move || -> Option<u32> {
         let mut session = Session::new(recipe.clone()).ok()?;
         let map = session.finish().ok()?;
-        ["json", "geojson", "svg"].into_iter().try_for_each(|form| written(&map, form).map(drop))?;
+        forms.iter().try_for_each(|form| written(&map, form).map(drop))?;
         Some(map.network().vertices.len() as u32)
     };
     Some(Box::new(move || vertices().unwrap_or(0)))
