@@ -60,15 +60,26 @@ impl SmoothedDistance {
         const SHARPEN: f32 = -0.25;
         let least = if stride == 1 { SHARPEN } else { 0.0 };
         let per_far = 1.0 / (4.0 * self.spacing * stride as f32);
-        let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
-        for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
-            let before = self.heights.clone();
-            for line in 0..lines {
-                for place in 0..length {
-                    let (i, reach) = (line * aside + place * step, stride.min(place).min(length - 1 - place) * step);
-                    let (height, mean) = (before[i], (before[i - reach] + before[i + reach]) * 0.5);
-                    self.heights[i] += (mean - height) * (height.abs() * per_far + SHARPEN).clamp(least, 0.5);
-                }
+        let soft = |height: f32, one: f32, other: f32| {
+            let mean = (one + other) * 0.5;
+            height + (mean - height) * (height.abs() * per_far + SHARPEN).clamp(least, 0.5)
+        };
+        let (columns, rows) = (self.columns, self.rows);
+        // At the border the stride is as long as there is room for on both sides.
+        let reach = |place: usize, length: usize| stride.min(place).min(length - 1 - place);
+        let before = self.heights.clone();
+        for (heights, before) in self.heights.chunks_mut(columns).zip(before.chunks(columns)) {
+            for (column, height) in heights.iter_mut().enumerate() {
+                let reach = reach(column, columns);
+                *height = soft(before[column], before[column - reach], before[column + reach]);
+            }
+        }
+        let before = self.heights.clone();
+        for (row, heights) in self.heights.chunks_mut(columns).enumerate() {
+            let reach = reach(row, rows);
+            let [north, here, south] = [row - reach, row, row + reach].map(|row| &before[row * columns..][..columns]);
+            for (((height, here), north), south) in heights.iter_mut().zip(here).zip(north).zip(south) {
+                *height = soft(*here, *north, *south);
             }
         }
     }

@@ -71,15 +71,19 @@ impl ReliefDrafts {
 
     /// Computes the height of a cell from the new heights of the lower cells around it.
     fn height(&self, cell: usize, settings: &ReliefSettings, heights: &[f32]) -> f32 {
-        let columns = self.cells.columns;
         let way = self.cells.way_inland(cell);
         let (was, now) = (self.heights[cell], slope(settings, way));
         let over = |one: usize, other: usize| (was - self.heights[one].min(self.heights[other])).max(0.0);
-        let (across, down) = (over(cell - 1, cell + 1), over(cell - columns, cell + columns));
+        let [west, east, north, south] = self.cells.beside(cell);
+        let (across, down) = (over(west, east), over(north, south));
         let rise = (across * across + down * down).sqrt();
         let factor = now / slope(&self.settings, way);
         // A cell without lower neighbours rises from the sea.
-        if rise > 0.0 { solved(heights, columns, cell, rise * factor) } else { was * factor }
+        if rise > 0.0 {
+            solved([west, east, north, south].map(|beside| heights[beside]), rise * factor)
+        } else {
+            was * factor
+        }
     }
 }
 

@@ -5,12 +5,26 @@
 /// A queue of cells, the lowest step first.
 #[derive(Clone, Debug)]
 pub(super) struct Buckets {
-    lists: Vec<Vec<u32>>,
+    /// For each step, one more than the index in `entries` of the latest; 0 if there is none. Empty while the queue is, so that
+    /// tiles in which nothing waits take no memory.
+    latest: Vec<u32>,
+    /// The entries of all steps, and free ones, which are used again, the last freed first: it is still at hand.
+    entries: Vec<Entry>,
+    /// One more than the index of the entry that is used next; 0 if a new one is.
+    free: u32,
     /// The number of steps per unit of height, by the sea.
     steps_a_unit: f32,
-    /// The index of the first list that may hold a cell.
+    /// The lowest step that may have a cell.
     lowest: usize,
     len: usize,
+}
+
+/// A cell in the queue.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    cell: u32,
+    /// One more than the index of the entry before it in its step, or of the free entry to be used after it; 0 if there is none.
+    before: u32,
 }
 
 /// The greatest number of steps. The last one also takes all higher cells.
@@ -23,7 +37,7 @@ const HIGH: f32 = 3.0;
 impl Buckets {
     /// Makes an empty queue whose low steps have a given height, in units.
     pub fn new(step: f32) -> Self {
-        Self { lists: Vec::new(), steps_a_unit: 1.0 / step, lowest: 0, len: 0 }
+        Self { latest: Vec::new(), entries: Vec::new(), free: 0, steps_a_unit: 1.0 / step, lowest: 0, len: 0 }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -32,29 +46,57 @@ impl Buckets {
 
     #[inline]
     pub fn push(&mut self, height: f32, cell: u32) {
-        let step = self.step(height);
-        if step >= self.lists.len() {
-            self.lists.resize_with(step + 1, Vec::new);
+        if self.latest.is_empty() {
+            self.latest = vec![0; MOST];
         }
-        self.lists[step].push(cell);
+        let step = self.step(height);
+        let entry = Entry { cell, before: self.latest[step] };
+        self.latest[step] = self.stored(entry);
         self.lowest = self.lowest.min(step);
         self.len += 1;
+    }
+
+    /// Stores an entry. Returns one more than its index.
+    #[inline]
+    fn stored(&mut self, entry: Entry) -> u32 {
+        let place = self.free;
+        match self.entries.get_mut((place as usize).wrapping_sub(1)) {
+            Some(unused) => {
+                self.free = unused.before;
+                *unused = entry;
+                place
+            }
+            None => {
+                self.entries.push(entry);
+                self.entries.len() as u32
+            }
+        }
     }
 
     /// Removes a cell of the lowest step, and returns it with that step; `None` if the queue is empty.
     #[inline]
     pub fn pop(&mut self) -> Option<(usize, usize)> {
         if self.len == 0 {
-            self.lowest = 0;
+            self.clear();
             return None;
         }
         loop {
-            if let Some(cell) = self.lists[self.lowest].pop() {
+            let place = self.latest[self.lowest];
+            if place > 0 {
+                let entry = &mut self.entries[place as usize - 1];
+                self.latest[self.lowest] = std::mem::replace(&mut entry.before, self.free);
+                self.free = place;
                 self.len -= 1;
-                return Some((cell as usize, self.lowest));
+                return Some((entry.cell as usize, self.lowest));
             }
             self.lowest += 1;
         }
+    }
+
+    /// Frees the memory of an empty queue.
+    fn clear(&mut self) {
+        (self.latest, self.entries) = (Vec::new(), Vec::new());
+        (self.free, self.lowest) = (0, 0);
     }
 
     /// Returns the step that a height, in units, belongs to.

@@ -1,17 +1,19 @@
 //! The front that moves uphill from the coast and from rivers: the eikonal equation on cells (Sethian 1996), the lowest
 //! first, with one more condition: a river is nowhere higher than upstream. Both only ever lower a cell, so one run
-//! finds the highest surface that satisfies all of them, whatever the order.
+//! finds the highest surface that satisfies all of them, whatever the order. Only the last bits are another matter: rounding can
+//! make a cell lower by a bit while a neighbour is still higher, so the order of the queue is part of the result.
 //!
 //! The grid is divided into tiles. In each round every tile in which cells wait is solved by itself, with the heights
 //! around it from the round before; therefore the result does not depend on the number of threads.
 
 mod buckets;
 mod tile;
+mod upwind;
 
 use std::num::NonZero;
 
-pub(super) use tile::solved;
 use tile::{CLOSED, Tile};
+pub(super) use upwind::solved;
 
 use super::cells::Cells;
 use super::channels::Channels;
@@ -73,15 +75,15 @@ impl Front {
     pub fn add_coast(&mut self, cells: &Cells, threads: NonZero<usize>) {
         work::count(cells.inland.len() + 4 * self.cells);
         for_each(self.tiles.iter_mut(), threads, |tile| {
-            for local in 0..tile.rises.len() {
-                if tile.rises[local] == CLOSED {
+            for local in 0..tile.cells.len() {
+                if !tile.cells[local].is_open() {
                     continue;
                 }
                 let cell = (tile.top + local / tile.columns) * cells.columns + tile.left + local % tile.columns;
                 if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
                     // The coast runs between the middles of cells. `clamp` would bring a panic message with numbers, which weighs 8 kB.
                     let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
-                    tile.lower(local, tile.rises[local] * way / cells.size);
+                    tile.lower(local, tile.cells[local].rise * way / cells.size);
                 }
             }
         });
@@ -158,7 +160,7 @@ impl Front {
     /// neighbour of the former inside the ring.
     fn exchange_cell(&mut self, tile: usize, cell: usize, beside: Option<usize>) {
         let Some((own, local)) = self.place_of_ring(tile, cell) else { return };
-        let (here, there) = (self.tiles[tile].heights[cell], self.tiles[own].heights[local]);
+        let (here, there) = (self.tiles[tile].cells[cell].height, self.tiles[own].cells[local].height);
         if here == there {
             return;
         }
@@ -200,8 +202,8 @@ impl Front {
             let tiles = self.tiles.iter().filter(|tile| (1..tile.rows - 1).contains(&row.wrapping_sub(tile.top)));
             for tile in tiles {
                 let start = (row - tile.top) * tile.columns;
-                let inner = &tile.heights[start + 1..start + tile.columns - 1];
-                heights[tile.left + 1..][..inner.len()].copy_from_slice(inner);
+                let inner = &tile.cells[start + 1..start + tile.columns - 1];
+                heights[tile.left + 1..].iter_mut().zip(inner).for_each(|(height, cell)| *height = cell.height);
             }
         });
     }
@@ -243,7 +245,7 @@ fn fill(tile: &mut Tile, cells: &Cells, rises: &[f32]) {
     for row in 1..tile.rows - 1 {
         for column in 1..tile.columns - 1 {
             let cell = (tile.top + row) * cells.columns + tile.left + column;
-            tile.rises[row * tile.columns + column] = if cells.is_land(cell) { rises[cell] } else { CLOSED };
+            tile.cells[row * tile.columns + column].rise = if cells.is_land(cell) { rises[cell] } else { CLOSED };
         }
     }
 }

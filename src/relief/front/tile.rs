@@ -1,6 +1,7 @@
 //! A tile: a rectangle of cells with a ring of the cells around it, in one piece of memory.
 
 use super::buckets::Buckets;
+use super::upwind::{solved, solved_beside};
 
 /// The steepness of cells that the front does not enter: the sea, what lies beyond the map, and the ring.
 pub(super) const CLOSED: f32 = f32::INFINITY;
@@ -14,10 +15,7 @@ pub(super) struct Tile {
     /// The numbers of columns and rows, the ring included.
     pub columns: usize,
     pub rows: usize,
-    /// The least heights found so far.
-    pub heights: Vec<f32>,
-    /// The height by which each cell rises above a neighbour, in units; [`CLOSED`] where the front does not enter.
-    pub rises: Vec<f32>,
+    pub cells: Vec<Ground>,
     /// For each cell that a river passes, one more than the index in `next` of the first cell that a river passes next;
     /// 0 elsewhere.
     first: Vec<u32>,
@@ -26,6 +24,21 @@ pub(super) struct Tile {
     queue: Buckets,
     /// The number of cells that have passed their heights on.
     pub passed: usize,
+}
+
+/// A cell of a tile. Whoever looks at its height looks at its steepness, so they lie together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ground {
+    /// The least height found so far.
+    pub height: f32,
+    /// The height by which it rises above a neighbour, in units; [`CLOSED`] where the front does not enter.
+    pub rise: f32,
+}
+
+impl Ground {
+    pub fn is_open(self) -> bool {
+        self.rise < CLOSED
+    }
 }
 
 /// The bit that marks, in `next`, the last of the cells after the same cell.
@@ -40,8 +53,7 @@ impl Tile {
             top,
             columns,
             rows,
-            heights: Vec::new(),
-            rises: Vec::new(),
+            cells: Vec::new(),
             first: Vec::new(),
             next: Vec::new(),
             queue: Buckets::new(step),
@@ -51,13 +63,12 @@ impl Tile {
 
     /// Makes all cells infinitely high, and lets the front enter none.
     pub fn close(&mut self) {
-        self.heights = vec![CLOSED; self.columns * self.rows];
-        self.rises = self.heights.clone();
+        self.cells = vec![Ground { height: f32::INFINITY, rise: CLOSED }; self.columns * self.rows];
     }
 
     /// Sets the ways of rivers: sorted pairs of a cell and the cell that a river passes next.
     pub fn set_ways(&mut self, ways: &[(u32, u32)]) {
-        self.first = vec![0; self.heights.len()];
+        self.first = vec![0; self.cells.len()];
         self.next = Vec::with_capacity(ways.len());
         for (i, &(cell, next)) in ways.iter().enumerate() {
             if self.first[cell as usize] == 0 {
@@ -76,9 +87,10 @@ impl Tile {
     /// Lowers a cell to a height if it is higher, and queues it to pass that on.
     #[inline]
     pub fn lower(&mut self, cell: usize, height: f32) {
-        if height < self.heights[cell] {
-            self.heights[cell] = height;
-            if self.rises[cell] < CLOSED {
+        let ground = &mut self.cells[cell];
+        if height < ground.height {
+            ground.height = height;
+            if ground.is_open() {
                 self.queue.push(height, cell as u32);
             }
         }
@@ -86,10 +98,16 @@ impl Tile {
 
     /// Solves a cell again, after a neighbour in the ring has been lowered.
     pub fn solve(&mut self, cell: usize) {
-        if self.rises[cell] < CLOSED {
-            let height = solved(&self.heights, self.columns, cell, self.rises[cell]);
-            self.lower(cell, height);
+        if self.cells[cell].is_open() {
+            let around = self.beside(cell).map(|beside| self.cells[beside].height);
+            self.lower(cell, solved(around, self.cells[cell].rise));
         }
+    }
+
+    /// Returns the cells to the west, east, north and south of a cell.
+    #[inline]
+    fn beside(&self, cell: usize) -> [usize; 4] {
+        [cell - 1, cell + 1, cell - self.columns, cell + self.columns]
     }
 
     /// Moves the front on by at most this many queue entries. Returns `true` if there are more.
@@ -97,7 +115,7 @@ impl Tile {
         for _ in 0..entries {
             let Some((cell, step)) = self.queue.pop() else { return false };
             // A cell that has been lowered since then has been queued again.
-            if self.queue.step(self.heights[cell]) == step {
+            if self.queue.step(self.cells[cell].height) == step {
                 self.pass_on(cell);
                 self.passed += 1;
             }
@@ -108,16 +126,17 @@ impl Tile {
     /// Lowers the neighbours of a cell and the cells downstream of it as far as its height demands.
     #[inline]
     fn pass_on(&mut self, cell: usize) {
-        let height = self.heights[cell];
-        for beside in [cell - 1, cell + 1, cell - self.columns, cell + self.columns] {
-            if self.heights[beside] > height && self.rises[beside] < CLOSED {
-                let new = solved(&self.heights, self.columns, beside, self.rises[beside]);
-                self.lower(beside, new);
-            }
+        let (heights, mut lowered) = solved_beside(&self.cells, self.columns, cell);
+        while lowered > 0 {
+            let i = lowered.trailing_zeros() as usize % 4;
+            lowered &= lowered - 1;
+            let beside = self.beside(cell)[i];
+            self.cells[beside].height = heights[i];
+            self.queue.push(heights[i], beside as u32);
         }
         let first = self.first.get(cell).copied().unwrap_or(0);
         if first > 0 {
-            self.lower_downstream(first as usize - 1, height);
+            self.lower_downstream(first as usize - 1, self.cells[cell].height);
         }
     }
 
@@ -131,17 +150,4 @@ impl Tile {
             way += 1;
         }
     }
-}
-
-/// Computes the height of a cell from those of its four neighbours by the first-order upwind scheme, in which only lower ones count.
-#[inline]
-pub(in crate::relief) fn solved(heights: &[f32], columns: usize, cell: usize, rise: f32) -> f32 {
-    let lower = |one: usize, other: usize| if heights[one] < heights[other] { heights[one] } else { heights[other] };
-    let (a, b) = (lower(cell - 1, cell + 1), lower(cell - columns, cell + columns));
-    let (low, high) = if a < b { (a, b) } else { (b, a) };
-    let apart = high - low;
-    if apart >= rise {
-        return low + rise;
-    }
-    (low + high + (2.0 * rise * rise - apart * apart).sqrt()) * 0.5
 }
