@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::chosen::{Chosen, Shrinks};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text, between};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
@@ -127,10 +128,7 @@ impl Search<'_> {
 
     /// Returns `true` if no letter comes too near to another label.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        letters.iter().all(|letter| {
-            let around = letter.around(self.em);
-            !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
-        })
+        are_off(self.taken, letters, self.em, &|_| FROM_LABELS * self.em)
     }
 
     /// Returns the point of an arc at a distance from its beginning, in ems.

@@ -22,6 +22,7 @@ mod chosen;
 mod compass_rose;
 mod corner;
 mod costs;
+mod crowd;
 mod frames;
 mod free;
 mod grid_letters;

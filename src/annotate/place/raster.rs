@@ -4,6 +4,8 @@ use glam::Vec2;
 
 use super::background::{Background, CELL, Ink, Piece, cell_middle};
 use super::input::Input;
+use super::letters::Box;
+use crate::base::geometry::fast_max;
 
 /// The side of the squares that pieces are sorted into, in units.
 const SQUARE: f32 = 24.0;
@@ -16,7 +18,29 @@ pub struct Raster {
     columns: usize,
     ink: Vec<Ink>,
     squares: Squares,
-    pieces: Vec<Piece>,
+    pieces: Vec<Bounded>,
+}
+
+/// A piece with the corners of a box that is larger than its ink by more than any rounding.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounded {
+    pub piece: Piece,
+    corners: [Vec2; 2],
+}
+
+impl Bounded {
+    pub fn new(piece: Piece) -> Self {
+        Self { piece, corners: piece.corners() }
+    }
+
+    /// Returns a distance that its ink is no nearer to a point than; less than 0 in its box.
+    #[inline]
+    pub fn least_distance(&self, at: Vec2) -> f32 {
+        let [least, most] = self.corners;
+        let (west_or_north, east_or_south) = (least - at, at - most);
+        let across = fast_max(west_or_north.x, east_or_south.x);
+        fast_max(across, fast_max(west_or_north.y, east_or_south.y))
+    }
 }
 
 /// The pieces that come near each square.
@@ -35,7 +59,7 @@ impl Raster {
 
     /// Draws the rivers, lakes and ridges of a map.
     pub fn new(input: &Input<'_>) -> Self {
-        let pieces = Piece::all(input);
+        let pieces: Vec<Bounded> = Piece::all(input).into_iter().map(Bounded::new).collect();
         // All of the map, where places are chosen, and what the picture shows around it.
         let ([least, most], sheet) = (input.frame, input.sheet());
         let (least, most) = (least.min(sheet[0]), most.max(sheet[1]));
@@ -49,12 +73,12 @@ impl Raster {
             squares: Squares::new(size, corner, &pieces),
             pieces: Vec::new(),
         };
-        pieces.iter().for_each(|piece| this.draw(piece));
+        pieces.iter().for_each(|bounded| this.draw(bounded));
         Self { pieces, ..this }
     }
 
-    fn draw(&mut self, piece: &Piece) {
-        let [least, most] = piece.corners().map(|at| (at - self.corner) / CELL);
+    fn draw(&mut self, Bounded { piece, corners }: &Bounded) {
+        let [least, most] = corners.map(|at| (at - self.corner) / CELL);
         let rows = self.ink.len() / self.columns;
         // A conversion makes 0 of what is below.
         let columns = least.x as usize..((most.x + 1.0) as usize).min(self.columns);
@@ -82,36 +106,43 @@ impl Background for Raster {
     }
 
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2] {
-        const ROUNDING: f32 = 0.01;
         let mut nearest = [reach; 2];
-        self.squares.around(at - self.corner, reach, |pieces, away| {
-            // Nothing in a square is nearer than that.
-            if away > nearest[0].max(nearest[1]) + ROUNDING {
-                return;
-            }
-            for piece in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
+        self.squares.around(at - self.corner, reach, |pieces| {
+            for bounded in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
+                let piece = &bounded.piece;
                 let is_other = piece.river != river;
-                if !piece.is_river() || (is_other && !piece.is_as_wide_as(least_width)) {
-                    continue;
-                }
-                // The box is larger than the ink by more than any rounding.
-                let [least, most] = piece.corners();
                 let nearest = &mut nearest[usize::from(is_other)];
-                if (least - at).max(at - most).max_element() < *nearest {
+                if bounded.least_distance(at) < *nearest
+                    && piece.is_river()
+                    && (!is_other || piece.is_as_wide_as(least_width))
+                {
                     *nearest = nearest.min(piece.distance(at));
                 }
             }
+            fast_max(nearest[0], nearest[1])
         });
         nearest
+    }
+
+    fn meets(&self, around: &Box, river: u32) -> bool {
+        let (middle, reach) = (around.middle, around.radius());
+        let may_meet = |bounded: &&Bounded| bounded.piece.river == river && bounded.least_distance(middle) <= reach;
+        let mut is_met = false;
+        self.squares.around(middle - self.corner, reach, |pieces| {
+            let mut near = pieces.iter().map(|&piece| &self.pieces[piece as usize]).filter(may_meet);
+            is_met = is_met || near.any(|bounded| around.meets_river(&bounded.piece.ends));
+            if is_met { 0.0 } else { reach }
+        });
+        is_met
     }
 }
 
 impl Squares {
-    pub fn new(size: Vec2, corner: Vec2, pieces: &[Piece]) -> Self {
+    pub fn new(size: Vec2, corner: Vec2, pieces: &[Bounded]) -> Self {
         let [columns, rows] = [size.x, size.y].map(|length| (length / SQUARE) as usize + 1);
         let mut this = Self { columns, rows, starts: vec![0; columns * rows + 1], pieces: Vec::new() };
-        let squares_of = |piece: &Piece, this: &Self| {
-            let [least, most] = piece.corners().map(|at| at - corner);
+        let squares_of = |piece: &Bounded, this: &Self| {
+            let [least, most] = piece.corners.map(|at| at - corner);
             this.squares(least, most)
         };
         for piece in pieces {
@@ -131,26 +162,49 @@ impl Squares {
         this
     }
 
-    /// Returns the squares between two corners. Squares at the border stand for what lies outside.
+    /// Returns the squares between two corners.
     fn squares(&self, least: Vec2, most: Vec2) -> impl Iterator<Item = usize> + use<> {
-        let clamp = |x: f32, count: usize| ((x / SQUARE) as usize).min(count - 1);
-        let (left, right) = (clamp(least.x, self.columns), clamp(most.x, self.columns));
+        let ([left, top], [right, bottom]) = (self.square(least), self.square(most));
         let columns = self.columns;
-        let rows = clamp(least.y, self.rows)..=clamp(most.y, self.rows);
-        rows.flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+        (top..=bottom).flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
 
-    /// Hands out the pieces of all squares within a distance of a place, and how far each square is from that; its own square's first.
-    pub fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32], f32)) {
-        let pieces = |square: usize| &self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize];
-        let own = self.squares(at, at).next();
-        if let Some(own) = own {
-            look(pieces(own), 0.0);
-        }
-        for square in self.squares(at - distance, at + distance).filter(|square| Some(*square) != own) {
-            let corner = Vec2::new((square % self.columns) as f32, (square / self.columns) as f32) * SQUARE;
-            let off = (corner - at).max(at - corner - SQUARE).max(Vec2::ZERO);
-            look(pieces(square), off.length_squared().sqrt());
+    /// Returns the column and the row of a place's square. Squares at the border stand for what lies outside.
+    fn square(&self, at: Vec2) -> [usize; 2] {
+        // A conversion makes 0 of what is below.
+        [((at.x / SQUARE) as usize).min(self.columns - 1), ((at.y / SQUARE) as usize).min(self.rows - 1)]
+    }
+
+    /// Hands out the pieces of all squares within a distance of a place, from its own square outward. Each time `look` returns the distance
+    /// from then on, which never grows: what is near shortens the way to all that is far.
+    pub fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32]) -> f32) {
+        const ROUNDING: f32 = 0.01;
+        let [column, row] = self.square(at);
+        let ([left, top], [right, bottom]) = (self.square(at - distance), self.square(at + distance));
+        let rings = (column - left).max(right - column).max(row - top).max(bottom - row);
+        let mut distance = distance;
+        for ring in 0..=rings {
+            for y in row.saturating_sub(ring).max(top)..=(row + ring).min(bottom) {
+                let is_whole = y.abs_diff(row) == ring;
+                // Of a row between the first and the last, a ring has two squares.
+                let every = if is_whole { 1 } else { 2 * ring };
+                let first = if column >= left + ring {
+                    column - ring
+                } else if is_whole {
+                    left
+                } else {
+                    column + ring
+                };
+                for x in (first..=(column + ring).min(right)).step_by(every) {
+                    let corner = Vec2::new(x as f32, y as f32) * SQUARE;
+                    let off = (corner - at).max(at - corner - SQUARE).max(Vec2::ZERO);
+                    // Nothing in a square is nearer than the square.
+                    if (x, y) == (column, row) || off.length_squared().sqrt() <= distance + ROUNDING {
+                        let square = y * self.columns + x;
+                        distance = look(&self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize]);
+                    }
+                }
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright, walk_from};
 use super::costs::{Turns, Under, steepness};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
 use crate::base::geometry::direction;
@@ -261,15 +262,9 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns `true` if no letter touches its own river or comes too near to another label. The test is exact.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        let course = &self.input.map.courses[self.river as usize];
-        letters.iter().map(|letter| letter.around(self.em)).all(|around| {
-            let is_too_near = |(river, other): &(u32, Box)| {
-                let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
-                around.meets(other, margin * self.em)
-            };
-            !self.taken.iter().any(is_too_near)
-                && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
-        })
+        let margin = |river: u32| self.em * if river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
+        let touches = |letter: &Placed| self.background.meets(&letter.around(self.em), self.river);
+        are_off(self.taken, letters, self.em, &margin) && (self.kind == Kind::Reach || !letters.iter().any(touches))
     }
 }
 
