@@ -125,7 +125,13 @@ impl Piece {
     /// Returns `true` if it is as wide as this anywhere.
     #[inline]
     pub fn is_as_wide_as(&self, width: f32) -> bool {
-        2.0 * self.ends[0].half.max(self.ends[1].half) >= width
+        self.widest() >= width
+    }
+
+    /// Returns its greatest width.
+    #[inline]
+    pub fn widest(&self) -> f32 {
+        2.0 * self.ends[0].half.max(self.ends[1].half)
     }
 
     /// Returns the corners of a box around its ink. The box is at least as large as the ink.

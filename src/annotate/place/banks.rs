@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::background::Piece;
-use super::raster::{Bounded, Squares};
+use super::squares::{Bounded, Squares};
 
 /// Pieces of rivers, lakes or ridges, sorted by squares of the map.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl Banks {
         let mut nearest = most;
         self.squares.around(at, most, |pieces| {
             for bounded in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
-                if bounded.least_distance(at) < nearest {
+                if bounded.bounds.least_distance(at) < nearest {
                     nearest = nearest.min(bank(&bounded.piece, at));
                 }
             }
