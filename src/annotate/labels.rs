@@ -46,8 +46,8 @@ pub(crate) fn labels_in(places: &mut Places, map: &Map, frame: [Vec2; 2], scale:
 
 /// Gathers the input of the placement of labels; `None` if the recipe wants no labels, or if there is not enough memory.
 pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
-    /// The memory of a vertex: its place in a course, its piece twice, the piece's numbers in squares, and its share of a name.
-    const BYTES_A_VERTEX: usize = 200;
+    /// The memory of a vertex: its place in a course, its piece with a box, and its share of a stretch of pieces and of a name.
+    const BYTES_A_VERTEX: usize = 140;
     let (recipe, network, land) = (map.recipe(), map.network(), map.land());
     let share = share_of_land(recipe.get());
     if share == 0.0 && !recipe.has_title() {

@@ -6,9 +6,16 @@ use super::sort;
 
 /// Returns the stretches of a level line that lie within an odd number of rings, each from west to east.
 pub(crate) fn stretches(rings: &[Vec<Vec2>], y: f32) -> Vec<[f32; 2]> {
-    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-    let crossed = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
-    let places: Vec<f32> = crossed.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
+    let mut places = Vec::new();
+    for ring in rings {
+        let mut a = ring.last().copied().unwrap_or_default();
+        for &b in ring {
+            if (a.y > y) != (b.y > y) {
+                places.push(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+            }
+            a = b;
+        }
+    }
     sort::sorted(&places).as_chunks::<2>().0.to_vec()
 }
 

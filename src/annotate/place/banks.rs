@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::background::Piece;
-use super::squares::{Bounded, Squares};
+use super::squares::{Bounded, Bounds, Squares};
 
 /// Pieces of rivers, lakes or ridges, sorted by squares of the map.
 #[derive(Clone, Debug)]
@@ -12,11 +12,15 @@ pub struct Banks {
     pieces: Vec<Bounded>,
 }
 
+/// The side of squares, in units.
+const SQUARE: f32 = 24.0;
+
 impl Banks {
     /// Sorts pieces by the squares of a map of some size.
     pub fn new(size: Vec2, pieces: Vec<Piece>) -> Self {
         let pieces: Vec<Bounded> = pieces.into_iter().map(Bounded::new).collect();
-        Self { squares: Squares::new(size, Vec2::ZERO, &pieces), pieces }
+        let bounds: Vec<Bounds> = pieces.iter().map(|bounded| bounded.bounds).collect();
+        Self { squares: Squares::new(SQUARE, size, Vec2::ZERO, &bounds), pieces }
     }
 
     /// Returns the distance of the nearest bank, at most `most`; less than 0 in the water.

@@ -268,20 +268,17 @@ pub fn is_upright(along: Vec2) -> bool {
 /// through them, so it keeps them.
 pub fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
     let last = line.len() - 1;
-    let mut smooth = line.to_vec();
+    let (mut smooth, mut before) = (line.to_vec(), Vec::with_capacity(line.len() + 2 * radius + 1));
+    let (share, width) = (1.0 / (2 * radius + 1) as f32, 2 * radius + 1);
     for _ in 0..3 {
-        let before = smooth.clone();
-        let at = |i: isize| match usize::try_from(i) {
-            Ok(i) if i <= last => before[i],
-            Ok(i) => before[last] * 2.0 - before[(2 * last).saturating_sub(i)],
-            Err(_) => before[0] * 2.0 - before[last.min(i.unsigned_abs())],
-        };
-        let radius = radius as isize;
-        let mut sum = (-radius..=radius).map(at).fold(Vec2::ZERO, |sum, at| sum + at);
-        let share = 1.0 / (2 * radius + 1) as f32;
-        for (i, point) in (0..).zip(&mut smooth) {
+        before.clear();
+        before.extend((1..=radius).rev().map(|i| smooth[0] * 2.0 - smooth[i.min(last)]));
+        before.extend_from_slice(&smooth);
+        before.extend((1..=radius + 1).map(|i| smooth[last] * 2.0 - smooth[last.saturating_sub(i)]));
+        let mut sum = before[..width].iter().fold(Vec2::ZERO, |sum, at| sum + at);
+        for (point, (behind, ahead)) in smooth.iter_mut().zip(before.iter().zip(&before[width..])) {
             *point = sum * share;
-            sum = sum + at(i + radius + 1) - at(i - radius);
+            sum = sum + ahead - behind;
         }
     }
     smooth

@@ -5,22 +5,23 @@ use glam::Vec2;
 use super::background::{Background, CELL, Ink, Piece, cell_middle};
 use super::input::Input;
 use super::letters::Box;
-use super::squares::{Bounded, Bounds, Squares};
+use super::squares::{Bounded, Bounds};
 use super::stretches::Stretches;
-use crate::base::sort;
 
 /// The background of letters as a table that is looked up.
 #[derive(Clone, Debug)]
 pub struct Raster {
-    /// The north-western corner of the table.
+    ink: Table,
+    rivers: Stretches,
+}
+
+/// The ink of each cell, row by row.
+#[derive(Clone, Debug)]
+struct Table {
+    /// The north-western corner of the first cell.
     corner: Vec2,
     columns: usize,
-    ink: Vec<Ink>,
-    /// The pieces of each river, for questions about that one.
-    stretches: Stretches,
-    /// The pieces of all rivers, the widest first, for questions about others.
-    wide: Vec<Bounded>,
-    squares: Squares,
+    cells: Vec<Ink>,
 }
 
 impl Raster {
@@ -36,59 +37,27 @@ impl Raster {
         let corner = (least / CELL).floor() * CELL;
         let size = most - corner;
         let [columns, rows] = [size.x, size.y].map(|length| (length / CELL) as usize + 2);
-        let rivers = pieces.partition_point(|bounded| bounded.piece.is_river());
-        let wide = sort::sorted_by(&pieces[..rivers], |bounded| sort::key(-bounded.piece.widest()));
-        let mut this = Self {
-            corner,
-            columns,
-            ink: vec![Ink::NOTHING; columns * rows],
-            squares: Squares::new(size, corner, &wide),
-            wide,
-            stretches: Stretches::of(Vec::new(), 0),
-        };
-        pieces.iter().for_each(|bounded| this.draw(bounded));
-        Self { stretches: Stretches::of(pieces, input.map.courses.len()), ..this }
+        let mut ink = Table { corner, columns, cells: vec![Ink::NOTHING; columns * rows] };
+        pieces.iter().for_each(|bounded| ink.draw(bounded));
+        Self { ink, rivers: Stretches::of(pieces, input.map.courses.len(), [corner, size]) }
     }
+}
 
+impl Table {
     fn draw(&mut self, Bounded { piece, bounds: Bounds(corners) }: &Bounded) {
         let [least, most] = corners.map(|at| (at - self.corner) / CELL);
-        let rows = self.ink.len() / self.columns;
+        let rows = self.cells.len() / self.columns;
         // A conversion makes 0 of what is below.
         let columns = least.x as usize..((most.x + 1.0) as usize).min(self.columns);
         for row in least.y as usize..((most.y + 1.0) as usize).min(rows) {
             for column in columns.clone() {
-                let cell = &mut self.ink[row * self.columns + column];
+                let cell = &mut self.cells[row * self.columns + column];
                 let middle = cell_middle(self.corner + (Vec2::new(column as f32, row as f32) + 0.5) * CELL);
                 if let Some(ink) = piece.ink(middle).filter(|ink| ink.width > cell.width) {
                     *cell = ink;
                 }
             }
         }
-    }
-
-    /// Returns the distance of a place from the banks of a river, at most `reach`.
-    fn distance(&self, at: Vec2, river: u32, reach: f32) -> f32 {
-        let mut nearest = reach;
-        self.stretches.near(river, at, reach, |bounded| {
-            nearest = nearest.min(bounded.piece.distance(at));
-            nearest
-        });
-        nearest
-    }
-
-    /// Returns the distance of a place from the banks of all rivers but one that are as wide as `least_width`, at most `reach`.
-    fn distance_of_others(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> f32 {
-        let mut nearest = reach;
-        self.squares.around(at - self.corner, reach, |pieces| {
-            let pieces = pieces.iter().map(|&piece| &self.wide[piece as usize]);
-            for Bounded { piece, bounds } in pieces.take_while(|bounded| bounded.piece.widest() >= least_width) {
-                if piece.river != river && bounds.least_distance(at) < nearest {
-                    nearest = nearest.min(piece.distance(at));
-                }
-            }
-            nearest
-        });
-        nearest
     }
 }
 
@@ -97,20 +66,30 @@ impl Background for Raster {
 
     #[inline]
     fn ink(&self, at: Vec2) -> Ink {
-        let cell = (at - self.corner) / CELL;
+        let Table { corner, columns, cells } = &self.ink;
+        let cell = (at - corner) / CELL;
         let (column, row) = (cell.x as usize, cell.y as usize);
-        if column < self.columns { self.ink.get(row * self.columns + column).copied() } else { None }
-            .unwrap_or(Ink::NOTHING)
+        if column < *columns { cells.get(row * columns + column).copied() } else { None }.unwrap_or(Ink::NOTHING)
     }
 
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2] {
-        [self.distance(at, river, reach), self.distance_of_others(at, river, least_width, reach)]
+        let mut nearest = [reach; 2];
+        let [own, rival] = &mut nearest;
+        self.rivers.near(river, at, reach, |piece| {
+            *own = own.min(piece.distance(at));
+            *own
+        });
+        self.rivers.near_others((river, least_width), at, reach, |piece| {
+            *rival = rival.min(piece.distance(at));
+            *rival
+        });
+        nearest
     }
 
     fn meets(&self, around: &Box, river: u32) -> bool {
         let (reach, mut is_met) = (around.radius(), false);
-        self.stretches.near(river, around.middle, reach, |bounded| {
-            is_met = is_met || around.meets_river(&bounded.piece.ends);
+        self.rivers.near(river, around.middle, reach, |piece| {
+            is_met = is_met || around.meets_river(&piece.ends);
             if is_met { f32::NEG_INFINITY } else { reach }
         });
         is_met

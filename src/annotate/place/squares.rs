@@ -1,12 +1,9 @@
-//! Pieces of rivers, lakes and ridges by the squares of the map that they come near.
+//! Pieces of rivers, lakes and ridges, or stretches of them, by the squares of the map that they come near.
 
 use glam::Vec2;
 
 use super::background::Piece;
 use crate::base::geometry::fast_max;
-
-/// The side of the squares, in units.
-const SQUARE: f32 = 24.0;
 
 /// A box that is larger than the ink in it by more than any rounding: its north-western and its south-eastern corner.
 #[derive(Clone, Copy, Debug)]
@@ -35,36 +32,39 @@ impl Bounded {
     }
 }
 
-/// The pieces that come near each square.
+/// Things by the squares that their bounds come near.
 #[derive(Clone, Debug)]
 pub(super) struct Squares {
+    /// The side of a square, in units.
+    side: f32,
     columns: usize,
     rows: usize,
-    /// The place in the list where the pieces of each square begin, and the place where the last end.
+    /// The place in the list where the things of each square begin, and the place where the last end.
     starts: Vec<u32>,
-    /// The pieces of each square, in the order in which they are given.
-    pieces: Vec<u32>,
+    /// The numbers of the things of each square, in ascending order.
+    things: Vec<u32>,
 }
 
 impl Squares {
-    pub fn new(size: Vec2, corner: Vec2, pieces: &[Bounded]) -> Self {
-        let [columns, rows] = [size.x, size.y].map(|length| (length / SQUARE) as usize + 1);
-        let mut this = Self { columns, rows, starts: vec![0; columns * rows + 1], pieces: Vec::new() };
-        let squares_of = |piece: &Bounded, this: &Self| {
-            let [least, most] = piece.bounds.0.map(|at| at - corner);
+    /// Sorts bounds into the squares, of a side in units, of a rectangle of some size with its north-western corner at `corner`.
+    pub fn new(side: f32, size: Vec2, corner: Vec2, bounds: &[Bounds]) -> Self {
+        let [columns, rows] = [size.x, size.y].map(|length| (length / side) as usize + 1);
+        let mut this = Self { side, columns, rows, starts: vec![0; columns * rows + 1], things: Vec::new() };
+        let squares_of = |Bounds(corners): &Bounds, this: &Self| {
+            let [least, most] = corners.map(|at| at - corner);
             this.squares(least, most)
         };
-        for piece in pieces {
-            squares_of(piece, &this).for_each(|square| this.starts[square + 1] += 1);
+        for bounds in bounds {
+            squares_of(bounds, &this).for_each(|square| this.starts[square + 1] += 1);
         }
         for square in 0..columns * rows {
             this.starts[square + 1] += this.starts[square];
         }
         let (mut next, count) = (this.starts.clone(), this.starts.last().copied().unwrap_or(0));
-        this.pieces = vec![0; count as usize];
-        for (number, piece) in (0..).zip(pieces) {
-            for square in squares_of(piece, &this) {
-                this.pieces[next[square] as usize] = number;
+        this.things = vec![0; count as usize];
+        for (number, bounds) in (0..).zip(bounds) {
+            for square in squares_of(bounds, &this) {
+                this.things[next[square] as usize] = number;
                 next[square] += 1;
             }
         }
@@ -81,10 +81,10 @@ impl Squares {
     /// Returns the column and the row of a place's square. Squares at the border stand for what lies outside.
     fn square(&self, at: Vec2) -> [usize; 2] {
         // A conversion makes 0 of what is below.
-        [((at.x / SQUARE) as usize).min(self.columns - 1), ((at.y / SQUARE) as usize).min(self.rows - 1)]
+        [((at.x / self.side) as usize).min(self.columns - 1), ((at.y / self.side) as usize).min(self.rows - 1)]
     }
 
-    /// Hands out the pieces of all squares within a distance of a place, from its own square outward. Each time `look` returns the distance
+    /// Hands out the things of all squares within a distance of a place, from its own square outward. Each time `look` returns the distance
     /// from then on, which never grows: what is near shortens the way to all that is far.
     pub fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32]) -> f32) {
         const ROUNDING: f32 = 0.01;
@@ -105,12 +105,12 @@ impl Squares {
                     column + ring
                 };
                 for x in (first..=(column + ring).min(right)).step_by(every) {
-                    let corner = Vec2::new(x as f32, y as f32) * SQUARE;
-                    let off = (corner - at).max(at - corner - SQUARE).max(Vec2::ZERO);
+                    let corner = Vec2::new(x as f32, y as f32) * self.side;
+                    let off = (corner - at).max(at - corner - self.side).max(Vec2::ZERO);
                     // Nothing in a square is nearer than the square.
                     if (x, y) == (column, row) || off.length_squared().sqrt() <= distance + ROUNDING {
                         let square = y * self.columns + x;
-                        distance = look(&self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize]);
+                        distance = look(&self.things[self.starts[square] as usize..self.starts[square + 1] as usize]);
                     }
                 }
             }
