@@ -64,6 +64,7 @@ mod woods;
 pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use heading::heading;
+pub(crate) use input::Known;
 pub use input::{
     Cartouche, Elevations, Frame, Heights, Input, Legend, LongProfile, MapInput, Marks, NorthPoint, Own, Plate,
     RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary, Weather,
