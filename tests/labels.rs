@@ -118,7 +118,7 @@ fn areas<'a>(input: &'a Input<'_>) -> impl Iterator<Item = (&'a PlaceName, &'a R
         PlaceKind::Island => place.number > 0,
         kind => matches!(kind, PlaceKind::Sea | PlaceKind::Lake),
     };
-    input.map.names.places.iter().zip(&input.map.regions).filter(move |(place, _)| is_area(place))
+    input.map.names.places.iter().zip(input.map.regions.iter()).filter(move |(place, _)| is_area(place))
 }
 
 /// Returns `true` if a place has this name, in full or without its article.

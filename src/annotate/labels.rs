@@ -9,8 +9,8 @@ use glam::Vec2;
 use crate::annotate::glyph::initials;
 use crate::annotate::names::{self, Names};
 use crate::annotate::place::{
-    Cartouche, Elevations, Frame, Heights, Input, Label, Legend, MapInput, Marks, NorthPoint, Own, Places, Plate,
-    Raster, RiverClass, SHEET_MARGIN, Seal, SheetGrid,
+    Cartouche, Elevations, Frame, Heights, Input, Known, Label, Legend, MapInput, Marks, NorthPoint, Own, Places,
+    Plate, Raster, RiverClass, SHEET_MARGIN, Seal, SheetGrid,
 };
 use crate::annotate::plates;
 use crate::base::memory;
@@ -41,13 +41,19 @@ pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
 
 /// Places the labels of a picture like [`labels`], where other pictures of the same map have them already.
 pub(crate) fn labels_in(places: &mut Places, map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
-    input(map, frame, scale).map_or_else(Vec::new, |input| places.place(&input, &Raster::new(&input)))
+    let input = input_with(&mut places.known, map, frame, scale);
+    input.map_or_else(Vec::new, |input| places.place(&input, &Raster::new(&input)))
 }
 
 /// Gathers the input of the placement of labels; `None` if the recipe wants no labels, or if there is not enough memory.
 pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
-    /// The memory of a vertex: its place in a course, its piece, the piece's numbers in squares, and its share of a name.
-    const BYTES_A_VERTEX: usize = 120;
+    input_with(&mut None, map, frame, scale)
+}
+
+/// Gathers the input of the placement of labels with what is known about the map; what is not is found out.
+fn input_with<'a>(known: &mut Option<Known>, map: &'a Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'a>> {
+    /// The memory of a vertex: its place in a course, its piece with a box, and its share of a stretch of pieces and of a name.
+    const BYTES_A_VERTEX: usize = 140;
     let (recipe, network, land) = (map.recipe(), map.network(), map.land());
     let share = share_of_land(recipe.get());
     if share == 0.0 && !recipe.has_title() {
@@ -56,9 +62,9 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let (names, regions) = on_map_with_regions(map);
+    let known = known.get_or_insert_with(|| found_out(map)).clone();
     let least_em = LEAST_EM / scale;
-    let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
+    let marks = if share > 0.0 { marks(map, &known.names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| SheetGrid::MARGIN * grid.em);
     let within = on_map(map).map(|corner| corner.clamp(Vec2::ZERO, map.domain().size));
     let cut = cut_to_shape(&map.domain(), frame);
@@ -70,7 +76,7 @@ pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     let side = shown.max(LEAST_SHOWN).sqrt();
     let shrink = side.sqrt() * side.sqrt().sqrt();
     Some(Input {
-        map: Rc::new(map_input(map, frame, (names, regions), marks)),
+        map: Rc::new(map_input(map, frame, known, marks)),
         frame: [within[0].max(cut[0] + whole), within[1].min(cut[1] - whole)],
         view: [frame[0] + margin, frame[1] - margin],
         least_em: least_em / shrink,
@@ -100,11 +106,18 @@ pub(crate) fn on_map_with_regions(map: &Map) -> (Names, Vec<Region>) {
     (names, regions)
 }
 
+/// Finds out about a map what is the same whatever part of it a picture shows.
+fn found_out(map: &Map) -> Known {
+    let (names, regions) = on_map_with_regions(map);
+    let shoreline = shoreline_with_lakes(map).map(Arc::new);
+    Known { names: Arc::new(names), regions: regions.into(), shoreline }
+}
+
 /// Gathers the input that is the same for pictures of all sizes.
 fn map_input<'a>(
     map: &'a Map,
     sheet: [Vec2; 2],
-    (names, regions): (Names, Vec<Region>),
+    Known { names, regions, shoreline }: Known,
     marks: Marks<'a>,
 ) -> MapInput<'a> {
     let (network, land) = (map.network(), map.land());
@@ -119,7 +132,7 @@ fn map_input<'a>(
         regions,
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
-        coast: shoreline(map),
+        shoreline,
         sea: land.map(|land| land.coast_distance()),
         marks,
     }
@@ -284,7 +297,12 @@ pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
 /// Returns the distance of each place of a map from the nearest shore, of the sea or of a lake; `None` if there is neither.
 pub(crate) fn shoreline(map: &Map) -> Option<Cow<'_, CoastDistance>> {
     let coast = map.land().map(|land| land.coast_distance());
-    map.lakes().shoreline(coast, &map.domain()).map(Cow::Owned).or(coast.map(Cow::Borrowed))
+    shoreline_with_lakes(map).map(Cow::Owned).or(coast.map(Cow::Borrowed))
+}
+
+/// Returns the distance of each place of a map from the nearest shore; `None` if there are no lakes.
+fn shoreline_with_lakes(map: &Map) -> Option<CoastDistance> {
+    map.lakes().shoreline(map.land().map(|land| land.coast_distance()), &map.domain())
 }
 
 pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {

@@ -4,11 +4,25 @@ use glam::Vec2;
 
 use super::sort;
 
+/// Returns the sides of rings, from each point to the next.
+pub(crate) fn sides(rings: &[Vec<Vec2>]) -> impl Iterator<Item = [Vec2; 2]> {
+    let last = |ring: &[Vec2]| ring.last().zip(ring.first()).map(|(last, first)| [*last, *first]);
+    rings.iter().flat_map(move |ring| ring.windows(2).map(|pair| [pair[0], pair[1]]).chain(last(ring)))
+}
+
 /// Returns the stretches of a level line that lie within an odd number of rings, each from west to east.
 pub(crate) fn stretches(rings: &[Vec<Vec2>], y: f32) -> Vec<[f32; 2]> {
-    let edges = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-    let crossed = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
-    let places: Vec<f32> = crossed.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)).collect();
+    stretches_between(sides(rings), y)
+}
+
+/// Returns the stretches of a level line that lie within an odd number of rings, of which all sides that meet the line are given.
+pub(crate) fn stretches_between(sides: impl Iterator<Item = [Vec2; 2]>, y: f32) -> Vec<[f32; 2]> {
+    let mut places = Vec::new();
+    sides.for_each(|[a, b]| {
+        if (a.y > y) != (b.y > y) {
+            places.push(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+        }
+    });
     sort::sorted(&places).as_chunks::<2>().0.to_vec()
 }
 

@@ -31,6 +31,12 @@ pub(crate) fn sorted_pairs(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
 /// their order.
 #[inline(never)] // one copy
 fn sorted_from(mut items: Vec<u64>, first_bit: u32) -> Vec<u64> {
+    /// The most items that are sooner sorted one by one than digit by digit.
+    const FEW: usize = 24;
+    if items.len() <= FEW {
+        insert_each(&mut items, first_bit);
+        return items;
+    }
     let mut sorted = items.clone();
     let differing = items.iter().fold(0, |differing, item| differing | (item ^ items[0]));
     // Digits are sorted from the lowest to the highest. Each pass keeps the order of the previous ones among equal
@@ -40,6 +46,17 @@ fn sorted_from(mut items: Vec<u64>, first_bit: u32) -> Vec<u64> {
         std::mem::swap(&mut items, &mut sorted);
     }
     items
+}
+
+/// Sorts items by moving each before those that are greater, keeping the order of equal ones.
+fn insert_each(items: &mut [u64], first_bit: u32) {
+    for next in 1..items.len() {
+        let item = items[next];
+        let is_greater = |other: &u64| other >> first_bit > item >> first_bit;
+        let place = items[..next].iter().rposition(|other| !is_greater(other)).map_or(0, |before| before + 1);
+        items.copy_within(place..next, place + 1);
+        items[place] = item;
+    }
 }
 
 /// Sorts items by one byte, keeping the order of equal ones (counting sort).

@@ -8,7 +8,7 @@ use glam::Vec2;
 use tiny_skia::Mask;
 use wide::f32x4;
 
-use crate::base::rings::stretches;
+use crate::base::rings::{sides, stretches_between};
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -193,11 +193,16 @@ impl Coverage {
         let Some(rect) = Rect::between([least, most], self.mask.width(), self.mask.height()) else { return };
         self.touch(rect);
         let mut shares = vec![0.0; (rect.right - rect.left) as usize];
+        let mut near: Vec<[Vec2; 2]> = Vec::new();
         for row in rect.top..rect.bottom {
             shares.fill(0.0);
+            near.clear();
+            let (above, below) = (row as f32, row as f32 + 1.0);
+            let is_near = |[a, b]: &[Vec2; 2]| (a.y > above || b.y > above) && (a.y < below || b.y < below);
+            sides(rings).filter(is_near).for_each(|side| near.push(side));
             for line in 0..LINES {
                 let y = row as f32 + (f32::from(line) + HALF) / f32::from(LINES);
-                for [from, to] in stretches(rings, y) {
+                for [from, to] in stretches_between(near.iter().copied(), y) {
                     cover(&mut shares, from - rect.left as f32, to - rect.left as f32, 1.0 / f32::from(LINES));
                 }
             }

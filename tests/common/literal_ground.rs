@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use riverseed::annotate::place::{Background, Ink, Piece, cell_middle};
+use riverseed::annotate::place::{Background, Box, Ink, Piece, cell_middle};
 use riverseed::glam::Vec2;
 
 /// The ground without preparation.
@@ -42,5 +42,9 @@ impl Background for Literal {
             |pieces: &mut dyn Iterator<Item = &Piece>| pieces.map(|piece| piece.distance(at)).fold(reach, f32::min);
         let is_rival = |piece: &&Piece| piece.river != river && piece.is_as_wide_as(least_width);
         [least(&mut rivers().filter(|piece| piece.river == river)), least(&mut rivers().filter(is_rival))]
+    }
+
+    fn meets(&self, around: &Box, river: u32) -> bool {
+        self.pieces.iter().any(|piece| piece.river == river && around.meets_river(&piece.ends))
     }
 }

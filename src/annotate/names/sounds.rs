@@ -2,7 +2,7 @@
 
 /// Returns `true` for the vowels that languages are spelled with.
 pub(super) fn is_vowel(letter: char) -> bool {
-    "aeiouáāäæ".contains(letter)
+    matches!(letter, 'a' | 'e' | 'i' | 'o' | 'u' | 'á' | 'ā' | 'ä' | 'æ')
 }
 
 /// Returns the consonants that a text begins with.

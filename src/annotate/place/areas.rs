@@ -1,8 +1,11 @@
 //! The names of seas and lakes: large and wide, level or nearly so, on open water.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::chosen::{Chosen, Shrinks};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text, between};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
@@ -76,9 +79,9 @@ impl Search<'_> {
             return None;
         }
         let (step, [least, most]) = (STEP * self.em, self.input.frame);
-        let [columns, rows] = [most.x - least.x, most.y - least.y].map(|length| (length / step) as u32);
+        let [columns, rows] = self.lattice(step)?;
         let middles =
-            (1..rows).flat_map(|row| (1..columns).map(move |column| Vec2::new(column as f32, row as f32) * step));
+            rows.flat_map(|row| columns.clone().map(move |column| Vec2::new(column as f32, row as f32) * step));
         let (mut best, mut letters) = (None, Vec::new());
         // A lake is named in its midst, a sea in that of the map.
         let (centre, per_off) =
@@ -87,17 +90,37 @@ impl Search<'_> {
             let off = distance(middle, centre);
             for (along, tilt, highest) in TILTS {
                 for rise in ARCS.map(|share| share * highest) {
+                    let cost = |clearance: f32| {
+                        0.04 * tilt + per_off * off - 1.2 * clearance - if rise == 0.0 { 0.0 } else { 0.35 }
+                    };
+                    let is_best = |cost: f32| best.is_none_or(|(least, _)| cost < least);
+                    // Even in the midst of open water it would not be.
+                    if !is_best(cost(WIDE)) {
+                        continue;
+                    }
                     let arc = Arc { middle, along, rise };
                     let Some(clearance) = self.lay(arc, &mut letters) else { continue };
-                    let cost = 0.04 * tilt + per_off * off - 1.2 * clearance - if rise == 0.0 { 0.0 } else { 0.35 };
-                    if best.is_none_or(|(least, _)| cost < least) && self.is_free(&letters) {
-                        best = Some((cost, arc));
+                    if is_best(cost(clearance)) && self.is_free(&letters) {
+                        best = Some((cost(clearance), arc));
                     }
                 }
             }
         }
         self.lay(best?.1, &mut letters)?;
         Some(Label::new(Kind::Water, None, text, self.em, letters))
+    }
+
+    /// Returns the columns and rows of a lattice over the frame, so many units apart, between which all corners in the region lie; `None` if
+    /// it has no cells.
+    fn lattice(&self, step: f32) -> Option<[Range<u32>; 2]> {
+        let ([least, most], region) = (self.input.frame, self.region.corners()?);
+        let range = |least: f32, most: f32, [first, last]: [f32; 2]| {
+            // A conversion makes 0 of what is below. One more at each end makes up for rounding.
+            let [first, last] = [first, last].map(|end| ((end - least) / step) as u32);
+            first.saturating_sub(1).max(1)..(((most - least) / step) as u32).min(last + 2)
+        };
+        let [from, to] = region;
+        Some([range(least.x, most.x, [from.x, to.x]), range(least.y, most.y, [from.y, to.y])])
     }
 
     /// Puts letters along an arc. Returns how far the nearest is from the coast, in ems; `None` if that is too near.
@@ -127,10 +150,7 @@ impl Search<'_> {
 
     /// Returns `true` if no letter comes too near to another label.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        letters.iter().all(|letter| {
-            let around = letter.around(self.em);
-            !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
-        })
+        are_off(self.taken, letters, self.em, &|_| FROM_LABELS * self.em)
     }
 
     /// Returns the point of an arc at a distance from its beginning, in ems.

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::input::Input;
+use super::letters::Box;
 use crate::base::geometry::nearest;
 use crate::network::{Network, Place};
 
@@ -43,6 +44,9 @@ pub trait Background {
     /// Returns the distances of a place from the banks of one river, and from those of all others that are at least `least_width` wide; at
     /// most `reach`.
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2];
+
+    /// Returns `true` if a box meets a river, which is as wide as the wider end of each of its pieces there.
+    fn meets(&self, around: &Box, river: u32) -> bool;
 }
 
 /// A straight piece of a river, a lake or a ridge.
@@ -121,7 +125,13 @@ impl Piece {
     /// Returns `true` if it is as wide as this anywhere.
     #[inline]
     pub fn is_as_wide_as(&self, width: f32) -> bool {
-        2.0 * self.ends[0].half.max(self.ends[1].half) >= width
+        self.widest() >= width
+    }
+
+    /// Returns its greatest width.
+    #[inline]
+    pub fn widest(&self) -> f32 {
+        2.0 * self.ends[0].half.max(self.ends[1].half)
     }
 
     /// Returns the corners of a box around its ink. The box is at least as large as the ink.

@@ -3,32 +3,36 @@
 use glam::Vec2;
 
 use super::background::Piece;
-use super::raster::Squares;
+use super::squares::{Bounded, Bounds, Squares};
 
 /// Pieces of rivers, lakes or ridges, sorted by squares of the map.
 #[derive(Clone, Debug)]
 pub struct Banks {
     squares: Squares,
-    pieces: Vec<Piece>,
+    pieces: Vec<Bounded>,
 }
+
+/// The side of squares, in units.
+const SQUARE: f32 = 24.0;
 
 impl Banks {
     /// Sorts pieces by the squares of a map of some size.
     pub fn new(size: Vec2, pieces: Vec<Piece>) -> Self {
-        Self { squares: Squares::new(size, Vec2::ZERO, &pieces), pieces }
+        let pieces: Vec<Bounded> = pieces.into_iter().map(Bounded::new).collect();
+        let bounds: Vec<Bounds> = pieces.iter().map(|bounded| bounded.bounds).collect();
+        Self { squares: Squares::new(SQUARE, size, Vec2::ZERO, &bounds), pieces }
     }
 
     /// Returns the distance of the nearest bank, at most `most`; less than 0 in the water.
     pub fn distance(&self, at: Vec2, most: f32) -> f32 {
         let mut nearest = most;
-        self.squares.around(at, most, |pieces, _| {
-            for piece in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
-                // The box is larger than the ink by more than any rounding.
-                let [least, greatest] = piece.corners();
-                if (least - at).max(at - greatest).max_element() < nearest {
-                    nearest = nearest.min(bank(piece, at));
+        self.squares.around(at, most, |pieces| {
+            for bounded in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
+                if bounded.bounds.least_distance(at) < nearest {
+                    nearest = nearest.min(bank(&bounded.piece, at));
                 }
             }
+            nearest
         });
         nearest
     }

@@ -53,19 +53,27 @@ pub struct Line {
 }
 
 /// A walk along a line, which is asked for places at rising distances.
+#[derive(Clone, Copy)]
 pub struct Walk<'a> {
     line: &'a Line,
     next: usize,
 }
 
 impl Walk<'_> {
-    /// Returns the point at a distance along the line.
+    /// Goes on to a distance along the line.
     #[inline]
-    pub fn at(&mut self, along: f32) -> Vec2 {
+    pub fn go(&mut self, along: f32) {
         let Line { at, along: lengths, .. } = self.line;
         while self.next + 1 < at.len() && lengths[self.next] < along {
             self.next += 1;
         }
+    }
+
+    /// Returns the point at a distance along the line.
+    #[inline]
+    pub fn at(&mut self, along: f32) -> Vec2 {
+        self.go(along);
+        let Line { at, along: lengths, .. } = self.line;
         let (from, to) = (lengths[self.next - 1], lengths[self.next]);
         let t = if to > from { (along - from) / (to - from) } else { 0.0 };
         at[self.next - 1] + (at[self.next] - at[self.next - 1]) * t
@@ -187,13 +195,16 @@ impl Course {
     fn beside(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let last = copy.len() - 1;
         let along = directions(copy);
+        let sides = [-1.0, 1.0].map(|side| {
+            let aside: Vec<Vec2> = along.iter().map(|along| along.perp() * side).collect();
+            let poking = self.poking(copy, &aside);
+            (aside, poking)
+        });
         let mut lines = Vec::new();
         for is_downstream in readable(&along) {
             for is_above in [true, false] {
                 // To the left of those who read is above.
-                let side = if is_downstream == is_above { -1.0 } else { 1.0 };
-                let aside: Vec<Vec2> = along.iter().map(|along| along.perp() * side).collect();
-                let poking = self.poking(copy, &aside);
+                let (aside, poking) = &sides[usize::from(is_downstream != is_above)];
                 let gap = if is_above { ABOVE } else { BELOW } * em;
                 for kept in [0.0, KEPT] {
                     let off = |i: usize| copy[i] + aside[i] * (self.half[i] + gap + kept * poking[i]);
@@ -257,20 +268,17 @@ pub fn is_upright(along: Vec2) -> bool {
 /// through them, so it keeps them.
 pub fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
     let last = line.len() - 1;
-    let mut smooth = line.to_vec();
+    let (mut smooth, mut before) = (line.to_vec(), Vec::with_capacity(line.len() + 2 * radius + 1));
+    let (share, width) = (1.0 / (2 * radius + 1) as f32, 2 * radius + 1);
     for _ in 0..3 {
-        let before = smooth.clone();
-        let at = |i: isize| match usize::try_from(i) {
-            Ok(i) if i <= last => before[i],
-            Ok(i) => before[last] * 2.0 - before[(2 * last).saturating_sub(i)],
-            Err(_) => before[0] * 2.0 - before[last.min(i.unsigned_abs())],
-        };
-        let radius = radius as isize;
-        let mut sum = (-radius..=radius).map(at).fold(Vec2::ZERO, |sum, at| sum + at);
-        let share = 1.0 / (2 * radius + 1) as f32;
-        for (i, point) in (0..).zip(&mut smooth) {
+        before.clear();
+        before.extend((1..=radius).rev().map(|i| smooth[0] * 2.0 - smooth[i.min(last)]));
+        before.extend_from_slice(&smooth);
+        before.extend((1..=radius + 1).map(|i| smooth[last] * 2.0 - smooth[last.saturating_sub(i)]));
+        let mut sum = before[..width].iter().fold(Vec2::ZERO, |sum, at| sum + at);
+        for (point, (behind, ahead)) in smooth.iter_mut().zip(before.iter().zip(&before[width..])) {
             *point = sum * share;
-            sum = sum + at(i + radius + 1) - at(i - radius);
+            sum = sum + ahead - behind;
         }
     }
     smooth

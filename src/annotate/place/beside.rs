@@ -5,6 +5,7 @@ use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
 use super::chosen::Shrinks;
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 use super::search::belongs;
@@ -177,14 +178,9 @@ impl<G: Background> Beside<'_, G> {
 
     /// Returns `true` if no letter touches the river or comes too near to another label.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        let course = &self.input.map.courses[self.river as usize];
-        letters.iter().map(|letter| letter.around(self.em)).all(|around| {
-            let is_too_near = |(river, other): &(u32, Box)| {
-                let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
-                around.meets(other, margin * self.em)
-            };
-            !self.taken.iter().any(is_too_near) && !course.windows(2).any(|pair| around.meets_river(pair))
-        })
+        let margin = |river: u32| self.em * if river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
+        let touches = |letter: &Placed| self.background.meets(&letter.around(self.em), self.river);
+        are_off(self.taken, letters, self.em, &margin) && !letters.iter().any(touches)
     }
 
     /// Draws a hairline from the bank to letters, and counts the places where it crosses other rivers; `None` if a label is in its way.

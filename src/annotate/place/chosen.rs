@@ -69,7 +69,7 @@ impl Chosen {
         let letters = match &self.shrinks {
             _ if em >= self.label.em => None,
             Shrinks::Along { line, width, .. } => {
-                let is_clear = |letters: &[Placed]| self.is_clear(letters, em, input);
+                let is_clear = |letters: &[Placed]| self.is_clear(letters, em, background);
                 let belongs = |letters: &[Placed]| {
                     self.label.river.is_none_or(|river| belongs(background, letters, em, river, *width))
                 };
@@ -95,15 +95,11 @@ impl Chosen {
     }
 
     /// Returns `true` if letters can be read, and none touches its river.
-    fn is_clear(&self, letters: &[Placed], em: f32, input: &Input<'_>) -> bool {
+    fn is_clear<G: Background>(&self, letters: &[Placed], em: f32, background: &G) -> bool {
         let mut turns = Turns::default();
         let is_readable = |letter: &Placed| is_upright(letter.along) && turns.take(letter.along).is_some();
         let river = self.label.river.filter(|_| self.label.kind == Kind::River);
-        let course = river.map_or(&[][..], |river| &input.map.courses[river as usize]);
-        let touches = |letter: &Placed| {
-            let around = letter.around(em);
-            course.windows(2).any(|pair| around.meets_river(pair))
-        };
+        let touches = |letter: &Placed| river.is_some_and(|river| background.meets(&letter.around(em), river));
         letters.iter().all(is_readable) && !letters.iter().any(touches)
     }
 

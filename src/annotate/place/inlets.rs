@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::baseline::{Line, is_upright, smoothed};
 use super::chosen::{Chosen, Shrinks};
 use super::costs::Turns;
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
@@ -147,10 +148,8 @@ impl Search<'_> {
     fn is_free(&self, letters: &[Placed]) -> bool {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         let is_afloat = |at: Vec2| -self.coast.height(at) >= FROM_COAST * self.em;
-        letters.iter().all(|letter| {
-            let around = letter.around(self.em);
-            around.corners().into_iter().all(|at| is_in_frame(at) && is_afloat(at))
-                && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
-        })
+        let mut corners = letters.iter().flat_map(|letter| letter.around(self.em).corners());
+        corners.all(|at| is_in_frame(at) && is_afloat(at))
+            && are_off(self.taken, letters, self.em, &|_| FROM_LABELS * self.em)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::Vec2;
 
@@ -188,6 +189,17 @@ pub enum Own {
     Place(PlaceKind, u32),
 }
 
+/// What it takes a while to find out about a map, and is the same whatever part of it a picture shows.
+#[derive(Clone, Debug)]
+pub(crate) struct Known {
+    /// The names of rivers, reaches and places.
+    pub names: Arc<Names>,
+    /// The region of each place; empty for those that are no sea, lake or island.
+    pub regions: Arc<[Region]>,
+    /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there are no lakes.
+    pub shoreline: Option<Arc<CoastDistance>>,
+}
+
 /// The part of the input that is the same for pictures of all sizes: a map with its names. Lengths are units.
 #[derive(Debug)]
 pub struct MapInput<'a> {
@@ -200,17 +212,17 @@ pub struct MapInput<'a> {
     /// The discharge of all rivers together.
     pub total_discharge: u32,
     /// The names of rivers, reaches and places.
-    pub names: Names,
+    pub names: Arc<Names>,
     /// What has an own name: rivers, the greatest first, then reaches and places.
     pub own: Vec<Own>,
     /// The region of each place; empty for those that are no sea, lake or island.
-    pub regions: Vec<Region>,
+    pub regions: Arc<[Region]>,
     /// Lakes that rivers have left, which only letters of reaches may touch.
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which no letter may touch.
     pub ridges: Vec<Vec<Place>>,
-    /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there is neither.
-    pub coast: Option<Cow<'a, CoastDistance>>,
+    /// The distance of each point from the nearest shore, of the sea or of a lake; `None` if there are no lakes.
+    pub shoreline: Option<Arc<CoastDistance>>,
     /// The distance of each point from the coast of the sea; `None` if there is none.
     pub sea: Option<&'a CoastDistance>,
     /// The title; `None` if it is to have none.
@@ -225,7 +237,7 @@ pub type Reach<'a> = (&'a ReachName, &'a [Place]);
 impl MapInput<'_> {
     /// Returns the distance of each point from the nearest shore; `None` if there is none.
     pub fn coast(&self) -> Option<&CoastDistance> {
-        self.coast.as_deref()
+        self.shoreline.as_deref().or(self.sea)
     }
 
     /// Returns the reaches that have a course, the one with the most water first.

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
 use super::chosen::{Chosen, Shrinks, middle};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::annotate::names::{PlaceName, forms};
@@ -226,15 +227,15 @@ impl<G: Background> Search<'_, G> {
     /// Takes a place that costs less than the best so far, if it is in the frame and off other labels.
     fn take_better(&self, best: &mut Best, letters: Vec<Placed>, cost: Option<f32>) {
         let cheaper = cost.filter(|cost| best.as_ref().is_none_or(|(least, _)| cost < least));
-        if let Some(cost) = cheaper.filter(|_| letters.iter().all(|letter| self.is_free(&letter.around(self.em)))) {
+        if let Some(cost) = cheaper.filter(|_| self.is_free(&letters)) {
             *best = Some((cost, letters));
         }
     }
 
-    fn is_free(&self, around: &Box) -> bool {
+    fn is_free(&self, letters: &[Placed]) -> bool {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
-        around.corners().into_iter().all(is_in_frame)
-            && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
+        letters.iter().flat_map(|letter| letter.around(self.em).corners()).all(is_in_frame)
+            && are_off(self.taken, letters, self.em, &|_| FROM_LABELS * self.em)
     }
 }
 

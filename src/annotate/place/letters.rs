@@ -335,9 +335,17 @@ impl Box {
 
     /// Returns three by five points from corner to corner.
     pub fn samples(&self) -> impl Iterator<Item = Vec2> + '_ {
-        let across = |i: usize| (i as f32 - 1.0) * 1.0;
-        let down = |i: usize| (i as f32 - 2.0) * 0.5;
-        (0..15).map(move |i| self.middle + self.along * across(i % 3) + self.down * down(i / 3))
+        /// How far each lies along and down, over the way to the middle of a side.
+        const SAMPLES: [(f32, f32); 15] = {
+            let mut samples = [(0.0, 0.0); 15];
+            let mut i = 0;
+            while i < samples.len() {
+                samples[i] = ((i % 3) as f32 - 1.0, ((i / 3) as f32 - 2.0) * 0.5);
+                i += 1;
+            }
+            samples
+        };
+        SAMPLES.iter().map(|&(along, down)| self.middle + self.along * along + self.down * down)
     }
 
     /// Returns the distance of its corners from its middle.

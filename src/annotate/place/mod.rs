@@ -22,6 +22,7 @@ mod chosen;
 mod compass_rose;
 mod corner;
 mod costs;
+mod crowd;
 mod frames;
 mod free;
 mod grid_letters;
@@ -52,7 +53,9 @@ mod seal;
 mod search;
 mod shapes;
 mod spot_heights;
+mod squares;
 mod standing;
+mod stretches;
 mod tarns;
 mod tree_shapes;
 mod wetlands;
@@ -61,6 +64,7 @@ mod woods;
 pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
 pub use heading::heading;
+pub(crate) use input::Known;
 pub use input::{
     Cartouche, Elevations, Frame, Heights, Input, Legend, LongProfile, MapInput, Marks, NorthPoint, Own, Plate,
     RiverClass, SceneryInput, Seal, SheetGrid, StraightRiver, Tributary, Weather,

@@ -81,7 +81,7 @@ impl<G: Background> Map<'_, G> {
                 reach_of(&reaches, number).into_iter().for_each(|reach| self.label_reach(reach));
             }
             Own::Place(kind, number) => {
-                let mut places = input.map.names.places.iter().zip(&input.map.regions);
+                let mut places = input.map.names.places.iter().zip(input.map.regions.iter());
                 let place = places.find(|(place, _)| (place.kind, place.number) == (kind, number));
                 place.into_iter().for_each(|(place, region)| self.label_place(place, region));
             }

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::background::{Background, NONE};
 use super::blocks::blocks;
 use super::chosen::Chosen;
-use super::input::{Input, Marks};
+use super::input::{Input, Known, Marks};
 use super::letters::{Box, Kind, Label, Placed, Stroke};
 use super::levels::{Level, STEPS};
 use super::own::OwnPlaces;
@@ -21,6 +21,8 @@ pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
 /// The labels of one map in the places that have been chosen so far, for pictures and views of any size.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
+    /// What is known about the map by now.
+    pub(crate) known: Option<Known>,
     /// The frame that they are chosen in.
     frame: [Vec2; 2],
     /// The labels of each level, from the smallest pictures on.
@@ -33,7 +35,7 @@ impl Places {
     /// Does the same as [`place`], and keeps what it has chosen for other pictures of the same map.
     pub fn place<G: Background>(&mut self, input: &Input<'_>, background: &G) -> Vec<Label> {
         if self.frame != input.frame {
-            *self = Self { frame: input.frame, ..Self::default() };
+            *self = Self { known: self.known.take(), frame: input.frame, ..Self::default() };
         }
         let mut at_level = input.clone();
         let levels: Vec<Level> = Level::up_to(input).collect();

@@ -333,7 +333,7 @@ impl<'a, G: Background> Map<'a, G> {
         }
         let (mut waters, mut seas, mut coastal) = (Vec::new(), Vec::new(), [(); 3].map(|()| Vec::new()));
         let is_no_own = |(place, _): &(&PlaceName, &Region)| !self.waits(Own::Place(place.kind, place.number));
-        let places: Vec<_> = map.names.places.iter().zip(&map.regions).filter(is_no_own).collect();
+        let places: Vec<_> = map.names.places.iter().zip(map.regions.iter()).filter(is_no_own).collect();
         for (place, region) in places {
             match place.kind {
                 PlaceKind::Sea => seas.push((place, region)),

@@ -6,6 +6,7 @@ use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright, smoothed, walk_from};
 use super::chosen::{Chosen, Shrinks};
 use super::costs::COS_TURN;
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::annotate::names::{PlaceKind, PlaceName, forms};
@@ -130,15 +131,15 @@ impl<G: Background> Search<'_, G> {
         for letter in &letters {
             hits += self.ink(&letter.around(self.em))?;
         }
-        Some((3.0 * hits / letters.len() as f32, letters))
+        let is_free = are_off(self.taken, &letters, self.em, &|_| FROM_LABELS * self.em);
+        is_free.then(|| (3.0 * hits / letters.len() as f32, letters))
     }
 
     /// Returns the share of a letter that has ink under it; `None` if it cannot stand there.
     fn ink(&self, around: &Box) -> Option<f32> {
         let is_in_frame = |at: Vec2| self.input.is_in_frame(at, FROM_FRAME * self.em);
         let is_ashore = |at: Vec2| self.input.map.coast().is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
-        let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
-        if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) || self.taken.iter().any(is_taken) {
+        if !around.corners().into_iter().all(|at| is_in_frame(at) && is_ashore(at)) {
             return None;
         }
         let mut hits = 0.0;

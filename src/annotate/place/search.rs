@@ -3,8 +3,9 @@
 use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
-use super::baseline::{Line, is_upright, walk_from};
+use super::baseline::{Line, Walk, is_upright, walk_from};
 use super::costs::{Turns, Under, steepness};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between};
 use crate::base::geometry::direction;
@@ -122,10 +123,13 @@ impl<G: Background> Search<'_, G> {
         let length = self.text.length * self.em;
         let (mut all, mut letters) = (Vec::new(), Vec::with_capacity(self.text.letters.len()));
         for (number, line) in self.lines.iter().enumerate() {
-            let room = line.along.last().copied().unwrap_or(0.0) - length;
-            let mut start = 0.0;
+            let room = line.length() - length;
+            let (mut start, mut walks) = (0.0, [0.0, length].map(|along| walk_from(line, along)));
             while start <= room {
-                if let Some(cost) = self.lay(number, start, &mut letters).filter(|&cost| cost < self.most_cost) {
+                walks[0].go(start);
+                walks[1].go(start + length);
+                if let Some(cost) = self.lay_on(line, start, walks, &mut letters).filter(|&cost| cost < self.most_cost)
+                {
                     all.push(Candidate { cost, line: number, start });
                 }
                 start += step;
@@ -150,21 +154,29 @@ impl<G: Background> Search<'_, G> {
 
     /// Puts the letters along a line, and says what their shape costs; `None` if they could not be read there, or leave the land.
     fn lay(&self, line: usize, start: f32, letters: &mut Vec<Placed>) -> Option<f32> {
-        let (line, em) = (&self.lines[line], self.em);
-        let length = self.text.length * em;
-        if start < 0.0 || start + length > line.along.last().copied().unwrap_or(0.0) {
+        let (line, end) = (&self.lines[line], start + self.text.length * self.em);
+        self.lay_on(line, start, [start, end].map(|along| walk_from(line, along)), letters)
+    }
+
+    /// Puts the letters along a line between two walks, likewise.
+    fn lay_on(
+        &self,
+        line: &Line,
+        start: f32,
+        [mut walk, mut end]: [Walk<'_>; 2],
+        letters: &mut Vec<Placed>,
+    ) -> Option<f32> {
+        let (em, length) = (self.em, self.text.length * self.em);
+        if start < 0.0 || start + length > line.length() {
             return None;
         }
-        let mut walk = walk_from(line, start);
-        let ends = [walk.at(start), walk_from(line, start + length).at(start + length)];
-        let along = direction(ends[1] - ends[0]);
+        let ends = [walk.at(start), end.at(start + length)];
         let is_near = |(at, most): (Vec2, f32)| (ends[0] + ends[1]).distance_squared(at * 2.0) < most * most * 4.0;
-        if !is_upright(along)
-            || !self.is_in_frame(ends[0])
-            || !self.is_in_frame(ends[1])
-            || self.away.iter().copied().any(is_near)
-            || self.near.is_some_and(|near| !is_near(near))
-        {
+        if self.near.is_some_and(|near| !is_near(near)) || self.away.iter().copied().any(is_near) {
+            return None;
+        }
+        let along = direction(ends[1] - ends[0]);
+        if !is_upright(along) || !self.is_in_frame(ends[0]) || !self.is_in_frame(ends[1]) {
             return None;
         }
         letters.clear();
@@ -261,15 +273,9 @@ impl<G: Background> Search<'_, G> {
 
     /// Returns `true` if no letter touches its own river or comes too near to another label. The test is exact.
     fn is_free(&self, letters: &[Placed]) -> bool {
-        let course = &self.input.map.courses[self.river as usize];
-        letters.iter().map(|letter| letter.around(self.em)).all(|around| {
-            let is_too_near = |(river, other): &(u32, Box)| {
-                let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
-                around.meets(other, margin * self.em)
-            };
-            !self.taken.iter().any(is_too_near)
-                && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
-        })
+        let margin = |river: u32| self.em * if river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
+        let touches = |letter: &Placed| self.background.meets(&letter.around(self.em), self.river);
+        are_off(self.taken, letters, self.em, &margin) && (self.kind == Kind::Reach || !letters.iter().any(touches))
     }
 }
 

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::background::{Background, LAKE, RIDGE};
 use super::chosen::{Chosen, Shrinks};
+use super::crowd::are_off;
 use super::input::Input;
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::annotate::names::{PlaceName, forms};
@@ -129,8 +130,7 @@ impl<G: Background> Search<'_, G> {
             let is_fit = |at: Vec2| {
                 self.input.is_in_frame(at, FROM_FRAME * self.em) && self.coast.height(at) >= FROM_SHORE * self.em
             };
-            let is_taken = |(_, other): &(u32, Box)| around.meets(other, FROM_LABELS * self.em);
-            if !around.corners().into_iter().all(is_fit) || self.taken.iter().any(is_taken) {
+            if !around.corners().into_iter().all(is_fit) {
                 return None;
             }
             for sample in around.samples() {
@@ -142,6 +142,7 @@ impl<G: Background> Search<'_, G> {
                 hits += if under.width > 0.0 { 1.0 } else { 0.0 };
             }
         }
-        (hits <= MOST_UNDER * samples).then(|| 4.0 * hits / f32::max(samples, 1.0))
+        let is_free = hits <= MOST_UNDER * samples && are_off(self.taken, letters, self.em, &|_| FROM_LABELS * self.em);
+        is_free.then(|| 4.0 * hits / f32::max(samples, 1.0))
     }
 }

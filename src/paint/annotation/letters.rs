@@ -62,7 +62,8 @@ fn halo<'a>(
     if labels.peek().is_none() {
         return lines(view, strokes);
     }
-    let mut feather = Feather { mask: vec![0; view.pixels()], width: view.width, height: view.height };
+    let mut feather = Feather::new(view.width, view.height);
+    let mut outline = Vec::new();
     if strokes.peek().is_some()
         && let Some(mut mask) = Coverage::new(view.width, view.height)
     {
@@ -72,13 +73,15 @@ fn halo<'a>(
     for label in labels {
         let em = label.em * view.scale;
         for ends in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
-            feather.stroke(ends, SPACE * em, FADED * SPACE * em);
+            feather.strokes(&[ends], SPACE * em, FADED * SPACE * em);
         }
         let radius = label.kind.halo() * em;
         for letter in &label.letters {
             if pixels(label, letter, view, FADED * radius + 1.0).is_some() {
-                let stroke = |from, to| feather.stroke([from, to], radius * FULL, radius * FADED);
-                letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), HALO_TOLERANCE_PX, stroke);
+                let place = |at| view.pixel(letter.place(at, label.em));
+                outline.clear();
+                letter.glyph.outline(place, HALO_TOLERANCE_PX, |from, to| outline.push([from, to]));
+                feather.strokes(&outline, radius * FULL, radius * FADED);
             }
         }
     }
