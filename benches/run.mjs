@@ -55,4 +55,6 @@ try {
 } finally {
   sides.native.close();
 }
-console.log(missed.length === 0 ? "\nAll floors are met." : `\nMISSED ${missed.length}: ${missed.join("; ")}`);
+console.log(
+  missed.length === 0 ? "\nAll floors that were measured are met." : `\nMISSED ${missed.length}: ${missed.join("; ")}`,
+);

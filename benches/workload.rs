@@ -108,7 +108,7 @@ fn repetition(task: &str) -> Option<Repetition> {
 const DRAWN: &str = "land=drawn&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr";
 
 /// The settings shared by all figures: one mouth in a square, kill and step half a spacing, and no trimming.
-const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0";
+const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0&tributary-spacing=0";
 
 /// Makes a recipe. Keys that a link leaves out are as on the plain rectangle, so that no figure changes with a default.
 fn recipe(link: &str) -> Option<Recipe> {

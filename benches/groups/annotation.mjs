@@ -19,7 +19,12 @@ async function* movedLabels({ native, wasm }) {
   for (const side of [native, wasm]) {
     for (const many of ["some", "many"]) {
       const [first, moved] = await inTurn(15, [side, `labels ${many} anew`], [side, `labels ${many} kept`]);
-      yield row(`${side.name}: ${many} labels`, median(ratios(moved, first)), "×", atMost(1 / 6));
+      yield row(
+        `${side.name}: ${many} labels of a moved frame / the first ones`,
+        median(ratios(moved, first)),
+        "×",
+        atMost(1 / 6),
+      );
       yield guide("the first ones", median(first), "ms");
       yield guide("those of a moved frame", median(moved), "ms");
     }

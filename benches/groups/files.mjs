@@ -8,7 +8,7 @@ import { atLeast, atMost, guide, remark, row } from "../table.mjs";
 import { inTurn, median, ratios, UNIT } from "../turns.mjs";
 
 export const GROUPS = {
-  "Whole maps with their files, natively: islands of which nothing is trimmed, with their relief": whole,
+  "Whole maps with their files, natively: islands with trim=0 and their relief": whole,
   "A default map of 100,000 parcels to JSON, natively, in units of growing 100,000 attractors at R = 3": json,
   "Heights of a default map at 4096 x 2560, by the command line in a process of its own": heights,
   "A picture of 2048² as PNG, natively": png,

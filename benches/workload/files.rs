@@ -30,7 +30,7 @@ impl Write for Counter {
     }
 }
 
-/// An untrimmed island with all rounds of meandering, whose size grows with the number of attractors.
+/// An island with `trim=0` and all rounds of meandering, whose size grows with the number of attractors.
 fn large(growth: &str, attractors: &str) -> Option<Recipe> {
     recipe(&format!("growth={growth}&land=island&mouths=0&trim=0&style=atlas&attractors={attractors}"))
 }

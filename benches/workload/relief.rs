@@ -4,7 +4,7 @@ use std::num::NonZero;
 
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::relief::Grid;
+use riverseed::relief::{Grid, Relief};
 use riverseed::{Map, Session};
 
 use super::{Repetition, SIDE};
@@ -18,7 +18,8 @@ fn map(link: &str) -> Option<Map> {
 pub fn relief() -> Option<Repetition> {
     let map = map("style=ink")?;
     Some(Box::new(move || {
-        let Ok(relief) = map.make_relief() else { return 0 };
+        // Not `Map::make_relief`: a map with lakes has its relief already.
+        let Ok(relief) = Relief::of(map.network(), map.relief_settings()) else { return 0 };
         relief.heights()[relief.heights().len() / 2].to_bits()
     }))
 }
