@@ -116,6 +116,11 @@ impl Steepness {
         None
     }
 
+    /// Frees what only valleys and ridges need.
+    pub fn finish(&mut self) {
+        self.factors = Vec::new();
+    }
+
     /// Sets the factor of each cell around a point to `change` of the cell's distance, as a share of the radius, and
     /// its former factor.
     #[inline(never)] // one copy
