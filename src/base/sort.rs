@@ -10,7 +10,7 @@ pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
 fn order_of(keys: &[u32]) -> Vec<usize> {
     // Each key is stored with its position, so that a long list is read in sequence and not looked up all over memory.
     let items = (0..).zip(keys).map(|(i, &key): (u64, _)| u64::from(key) << 32 | i).collect();
-    sorted_from(items, 32).into_iter().map(|item| item as u32 as usize).collect()
+    sorted_from(items).into_iter().map(|item| item as u32 as usize).collect()
 }
 
 /// Returns items in ascending order of their keys. Equal ones keep their order.
@@ -18,41 +18,31 @@ pub(crate) fn sorted_by<T: Copy>(items: &[T], key: impl FnMut(&T) -> u32) -> Vec
     argsort(items.iter().map(key)).into_iter().map(|i| items[i]).collect()
 }
 
-/// Returns pairs in ascending order of the first of each, and of the second among those of the same first.
-pub(crate) fn sorted_pairs(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
-    let mut items = Vec::with_capacity(pairs.len());
-    pairs.iter().for_each(|&(first, second)| items.push(u64::from(first) << 32 | u64::from(second)));
-    let mut sorted = Vec::with_capacity(pairs.len());
-    sorted_from(items, 0).iter().for_each(|item| sorted.push(((item >> 32) as u32, *item as u32)));
-    sorted
-}
-
-/// Returns items in ascending order of their bits from one on, which is the first of a byte. Items that are equal in these keep
-/// their order.
+/// Returns items in ascending order of their upper halves. Items that are equal in these keep their order.
 #[inline(never)] // one copy
-fn sorted_from(mut items: Vec<u64>, first_bit: u32) -> Vec<u64> {
+fn sorted_from(mut items: Vec<u64>) -> Vec<u64> {
     /// The most items that are sooner sorted one by one than digit by digit.
     const FEW: usize = 24;
     if items.len() <= FEW {
-        insert_each(&mut items, first_bit);
+        insert_each(&mut items);
         return items;
     }
     let mut sorted = items.clone();
     let differing = items.iter().fold(0, |differing, item| differing | (item ^ items[0]));
     // Digits are sorted from the lowest to the highest. Each pass keeps the order of the previous ones among equal
     // digits.
-    for shift in (first_bit..u64::BITS).step_by(8).filter(|shift| (differing >> shift) as u8 != 0) {
+    for shift in (u32::BITS..u64::BITS).step_by(8).filter(|shift| (differing >> shift) as u8 != 0) {
         by_digit(&items, &mut sorted, shift);
         std::mem::swap(&mut items, &mut sorted);
     }
     items
 }
 
-/// Sorts items by moving each before those that are greater, keeping the order of equal ones.
-fn insert_each(items: &mut [u64], first_bit: u32) {
+/// Sorts items by moving each before those whose upper halves are greater, keeping the order of equal ones.
+fn insert_each(items: &mut [u64]) {
     for next in 1..items.len() {
         let item = items[next];
-        let is_greater = |other: &u64| other >> first_bit > item >> first_bit;
+        let is_greater = |other: &u64| other >> u32::BITS > item >> u32::BITS;
         let place = items[..next].iter().rposition(|other| !is_greater(other)).map_or(0, |before| before + 1);
         items.copy_within(place..next, place + 1);
         items[place] = item;
@@ -108,13 +98,6 @@ mod tests {
             expected.sort_by(f32::total_cmp);
             let bits = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
             prop_assert_eq!(bits(&sorted(&values)), bits(&expected));
-        }
-
-        #[test]
-        fn pairs_come_in_their_order(pairs in proptest::collection::vec((0u32..5, 0u32..2000), 0..50)) {
-            let mut expected = pairs.clone();
-            expected.sort();
-            prop_assert_eq!(sorted_pairs(&pairs), expected);
         }
 
         #[test]

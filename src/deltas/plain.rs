@@ -98,16 +98,28 @@ impl Plain {
     }
 
     /// Lists the corners of the window in a box around a segment.
-    #[inline(never)] // in a page, one copy is enough
     fn near(&self, from: Vec2, to: Vec2, far: f32) -> Vec<usize> {
-        let corner = Vec2::new(self.first[0] as f32, self.first[1] as f32) * self.spacing;
+        let mut near = Vec::new();
+        self.each_near((from, to), far, &mut |i, _| near.push(i));
+        near
+    }
+
+    /// Calls `found` with each corner of the window in a box around a segment, and with its position.
+    #[inline(never)] // in a page, one copy is enough
+    fn each_near(&self, (from, to): (Vec2, Vec2), far: f32, found: &mut dyn FnMut(usize, Vec2)) {
+        let [left, top] = self.first;
+        let corner = Vec2::new(left as f32, top as f32) * self.spacing;
         let index = |at: f32, count: usize| ((at / self.spacing).ceil().max(0.0) as usize).min(count);
         let (least, most) = (from.min(to) - far - corner, from.max(to) + far - corner + self.spacing);
         let across = index(least.x, self.columns)..index(most.x, self.columns);
         let down = index(least.y, self.rows)..index(most.y, self.rows);
         work::count(across.len() * down.len());
-        let columns = self.columns;
-        down.flat_map(|row| across.clone().map(move |column| row * columns + column)).collect()
+        for row in down {
+            for column in across.clone() {
+                let at = Vec2::new((left + column) as f32, (top + row) as f32) * self.spacing;
+                found(row * self.columns + column, at);
+            }
+        }
     }
 
     /// Measures the distance into the strips of land along branches.
@@ -120,8 +132,8 @@ impl Plain {
             let mut way = 0.0;
             for pair in link.line.windows(2) {
                 let step = distance(pair[0], pair[1]);
-                for i in self.near(pair[0], pair[1], half + FAR) {
-                    let (far, share) = nearest(self.at(i), (pair[0], pair[1]));
+                self.each_near((pair[0], pair[1]), half + FAR, &mut |i, at| {
+                    let (far, share) = nearest(at, (pair[0], pair[1]));
                     // A tip is narrow, so that it ends close to the sea.
                     let left = whole - way - share * step;
                     let half = match link.arms {
@@ -129,7 +141,7 @@ impl Plain {
                         Some(_) => half,
                     };
                     field[i] = fast_max(field[i], half - far);
-                }
+                });
                 way += step;
             }
         }
@@ -152,8 +164,12 @@ impl Plain {
             }
             let at = self.at(i);
             let reach = radius + 1.6 * self.spacing;
-            let open = self.near(at, at, reach).into_iter().filter(|&other| discs[other]);
-            let inside = open.map(|other| distance(self.at(other), at) + land[other]).fold(reach, fast_min);
+            let mut inside = reach;
+            self.each_near((at, at), reach, &mut |other, place| {
+                if discs[other] {
+                    inside = fast_min(inside, distance(place, at) + land[other]);
+                }
+            });
             fast_max(here, fast_min(inside, beside))
         };
         land.iter().enumerate().map(close).collect()

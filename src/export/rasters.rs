@@ -46,14 +46,12 @@ pub struct Rasters {
     flow: Flow,
     /// The lake of each cell, [`NONE`] elsewhere; empty if there are none.
     lakes: Vec<u32>,
-    /// The depth of lakes over their beds, in units; empty if there are none.
-    depths: Vec<f32>,
+    /// The cells that lakes cover, each with the depth of the water over its bed, in units.
+    depths: Vec<(u32, f32)>,
     /// The number of columns west of the map and of rows north of it.
     before: (usize, usize),
     /// The height of each cell in steps of the scale.
     steps: Vec<u16>,
-    /// The width of the river in each cell, in units; 0 if there is none.
-    widths: Vec<f32>,
     network: Arc<Network>,
     deltas: Arc<Deltas>,
     drained: Drained,
@@ -136,7 +134,7 @@ impl Rasters {
     /// anew.
     ///
     /// # Errors
-    /// Fails if rasters of this map cannot have that size, or if there is not enough memory: about 100 bytes per pixel.
+    /// Fails if rasters of this map cannot have that size, or if there is not enough memory: about 30 bytes per pixel.
     pub fn with_size(map: &Map, size: u32) -> Result<Self, ExportError> {
         Self::with_size_on(map, size, NonZero::<usize>::MIN)
     }
@@ -172,11 +170,13 @@ impl Rasters {
         let flow = Flow::new(&relief, network, settings)?;
         let (grid, lakes) = (relief.grid(), map.lakes());
         let covered = lakes.on(&grid);
-        let depths = if lakes.is_empty() { Vec::new() } else { lakes.depths(&relief) };
-        let relief =
-            if lakes.is_empty() { relief } else { lakes.filled(&relief, |cell| flow.next(&grid, cell)).into() };
-        let map_scale = map.scale();
         let next = |cell: usize| flow.next(&grid, cell);
+        let depths = lakes.depths(&relief, &covered);
+        let relief = match lakes.is_empty() {
+            true => relief,
+            false => lakes.fill(Arc::unwrap_or_clone(relief), &covered, next).into(),
+        };
+        let map_scale = map.scale();
         let levels = Levels::new(relief.heights(), map_scale.metres_up.into(), next, &covered);
         let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
@@ -188,7 +188,6 @@ impl Rasters {
             scale,
             map_scale,
             steps,
-            widths: widths(&relief, &flow, (network, map.deltas()), Vertex::width),
             network: map.network().clone(),
             deltas: map.deltas().clone(),
             drained: Drained::of(map),
@@ -262,7 +261,10 @@ impl Rasters {
                 let heights = self.relief.heights().iter();
                 Values::Bytes(heights.map(|&height| if height > 0.0 { 255 } else { 0 }).collect())
             }
-            Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
+            Layer::Rivers => {
+                let widths = widths(&self.relief, &self.flow, (&self.network, &self.deltas), Vertex::width);
+                Values::Words(widths.into_iter().map(thousandths).collect())
+            }
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
             Layer::Water => {
                 let is_water = |(cell, &height): (usize, &f32)| {
@@ -361,7 +363,10 @@ impl Rasters {
 
     /// Returns the depth of a lake over its bed in a cell of the map, in units; 0 where there is no lake.
     pub fn depth(&self, cell: usize) -> f32 {
-        self.depths.get(cell).copied().unwrap_or(0.0)
+        // A look at the lakes tells nearly all cells, a search only those under water.
+        let covered = self.lakes.get(cell).filter(|lake| **lake != NONE);
+        let place = covered.and_then(|_| self.depths.binary_search_by_key(&(cell as u32), |water| water.0).ok());
+        place.map_or(0.0, |place| self.depths[place].1)
     }
 
     /// Returns the depth of the sea over ground of a height, both in steps of the scale; 0 on land.
@@ -482,12 +487,12 @@ mod tests {
     fn rasters_are_refused_where_there_is_no_memory_for_them() {
         let map = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap().finish().unwrap();
         // This is enough for the rivers; the relief exists already.
-        let refused = with_lists_up_to(10_000_000, || Rasters::new(&map)).unwrap_err();
-        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
+        let refused = with_lists_up_to(3_000_000, || Rasters::new(&map)).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 3), "{refused}");
         assert!(Rasters::new(&map).is_ok());
         // A finer relief than the existing one has to be made.
-        let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&map, 2048)).unwrap_err();
-        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 100), "{refused}");
+        let refused = with_lists_up_to(50_000_000, || Rasters::with_size(&map, 2048)).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 50), "{refused}");
         let wide = Rasters::with_size(&map, 700).unwrap();
         let refused = with_lists_up_to(1_000_000, || wide.into_squares()).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { .. }), "{refused}");

@@ -137,39 +137,46 @@ impl Lakes {
     /// Returns the heights of the surface of a relief of the map, in units: the level of the water where there is a lake, and a shore
     /// nowhere under it.
     pub fn surface(&self, relief: &Relief) -> Vec<f32> {
-        let grid = relief.grid();
-        let is_own = self.grid == Some(grid);
         let mut heights = relief.heights().to_vec();
-        for (cell, lake) in self.on(&grid).into_iter().enumerate() {
-            if let Some(lake) = self.list.get(lake as usize) {
+        self.raise(&mut heights, &relief.grid(), &self.on(&relief.grid()));
+        heights
+    }
+
+    /// Raises the heights of the ground, in units, to the surface of lakes; `covered` is the lake that covers each cell.
+    fn raise(&self, heights: &mut [f32], grid: &Grid, covered: &[u32]) {
+        let is_own = self.grid == Some(*grid);
+        for (cell, lake) in covered.iter().enumerate() {
+            if let Some(lake) = self.list.get(*lake as usize) {
                 heights[cell] = lake.level;
-            } else if let Some(lake) = self.shore_at(&grid, cell).filter(|_| !is_own) {
+            } else if let Some(lake) = self.shore_at(grid, cell).filter(|_| !is_own) {
                 heights[cell] = raised((lake.level, lake.level - lake.depth), heights[cell]);
             }
         }
         for &(cell, height) in self.raised.iter().filter(|_| is_own) {
             heights[cell as usize] = height;
         }
-        heights
     }
 
-    /// Returns a relief of the map with the surface of the water in place of its bed. `next` is the cell that a cell's water runs to: on
-    /// grids other than the map's own, land that would not be higher is raised a little over it.
-    pub(crate) fn filled(&self, relief: &Relief, next: impl Fn(usize) -> Option<usize>) -> Relief {
-        let mut heights = self.surface(relief);
-        if self.grid != Some(relief.grid()) {
-            let_fall(&mut heights, |height| height <= 0.0, next, &self.on(&relief.grid()), f32::next_up);
+    /// Puts the surface of the water in place of its bed in a relief of the map. `covered` is the lake that covers each cell, and `next`
+    /// the cell that a cell's water runs to: on grids other than the map's own, land that would not be higher is raised a little over it.
+    pub(crate) fn fill(&self, relief: Relief, covered: &[u32], next: impl Fn(usize) -> Option<usize>) -> Relief {
+        let grid = relief.grid();
+        let mut heights = relief.into_heights();
+        self.raise(&mut heights, &grid, covered);
+        if self.grid != Some(grid) {
+            let_fall(&mut heights, |height| height <= 0.0, next, covered, f32::next_up);
         }
-        relief.with_heights(heights)
+        Relief::on(grid, heights)
     }
 
-    /// Returns the depth of the water in each cell of a relief of the map, in units; 0 where there is no lake.
-    pub fn depths(&self, relief: &Relief) -> Vec<f32> {
-        let covered = self.on(&relief.grid());
-        let depth = |(lake, height): (&u32, &f32)| {
-            self.list.get(*lake as usize).map_or(0.0, |lake| (lake.level - height).max(0.0))
-        };
-        covered.iter().zip(relief.heights()).map(depth).collect()
+    /// Lists the cells that lakes cover, each with the depth of the water on a relief, in units; `covered` is the lake that covers each
+    /// cell.
+    pub(crate) fn depths(&self, relief: &Relief, covered: &[u32]) -> Vec<(u32, f32)> {
+        let water = (0..).zip(covered).zip(relief.heights()).filter_map(|((cell, lake), height)| {
+            let lake = self.list.get(*lake as usize)?;
+            Some((cell, (lake.level - height).max(0.0)))
+        });
+        water.collect()
     }
 
     /// Returns the lake on whose shore a cell of a grid lies, in it or beside it.

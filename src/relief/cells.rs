@@ -78,13 +78,15 @@ impl Cells {
 
     /// Fills a list with the distance of the middle of each cell of the map from the coast, as pictures show that; leaves the rim.
     fn measured(&self, distance: &SmoothedDistance, mut list: Vec<f32>, threads: NonZero<usize>) -> Vec<f32> {
+        // The same in all rows.
+        let places: Vec<(usize, f32)> =
+            (0..self.columns).map(|column| distance.column(self.coordinate(column))).collect();
         for_each_row(&mut list, self.columns, threads, |row, list| {
             if !(1..self.rows - 1).contains(&row) {
                 return;
             }
             let across = distance.across(self.coordinate(row));
-            for (column, inland) in list.iter_mut().enumerate().take(self.columns - 1).skip(1) {
-                let (nearest, t) = distance.column(self.coordinate(column));
+            for (inland, &(nearest, t)) in list.iter_mut().zip(&places).take(self.columns - 1).skip(1) {
                 *inland = Parabola::of(across.around(nearest)).at(t);
             }
         });

@@ -35,7 +35,6 @@ impl ReliefDrafts {
     /// If there is not enough memory.
     pub fn new(relief: &Arc<Relief>, settings: ReliefSettings) -> Result<Self, ReliefError> {
         const BYTES_A_CELL: usize = 24;
-        // The solver asked for more than this, and has freed it.
         let bytes = settings.grid.columns * settings.grid.rows * BYTES_A_CELL;
         let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
         ask(bytes).map_err(refused)?;

@@ -6,7 +6,6 @@ use super::cells::Cells;
 use super::channels::Channels;
 use super::{Grid, Relief, ReliefError, ReliefSettings};
 use crate::base::memory::ask;
-use crate::base::sort::{argsort, key};
 use crate::base::work;
 use crate::land::trace::rings;
 use crate::network::{NONE, Network};
@@ -28,7 +27,7 @@ pub struct Flow {
     pub mouths: Vec<u32>,
 }
 
-/// The codes in the order of [`Field::around`].
+/// The codes in the order of [`Cells::around`].
 const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
 
 /// Returns how many columns to the east and rows to the south the code of a direction leads; `None` if there is no such code.
@@ -44,7 +43,8 @@ impl Flow {
     /// If there is not enough memory.
     pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
         let (cells, channels) = walked(relief, network, settings)?;
-        Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells: &cells }, &channels, network))
+        let ways = Field { heights: heights_with_rim(&cells, relief), cells: &cells }.ways(&channels, network);
+        Ok(Self::along(&ways, &cells, &channels, network))
     }
 
     /// Finds the cell that the water of each cell of a relief runs to, on its own grid; [`NONE`] at sea and where water leaves the map.
@@ -64,20 +64,18 @@ impl Flow {
         Some(row * grid.columns + column)
     }
 
-    fn on(field: &Field<'_>, channels: &Channels, network: &Network) -> Self {
-        let rivers = field.rivers(channels, network);
-        let downstream = field.downstream(channels, network);
-        let outlets = field.outlets(&downstream);
+    fn along(ways: &[Way], cells: &Cells, channels: &Channels, network: &Network) -> Self {
+        let rivers = greatest_rivers(cells, channels, network);
         let basin_of = network.basins();
-        let basin = |cell: usize| match rivers[outlets[cell]] {
+        let basin = |outlet: usize| match rivers[outlet] {
             NONE => 0,
             river => basin_of[river as usize],
         };
-        let inside = || field.inside();
+        let basins = basins(ways, cells, basin);
         Self {
-            directions: inside().map(|cell| field.code(cell, downstream[cell])).collect(),
-            basins: inside().map(|cell| if field.cells.is_land(cell) { basin(cell) } else { 0 }).collect(),
-            rivers: inside().map(|cell| rivers[cell]).collect(),
+            directions: inside(cells).map(|cell| ways[cell].code()).collect(),
+            basins: without_rim(basins, cells),
+            rivers: without_rim(rivers, cells),
             mouths: network.mouths(),
         }
     }
@@ -110,13 +108,15 @@ pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &G
 
 /// Reads the cells of a relief that was made of these rivers with these settings, and walks the rivers over them.
 fn walked(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<(Cells, Channels), ReliefError> {
-    /// All lists of cells together, and paths where rivers have few vertices.
-    const BYTES_A_CELL: usize = 80;
+    /// The distance from the coast, heights, ways and discharges, or rivers and basins instead; what is returned; and paths where rivers
+    /// have few vertices.
+    const BYTES_A_CELL: usize = 18;
     const BYTES_A_VERTEX: usize = 40;
     let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
     let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
     ask(bytes).map_err(refused)?;
-    let cells = Cells::new(settings).map_err(refused)?;
+    // Hillsides alone go by the low stand.
+    let cells = Cells::new(&ReliefSettings { low_stand: None, ..settings.clone() }).map_err(refused)?;
     let mut channels = Channels::new(network, vec![0.0; network.vertices.len()]).map_err(refused)?;
     while channels.walk(&cells, network).map_err(refused)? {}
     Ok((cells, channels))
@@ -125,14 +125,34 @@ fn walked(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Resu
 /// Finds the cell that the water of each cell of the map runs to; [`NONE`] at sea and where water leaves the map. Heights include the rim:
 /// 0 for all of the sea, infinite where no water runs.
 pub(super) fn ways_on(cells: &Cells, heights: Vec<f32>, channels: &Channels, network: &Network) -> Vec<u32> {
-    let field = Field { cells, heights };
     work::count(9 * cells.land_count());
-    let downstream = field.downstream(channels, network);
-    let way = |cell: usize| match downstream[cell] {
-        to if to == cell || !cells.is_land(cell) || !cells.is_land(to) => NONE,
-        to => cells.without_rim(to) as u32,
-    };
-    field.inside().map(way).collect()
+    let ways = Field { cells, heights }.ways(channels, network);
+    let to = |cell: usize| ways[cell].to(cell, cells).filter(|&to| cells.is_land(to));
+    inside(cells).map(|cell| to(cell).map_or(NONE, |to| cells.without_rim(to) as u32)).collect()
+}
+
+/// The way of a cell's water: one more than the place, among the cells around it, of the one that it runs to; 0 if it runs to none.
+#[derive(Clone, Copy)]
+struct Way(u8);
+
+impl Way {
+    const NOWHERE: Self = Self(0);
+
+    /// Returns the way from a cell to one that touches it.
+    fn between(cell: usize, to: usize, cells: &Cells) -> Self {
+        Self(cells.around(cell).into_iter().position(|beside| beside == to).map_or(0, |place| place as u8 + 1))
+    }
+
+    /// Returns the cell that the water of a cell runs to.
+    #[inline]
+    fn to(self, cell: usize, cells: &Cells) -> Option<usize> {
+        (self.0 > 0).then(|| cells.around(cell)[self.0 as usize - 1])
+    }
+
+    /// Returns the code of the direction; 0 if there is none.
+    fn code(self) -> u8 {
+        if self.0 > 0 { CODES[self.0 as usize - 1] } else { 0 }
+    }
 }
 
 /// The heights of the map's cells and of the rim around them.
@@ -144,7 +164,7 @@ struct Field<'a> {
 
 fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
     let height = |cell: usize| match (cells.is_land(cell), cells.is_sea(cell)) {
-        (true, _) => relief.heights[(cell / cells.columns - 1) * relief.columns() + cell % cells.columns - 1],
+        (true, _) => relief.heights[cells.without_rim(cell)],
         (_, true) => 0.0,
         _ => f32::INFINITY,
     };
@@ -152,74 +172,90 @@ fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
 }
 
 impl Field<'_> {
-    /// Iterates over the map's cells, without the rim, row by row.
-    fn inside(&self) -> impl Iterator<Item = usize> + '_ {
-        let &Cells { columns, rows, .. } = self.cells;
-        (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| row * columns + column))
-    }
-
-    /// Finds the greatest river that passes each cell of land; [`NONE`] elsewhere.
-    fn rivers(&self, channels: &Channels, network: &Network) -> Vec<u32> {
-        let mut greatest = vec![NONE; self.heights.len()];
-        let discharge = |river: u32| network.rivers.get(river as usize).map_or(0, |river| network.discharge(river));
-        for (river, path) in (0..).zip(channels.paths()) {
-            for cell in path.iter().map(|step| step.0 as usize).filter(|&cell| self.cells.is_land(cell)) {
-                if greatest[cell] == NONE || discharge(river) > discharge(greatest[cell]) {
-                    greatest[cell] = river;
-                }
-            }
-        }
-        greatest
-    }
-
-    /// Finds the lower cell, or one beyond the border, that the water of each cell of land runs to; elsewhere the cell itself.
-    fn downstream(&self, channels: &Channels, network: &Network) -> Vec<usize> {
-        let mut downstream: Vec<usize> = (0..self.heights.len()).collect();
-        let mut discharge = vec![None; self.heights.len()];
+    /// Finds the way of the water of each cell of land, to a lower cell or one beyond the border.
+    fn ways(self, channels: &Channels, network: &Network) -> Vec<Way> {
+        let mut ways = vec![Way::NOWHERE; self.heights.len()];
+        // One more than the discharge of the greatest river by which the way is known; 0 if it is not.
+        let mut known = vec![0; self.heights.len()];
         for (river, path) in network.rivers.iter().zip(channels.paths()) {
-            let own = Some(network.discharge(river));
-            let mut path = path.iter().map(|step| step.0 as usize).peekable();
-            while let Some(cell) = path.next() {
+            let own = network.discharge(river).saturating_add(1);
+            for pair in path.windows(2) {
+                let [cell, next] = [pair[0].0 as usize, pair[1].0 as usize];
                 // Where two rivers pass a cell, the path of one may lead up from there.
-                let lower = path.peek().filter(|&&next| self.heights[next] < self.heights[cell]);
-                if let Some(&next) = lower.filter(|_| self.cells.is_land(cell) && own > discharge[cell]) {
-                    (downstream[cell], discharge[cell]) = (next, own);
+                if self.heights[next] < self.heights[cell] && self.cells.is_land(cell) && own > known[cell] {
+                    (ways[cell], known[cell]) = (Way::between(cell, next, self.cells), own);
                 }
             }
         }
-        for cell in self.cells.land().filter(|&cell| discharge[cell].is_none()) {
-            downstream[cell] = self.steepest(cell);
+        for cell in self.cells.land().filter(|&cell| known[cell] == 0) {
+            ways[cell] = self.steepest(cell);
         }
-        downstream
+        ways
     }
 
-    /// Returns the neighbour by which the way down is steepest; if none is lower, a cell beyond the border (rivers also
-    /// end there where the sea begins between the middles of cells), or in the interior of the map the cell itself.
-    fn steepest(&self, cell: usize) -> usize {
-        let slope = |(beside, code): (usize, u8)| {
-            let far = if matches!(code, 1 | 4 | 16 | 64) { 1.0 } else { std::f32::consts::SQRT_2 };
-            ((self.heights[cell] - self.heights[beside]) / far, beside)
+    /// Returns the way down that is steepest; if no neighbour is lower, the way to a cell beyond the border (rivers also
+    /// end there where the sea begins between the middles of cells), or in the interior of the map none.
+    fn steepest(&self, cell: usize) -> Way {
+        let slope = |(place, beside): (u8, usize)| {
+            let far = if matches!(CODES[place as usize - 1], 1 | 4 | 16 | 64) { 1.0 } else { std::f32::consts::SQRT_2 };
+            ((self.heights[cell] - self.heights[beside]) / far, Way(place))
         };
-        let slopes = self.cells.around(cell).into_iter().zip(CODES).map(slope);
-        let (slope, steepest) = slopes.fold((0.0, cell), |best, next| if next.0 > best.0 { next } else { best });
+        let slopes = (1..).zip(self.cells.around(cell)).map(slope);
+        let (slope, steepest) =
+            slopes.fold((0.0, Way::NOWHERE), |best, next| if next.0 > best.0 { next } else { best });
         let beyond = || self.cells.beside(cell).into_iter().find(|&beside| self.cells.is_rim(beside));
-        if slope > 0.0 { steepest } else { beyond().unwrap_or(cell) }
+        match slope > 0.0 {
+            true => steepest,
+            false => beyond().map_or(Way::NOWHERE, |beyond| Way::between(cell, beyond, self.cells)),
+        }
     }
+}
 
-    /// Finds the last cell of land that the water of each cell passes.
-    fn outlets(&self, downstream: &[usize]) -> Vec<usize> {
-        let mut outlets: Vec<usize> = (0..downstream.len()).collect();
-        let land: Vec<usize> = self.cells.land().collect();
-        for cell in argsort(land.iter().map(|&cell| key(self.heights[cell]))).into_iter().map(|i| land[i]) {
-            if self.cells.is_land(downstream[cell]) {
-                outlets[cell] = outlets[downstream[cell]];
+/// Iterates over the map's cells, without the rim, row by row.
+fn inside(cells: &Cells) -> impl Iterator<Item = usize> + '_ {
+    let &Cells { columns, rows, .. } = cells;
+    (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| row * columns + column))
+}
+
+/// Removes the rim from a list with an item for each cell.
+fn without_rim<T: Copy>(mut list: Vec<T>, &Cells { columns, rows, .. }: &Cells) -> Vec<T> {
+    for row in 1..rows - 1 {
+        list.copy_within(row * columns + 1..(row + 1) * columns - 1, (row - 1) * (columns - 2));
+    }
+    list.truncate((rows - 2) * (columns - 2));
+    list
+}
+
+/// Finds the greatest river that passes each cell of land; [`NONE`] elsewhere.
+fn greatest_rivers(cells: &Cells, channels: &Channels, network: &Network) -> Vec<u32> {
+    let mut greatest = vec![NONE; cells.inland.len()];
+    let discharge = |river: u32| network.rivers.get(river as usize).map_or(0, |river| network.discharge(river));
+    for (river, path) in (0..).zip(channels.paths()) {
+        for cell in path.iter().map(|step| step.0 as usize).filter(|&cell| cells.is_land(cell)) {
+            if greatest[cell] == NONE || discharge(river) > discharge(greatest[cell]) {
+                greatest[cell] = river;
             }
         }
-        outlets
     }
+    greatest
+}
 
-    fn code(&self, cell: usize, downstream: usize) -> u8 {
-        let around = self.cells.around(cell).into_iter().zip(CODES);
-        around.filter(|&(beside, _)| beside == downstream).map(|(_, code)| code).next().unwrap_or(0)
+/// Finds the basin of each cell of land: what `basin` says of the last cell of land that its water passes; 0 elsewhere.
+fn basins(ways: &[Way], cells: &Cells, basin: impl Fn(usize) -> u32) -> Vec<u32> {
+    const UNKNOWN: u32 = u32::MAX;
+    let mut basins: Vec<u32> = (0..ways.len()).map(|cell| if cells.is_land(cell) { UNKNOWN } else { 0 }).collect();
+    let mut passed = Vec::new();
+    for start in 0..ways.len() {
+        let mut cell = start;
+        while basins[cell] == UNKNOWN {
+            passed.push(cell);
+            match ways[cell].to(cell, cells).filter(|&to| cells.is_land(to)) {
+                Some(to) => cell = to,
+                None => basins[cell] = basin(cell),
+            }
+        }
+        let found = basins[cell];
+        passed.drain(..).for_each(|cell| basins[cell] = found);
     }
+    basins
 }

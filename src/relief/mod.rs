@@ -83,9 +83,14 @@ impl Relief {
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
     }
 
-    /// Returns a relief on the same grid with other heights, in units, one for each cell.
-    pub(crate) fn with_heights(&self, heights: Vec<f32>) -> Self {
-        Self { grid: self.grid, heights }
+    /// Makes a relief from the heights of the cells of a grid, in units, one for each.
+    pub(crate) fn on(grid: Grid, heights: Vec<f32>) -> Self {
+        Self { grid, heights }
+    }
+
+    /// Gives away the heights of the cells, in units.
+    pub(crate) fn into_heights(self) -> Vec<f32> {
+        self.heights
     }
 
     /// Returns the number of cells in a row. The last may reach over the map's border.

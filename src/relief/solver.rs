@@ -85,8 +85,8 @@ impl ReliefSolver {
     /// # Errors
     /// If there is not enough memory.
     pub fn new(network: &Network, settings: ReliefSettings) -> Result<Self, ReliefError> {
-        /// Distance, steepness, front with queue, and finished height of a cell; and paths where rivers have few vertices.
-        const BYTES_A_CELL: usize = 48;
+        /// Distance, front with queue, and height of a cell, or heights before and after creep; and paths where rivers have few vertices.
+        const BYTES_A_CELL: usize = 20;
         const BYTES_A_VERTEX: usize = 40;
         let Grid { columns, rows, .. } = settings.grid;
         let this = Self {
@@ -162,6 +162,8 @@ impl ReliefSolver {
             }
             Part::Hillsides => {
                 self.steepness = Steepness::of_hillsides(&self.settings, &self.cells)?;
+                // Nothing else goes by the low stand.
+                self.cells.from_low_stand = Vec::new();
                 Part::Profiles
             }
             Part::Profiles => {
@@ -183,7 +185,10 @@ impl ReliefSolver {
             }
             Part::Channels => match self.channels.walk(&self.cells, network)? {
                 true => self.next,
-                false => Part::Coast,
+                false => {
+                    self.steepness.finish();
+                    Part::Coast
+                }
             },
             Part::Coast => {
                 let Self { settings, cells, steepness, .. } = self;
@@ -201,9 +206,12 @@ impl ReliefSolver {
                 false if self.lower(times)? => Part::Front(times + 1),
                 false => self.settle()?,
             },
-            Part::Creep => match self.creep.advance(&self.cells, &self.is_river, self.settings.threads) {
+            Part::Creep => match self.creep.advance(&self.cells, &self.is_river, self.settings.threads)? {
                 true => self.next,
-                false => Part::Finish,
+                false => {
+                    self.is_river = Vec::new();
+                    Part::Finish
+                }
             },
             Part::Finish => self.next,
         })
@@ -274,7 +282,7 @@ impl ReliefSolver {
             heights.iter_mut().filter(|height| **height < f32::INFINITY).for_each(|height| *height = worn(*height));
         });
         self.channels.let_fall(&self.cells, &mut heights);
-        self.creep = Creep::new(heights)?;
+        self.creep = Creep::new(&self.cells, heights, &is_river)?;
         (self.is_river, self.front) = (is_river, Front::default());
         Ok(Part::Creep)
     }
@@ -284,7 +292,7 @@ impl ReliefSolver {
     /// # Errors
     /// If there is not enough memory.
     pub(crate) fn ways(&self, network: &Network) -> Result<Vec<u32>, ReliefError> {
-        const BYTES_A_CELL: usize = 20;
+        const BYTES_A_CELL: usize = 13;
         ask(self.cells.inland.len() * BYTES_A_CELL).map_err(|_| self.refused())?;
         let height = |cell: usize| match (self.cells.is_land(cell), self.cells.is_sea(cell)) {
             (true, _) => self.creep.heights[cell],

@@ -5,8 +5,8 @@
 /// A queue of cells, the lowest step first.
 #[derive(Clone, Debug)]
 pub(super) struct Buckets {
-    /// For each step, one more than the index in `entries` of the latest; 0 if there is none. Empty while the queue is, so that
-    /// tiles in which nothing waits take no memory.
+    /// For each step, one more than the index in `entries` of the latest; 0 if there is none. Empty until a cell comes, so that
+    /// tiles of sea take no memory.
     latest: Vec<u32>,
     /// The entries of all steps, and free ones, which are used again, the last freed first: it is still at hand.
     entries: Vec<Entry>,
@@ -77,7 +77,7 @@ impl Buckets {
     #[inline]
     pub fn pop(&mut self) -> Option<(usize, usize)> {
         if self.len == 0 {
-            self.clear();
+            self.lowest = 0;
             return None;
         }
         loop {
@@ -91,12 +91,6 @@ impl Buckets {
             }
             self.lowest += 1;
         }
-    }
-
-    /// Frees the memory of an empty queue.
-    fn clear(&mut self) {
-        (self.latest, self.entries) = (Vec::new(), Vec::new());
-        (self.free, self.lowest) = (0, 0);
     }
 
     /// Returns the step that a height, in units, belongs to.

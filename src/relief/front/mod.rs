@@ -19,7 +19,6 @@ use super::cells::Cells;
 use super::channels::Channels;
 use crate::base::memory::{Refused, ask};
 use crate::base::parallel::{for_each, for_each_row};
-use crate::base::sort::sorted_pairs;
 use crate::base::work;
 
 /// The front on the cells of a map.
@@ -55,7 +54,7 @@ impl Front {
     /// Fails if there is not enough memory.
     pub fn new(cells: &Cells, rises: &[f32], side: usize, threads: NonZero<usize>) -> Result<Self, Refused> {
         /// Heights, steepness, ways of rivers, and the queue.
-        const BYTES_A_CELL: usize = 24;
+        const BYTES_A_CELL: usize = 12;
         ask(rises.len() * BYTES_A_CELL)?;
         work::count(2 * rises.len());
         let (inner_columns, inner_rows) = (cells.columns - 2, cells.rows - 2);
@@ -75,12 +74,10 @@ impl Front {
     pub fn add_coast(&mut self, cells: &Cells, threads: NonZero<usize>) {
         work::count(cells.inland.len() + 4 * self.cells);
         for_each(self.tiles.iter_mut(), threads, |tile| {
-            for local in 0..tile.cells.len() {
-                if !tile.cells[local].is_open() {
-                    continue;
-                }
-                let cell = (tile.top + local / tile.columns) * cells.columns + tile.left + local % tile.columns;
-                if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
+            for (row, column) in tile.inside() {
+                let (cell, local) =
+                    ((tile.top + row) * cells.columns + tile.left + column, row * tile.columns + column);
+                if cells.is_land(cell) && cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
                     // The coast runs between the middles of cells. `clamp` would bring a panic message with numbers, which weighs 8 kB.
                     let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
                     tile.lower(local, tile.cells[local].rise * way / cells.size);
@@ -93,7 +90,6 @@ impl Front {
     pub fn add_rivers(&mut self, cells: &Cells, channels: &Channels) {
         // Land is above the sea up to the very mouth.
         let least = LEAST_HEIGHT * cells.size;
-        let mut ways: Vec<Vec<(u32, u32)>> = vec![Vec::new(); self.tiles.len()];
         for path in channels.paths() {
             work::count(6 * path.len());
             for &(cell, height) in path.iter().filter(|step| cells.is_land(step.0 as usize)) {
@@ -103,14 +99,10 @@ impl Front {
                 let [cell, next] = [pair[0].0 as usize, pair[1].0 as usize];
                 if cells.is_land(cell) && cells.is_land(next) && cell != next {
                     let (tile, local) = self.place(cell);
-                    ways[tile].push((local as u32, self.tiles[tile].local(self.columns, next) as u32));
+                    let next = self.tiles[tile].local(self.columns, next);
+                    self.tiles[tile].add_way(local, next);
                 }
             }
-        }
-        for (tile, ways) in self.tiles.iter_mut().zip(&ways).filter(|(_, ways)| !ways.is_empty()) {
-            let mut ways = sorted_pairs(ways);
-            ways.dedup();
-            tile.set_ways(&ways);
         }
     }
 
@@ -223,6 +215,12 @@ impl Tile {
         (cell / columns - self.top) * self.columns + cell % columns - self.left
     }
 
+    /// Iterates over the rows and columns of the cells inside the ring.
+    fn inside(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (columns, rows) = (self.columns, self.rows);
+        (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| (row, column)))
+    }
+
     /// Lists the cells of the ring, each with its neighbour inside the ring; corners have none.
     fn ring(&self) -> Vec<(usize, Option<usize>)> {
         let (columns, last) = (self.columns, (self.rows - 1) * self.columns);
@@ -242,10 +240,8 @@ impl Tile {
 /// Closes a tile, then opens its cells of land inside the ring to the front.
 fn fill(tile: &mut Tile, cells: &Cells, rises: &[f32]) {
     tile.close();
-    for row in 1..tile.rows - 1 {
-        for column in 1..tile.columns - 1 {
-            let cell = (tile.top + row) * cells.columns + tile.left + column;
-            tile.cells[row * tile.columns + column].rise = if cells.is_land(cell) { rises[cell] } else { CLOSED };
-        }
+    for (row, column) in tile.inside() {
+        let cell = (tile.top + row) * cells.columns + tile.left + column;
+        tile.cells[row * tile.columns + column].rise = if cells.is_land(cell) { rises[cell] } else { CLOSED };
     }
 }

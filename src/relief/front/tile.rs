@@ -16,11 +16,9 @@ pub(super) struct Tile {
     pub columns: usize,
     pub rows: usize,
     pub cells: Vec<Ground>,
-    /// For each cell that a river passes, one more than the index in `next` of the first cell that a river passes next;
-    /// 0 elsewhere.
-    first: Vec<u32>,
-    /// The cells that rivers pass next; those after the same cell follow one another.
-    next: Vec<u32>,
+    /// For each cell, a bit for each of the cells around it that a river passes next, in the order of [`around`]; empty if no river
+    /// passes the tile.
+    ways: Vec<u8>,
     queue: Buckets,
     /// The number of cells that have passed their heights on.
     pub passed: usize,
@@ -41,24 +39,11 @@ impl Ground {
     }
 }
 
-/// The bit that marks, in `next`, the last of the cells after the same cell.
-const LAST: u32 = 1 << 31;
-
 impl Tile {
     /// Makes a tile at a place on the grid, to be [closed](Self::close). Its queue has steps of a given height, in units.
     pub fn new(place: (usize, usize), size: (usize, usize), step: f32) -> Self {
         let ((left, top), (columns, rows)) = (place, size);
-        Self {
-            left,
-            top,
-            columns,
-            rows,
-            cells: Vec::new(),
-            first: Vec::new(),
-            next: Vec::new(),
-            queue: Buckets::new(step),
-            passed: 0,
-        }
+        Self { left, top, columns, rows, cells: Vec::new(), ways: Vec::new(), queue: Buckets::new(step), passed: 0 }
     }
 
     /// Makes all cells infinitely high, and lets the front enter none.
@@ -66,17 +51,13 @@ impl Tile {
         self.cells = vec![Ground { height: f32::INFINITY, rise: CLOSED }; self.columns * self.rows];
     }
 
-    /// Sets the ways of rivers: sorted pairs of a cell and the cell that a river passes next.
-    pub fn set_ways(&mut self, ways: &[(u32, u32)]) {
-        self.first = vec![0; self.cells.len()];
-        self.next = Vec::with_capacity(ways.len());
-        for (i, &(cell, next)) in ways.iter().enumerate() {
-            if self.first[cell as usize] == 0 {
-                self.first[cell as usize] = i as u32 + 1;
-            }
-            let is_last = ways.get(i + 1).is_none_or(|way| way.0 != cell);
-            self.next.push(if is_last { next | LAST } else { next });
+    /// Adds the way of a river from a cell to one that touches it.
+    pub fn add_way(&mut self, cell: usize, next: usize) {
+        if self.ways.is_empty() {
+            self.ways = vec![0; self.cells.len()];
         }
+        let place = around(cell, self.columns).into_iter().position(|beside| beside == next);
+        place.into_iter().for_each(|place| self.ways[cell] |= 1 << place);
     }
 
     /// Returns `true` if any cell waits to pass its height on.
@@ -134,20 +115,23 @@ impl Tile {
             self.cells[beside].height = heights[i];
             self.queue.push(heights[i], beside as u32);
         }
-        let first = self.first.get(cell).copied().unwrap_or(0);
-        if first > 0 {
-            self.lower_downstream(first as usize - 1, self.cells[cell].height);
+        let ways = self.ways.get(cell).copied().unwrap_or(0);
+        if ways > 0 {
+            self.lower_downstream(cell, ways);
         }
     }
 
-    fn lower_downstream(&mut self, mut way: usize, height: f32) {
-        loop {
-            let next = self.next[way];
-            self.lower((next & !LAST) as usize, height);
-            if next & LAST != 0 {
-                return;
-            }
-            way += 1;
+    fn lower_downstream(&mut self, cell: usize, mut ways: u8) {
+        let height = self.cells[cell].height;
+        while ways > 0 {
+            self.lower(around(cell, self.columns)[ways.trailing_zeros() as usize], height);
+            ways &= ways - 1;
         }
     }
+}
+
+/// Returns the eight cells around a cell, row by row.
+fn around(cell: usize, columns: usize) -> [usize; 8] {
+    let (north, south) = (cell - columns, cell + columns);
+    [north - 1, north, north + 1, cell - 1, cell + 1, south - 1, south, south + 1]
 }
