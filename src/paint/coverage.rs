@@ -9,6 +9,7 @@ use tiny_skia::Mask;
 use wide::f32x4;
 
 use crate::base::rings::{sides, stretches_between};
+use crate::base::sort;
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -193,13 +194,17 @@ impl Coverage {
         let Some(rect) = Rect::between([least, most], self.mask.width(), self.mask.height()) else { return };
         self.touch(rect);
         let mut shares = vec![0.0; (rect.right - rect.left) as usize];
-        let mut near: Vec<[Vec2; 2]> = Vec::new();
+        let upper = |[a, b]: &[Vec2; 2]| if a.y < b.y { a.y } else { b.y };
+        let lower = |[a, b]: &[Vec2; 2]| larger(a.y, b.y);
+        let all: Vec<[Vec2; 2]> = sides(rings).collect();
+        // The sides that begin in rows to come, the next ones last, and those that have begun and not ended.
+        let (mut waiting, mut near) = (sort::sorted_by(&all, |side| sort::key(-upper(side))), Vec::new());
         for row in rect.top..rect.bottom {
             shares.fill(0.0);
-            near.clear();
-            let (above, below) = (row as f32, row as f32 + 1.0);
-            let is_near = |[a, b]: &[Vec2; 2]| (a.y > above || b.y > above) && (a.y < below || b.y < below);
-            sides(rings).filter(is_near).for_each(|side| near.push(side));
+            near.retain(|side| lower(side) > row as f32);
+            while let Some(side) = waiting.pop_if(|side| upper(side) < (row + 1) as f32) {
+                near.push(side);
+            }
             for line in 0..LINES {
                 let y = row as f32 + (f32::from(line) + HALF) / f32::from(LINES);
                 for [from, to] in stretches_between(near.iter().copied(), y) {

@@ -94,6 +94,12 @@ impl GroundCache {
         is_flat && self.raised.as_ref().is_none_or(RaisedGround::is_whole)
     }
 
+    /// Drops everything that depends on what part of the land is shown, because another comes next.
+    pub fn forget_view(&mut self, before: &View, next: &View) {
+        let is_as_wide = before.shows_beyond() == next.shows_beyond();
+        *self = Self { shown: self.shown.take().filter(|_| is_as_wide), ..Self::default() };
+    }
+
     /// Drops everything that depends on rivers, because others come next.
     pub fn forget_rivers(&mut self) {
         (self.raised, self.beds) = (None, None);

@@ -161,8 +161,8 @@ impl Painter {
     pub fn frame(&mut self, domain: &Domain, framing: Option<Framing>) {
         let view = self.view.framed(domain, framing);
         if view != self.view {
+            self.ground.forget_view(&self.view, &view);
             self.view = view;
-            self.ground = GroundCache::default();
             self.forget_drawing(None);
             self.reset();
         }

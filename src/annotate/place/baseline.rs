@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::base::geometry::{direction, distance};
+use crate::base::geometry::{direction, distance, fast_max};
 use crate::network::Place;
 
 /// The number of samples of a course to the em.
@@ -249,11 +249,20 @@ fn directions(line: &[Vec2]) -> Vec<Vec2> {
 
 /// Returns for each number the greatest of those around it, at least 0.
 fn most_around(numbers: &[f32], around: usize) -> Vec<f32> {
-    let most = |i: usize| {
-        let around = &numbers[i.saturating_sub(around)..(i + around + 1).min(numbers.len())];
-        around.iter().copied().fold(0.0, |most: f32, number| if number > most { number } else { most })
-    };
-    (0..numbers.len()).map(most).collect()
+    let width = 2 * around + 1;
+    let mut most = vec![0.0; numbers.len() + 2 * around];
+    for (most, &number) in most[around..].iter_mut().zip(numbers) {
+        *most = fast_max(number, 0.0);
+    }
+    // Each pass doubles the stretch of numbers, from a place on, of which that place has the greatest.
+    let mut span = 1;
+    while 2 * span <= width {
+        for i in 0..most.len() - span {
+            most[i] = fast_max(most[i], most[i + span]);
+        }
+        span *= 2;
+    }
+    (0..numbers.len()).map(|i| fast_max(most[i], most[i + width - span])).collect()
 }
 
 /// Returns `true` if type that runs this way is upright: from 100 degrees upward to 80 downward.

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::background::{Background, CELL, Ink, Piece, cell_middle};
+use super::background::{Background, CELL, Ink, Piece};
 use super::input::Input;
 use super::letters::Box;
 use super::squares::{Bounded, Bounds};
@@ -52,7 +52,8 @@ impl Table {
         for row in least.y as usize..((most.y + 1.0) as usize).min(rows) {
             for column in columns.clone() {
                 let cell = &mut self.cells[row * self.columns + column];
-                let middle = cell_middle(self.corner + (Vec2::new(column as f32, row as f32) + 0.5) * CELL);
+                // That of a place in the cell, since all of these are small whole numbers.
+                let middle = self.corner + (Vec2::new(column as f32, row as f32) + 0.5) * CELL;
                 if let Some(ink) = piece.ink(middle).filter(|ink| ink.width > cell.width) {
                     *cell = ink;
                 }
