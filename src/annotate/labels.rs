@@ -45,6 +45,15 @@ pub(crate) fn labels_in(places: &mut Places, map: &Map, frame: [Vec2; 2], scale:
     input.map_or_else(Vec::new, |input| places.place(&input, &Raster::new(&input)))
 }
 
+/// Finds out what all pictures of a map have to know about it, names above all, unless that is known. Returns `true` if it was not.
+pub(crate) fn find_out(places: &mut Places, map: &Map) -> bool {
+    let is_new = places.known.is_none() && (share_of_land(map.recipe().get()) > 0.0 || map.recipe().has_title());
+    if is_new {
+        places.known = Some(found_out(map));
+    }
+    is_new
+}
+
 /// Gathers the input of the placement of labels; `None` if the recipe wants no labels, or if there is not enough memory.
 pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     input_with(&mut None, map, frame, scale)

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::annotate::labels::{LEAST_EM, labels_in, on_map_with_regions, quartered};
+use crate::annotate::labels::{LEAST_EM, find_out, labels_in, on_map_with_regions, quartered};
 use crate::annotate::place::{Label, Places, Scenery, heading};
 use crate::annotate::scenery;
 use crate::map::Map;
@@ -55,7 +55,9 @@ impl AnnotationBuilder {
     /// get the places that have been chosen for other pictures of the map. Returns the annotation after the last part.
     pub fn advance(&mut self, places: &mut Places, map: &Map, view: &View, ratio: f32) -> Option<AnnotationMasks> {
         let Some(labels) = &self.labels else {
-            self.labels = Some(labels_of(places, map, view, ratio));
+            if !find_out(places, map) {
+                self.labels = Some(labels_of(places, map, view, ratio));
+            }
             return None;
         };
         if !self.is_placed {

@@ -35,13 +35,9 @@ impl Way {
     }
 }
 
-/// Returns S = A^−θ. With the usual θ a root does, in a twentieth of the time, and many parcels drain nothing but themselves.
+/// Returns S = A^−θ. With the usual θ a root does, in a twentieth of the time.
 pub(super) fn slope(area: f32, concavity: f32) -> f32 {
-    match area {
-        1.0 => 1.0,
-        _ if concavity == 0.5 => 1.0 / area.sqrt(),
-        _ => libm::powf(area, -concavity),
-    }
+    if concavity == 0.5 { 1.0 / area.sqrt() } else { libm::powf(area, -concavity) }
 }
 
 impl Round {
