@@ -90,6 +90,10 @@ impl Squares {
         const ROUNDING: f32 = 0.01;
         let [column, row] = self.square(at);
         let ([left, top], [right, bottom]) = (self.square(at - distance), self.square(at + distance));
+        // A distance below 0, of a place within a bank, may leave no square.
+        if left > right || top > bottom {
+            return;
+        }
         let rings = (column - left).max(right - column).max(row - top).max(bottom - row);
         let mut distance = distance;
         for ring in 0..=rings {

@@ -7,12 +7,14 @@
 //! around it from the round before; therefore the result does not depend on the number of threads.
 
 mod buckets;
+mod ground;
 mod tile;
 mod upwind;
 
 use std::num::NonZero;
 
-use tile::{CLOSED, Tile};
+use ground::CLOSED;
+use tile::Tile;
 pub(super) use upwind::solved;
 
 use super::cells::Cells;

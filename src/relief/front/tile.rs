@@ -1,10 +1,8 @@
 //! A tile: a rectangle of cells with a ring of the cells around it, in one piece of memory.
 
 use super::buckets::Buckets;
+use super::ground::{CLOSED, Ground};
 use super::upwind::{solved, solved_beside};
-
-/// The steepness of cells that the front does not enter: the sea, what lies beyond the map, and the ring.
-pub(super) const CLOSED: f32 = f32::INFINITY;
 
 /// A tile of a front, with its ring.
 #[derive(Clone, Debug)]
@@ -22,21 +20,6 @@ pub(super) struct Tile {
     queue: Buckets,
     /// The number of cells that have passed their heights on.
     pub passed: usize,
-}
-
-/// A cell of a tile. Whoever looks at its height looks at its steepness, so they lie together.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ground {
-    /// The least height found so far.
-    pub height: f32,
-    /// The height by which it rises above a neighbour, in units; [`CLOSED`] where the front does not enter.
-    pub rise: f32,
-}
-
-impl Ground {
-    pub fn is_open(self) -> bool {
-        self.rise < CLOSED
-    }
 }
 
 impl Tile {

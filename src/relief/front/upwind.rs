@@ -2,7 +2,7 @@
 
 use wide::f32x4;
 
-use super::tile::Ground;
+use super::ground::Ground;
 
 /// Computes the height of a cell from those of its neighbours to the west, east, north and south, and from the height by which it
 /// rises over one, in units.
@@ -48,7 +48,7 @@ pub(super) fn solved_beside(cells: &[Ground], columns: usize, cell: usize) -> ([
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::tile::CLOSED;
+    use super::super::ground::CLOSED;
     use super::*;
     use crate::property::cases;
 
