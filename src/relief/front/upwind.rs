@@ -58,7 +58,7 @@ mod tests {
     fn cells() -> impl Strategy<Value = Vec<Ground>> {
         let height = || prop_oneof![4 => 0.01f32..9.0, 2 => (1u8..4).prop_map(f32::from), 1 => Just(f32::INFINITY)];
         let rise = prop_oneof![4 => 0.01f32..6.0, 1 => Just(CLOSED)];
-        let is_ring = |i: usize| i < COLUMNS || i >= 4 * COLUMNS || i % COLUMNS % (COLUMNS - 1) == 0;
+        let is_ring = |i: usize| !(COLUMNS..4 * COLUMNS).contains(&i) || (i % COLUMNS).is_multiple_of(COLUMNS - 1);
         let ground = (height(), rise).prop_map(|(height, rise)| Ground { height, rise });
         prop::collection::vec(ground, 5 * COLUMNS).prop_map(move |mut cells| {
             (0..cells.len()).filter(|i| is_ring(*i)).for_each(|i| cells[i].rise = CLOSED);
