@@ -121,3 +121,31 @@ impl Squares {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    proptest! {
+        #[test]
+        fn all_that_is_near_is_handed_out_and_within_a_bank_the_search_ends(
+            boxes in prop::collection::vec((0.0f32..200.0, 0.0f32..120.0, 0.0f32..40.0), 1..30),
+            (x, y) in (-20.0f32..220.0, -20.0f32..140.0),
+            distance in -30.0f32..90.0,
+        ) {
+            let of_box = |&(x, y, side): &(f32, f32, f32)| Bounds([Vec2::new(x, y), Vec2::new(x, y) + side]);
+            let bounds: Vec<Bounds> = boxes.iter().map(of_box).collect();
+            let (at, mut seen) = (Vec2::new(x, y), BTreeSet::new());
+            Squares::new(16.0, Vec2::new(200.0, 120.0), Vec2::ZERO, &bounds).around(at, distance, |things| {
+                seen.extend(things.iter().copied());
+                distance
+            });
+            for (number, bounds) in (0..).zip(&bounds) {
+                let off = (bounds.0[0] - at).max(at - bounds.0[1]).max(Vec2::ZERO).length();
+                prop_assert!(off > distance || seen.contains(&number), "{number} is {off} off");
+            }
+        }
+    }
+}
