@@ -1,7 +1,6 @@
 //! The steepness of hillsides: little at the coast and beside great rivers, more inland, more here than there.
 
 use glam::Vec2;
-use wide::f32x4;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
@@ -10,7 +9,7 @@ use super::profile;
 use super::rill_cells::RillCells;
 use super::rills::Gentleness;
 use super::settings::ReliefSettings;
-use crate::base::geometry::{distance, fast_min, smooth_step};
+use crate::base::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::base::memory::{Refused, lengthen};
 use crate::base::parallel::for_each_row;
 use crate::base::random::DEVIATION;
@@ -88,9 +87,8 @@ impl Steepness {
             if radius > 1.5 * CELL_SIZE {
                 // A floor gentler than the river would lower the river.
                 let least = profile::share_of_slope(vertex.discharge as f32 * catchment);
-                let [least, more] = [least, 1.0 - least].map(f32x4::splat);
-                let factor = |share: f32x4| least + more * share * share;
-                self.come_near(cells, vertex.at, radius, &|share, before| factor(share).fast_min(before));
+                let factor = |share: f32| least + (1.0 - least) * share * share;
+                self.come_near(cells, vertex.at, radius, &|share, before| fast_min(factor(share), before));
             }
         }
         self.multiply();
@@ -109,9 +107,9 @@ impl Steepness {
             }
             let count = (distance(pair[0], pair[1]) / CELL_SIZE).ceil().max(1.0);
             for i in 0..=count as usize {
-                let factor = |share: f32x4| share * (1.0 - MOST) + MOST;
+                let factor = |share: f32| MOST + (1.0 - MOST) * share;
                 let at = pair[0].lerp(pair[1], i as f32 / count);
-                self.come_near(cells, at, RADIUS, &|share, before| factor(share).fast_max(before));
+                self.come_near(cells, at, RADIUS, &|share, before| fast_max(factor(share), before));
             }
         }
         self.multiply();
@@ -124,25 +122,17 @@ impl Steepness {
     }
 
     /// Sets the factor of each cell around a point to `change` of the cell's distance, as a share of the radius, and
-    /// its former factor, of four cells at once.
+    /// its former factor.
     #[inline(never)] // one copy
-    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: &dyn Fn(f32x4, f32x4) -> f32x4) {
-        const LANES: usize = 4;
+    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32, change: &dyn Fn(f32, f32) -> f32) {
         let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
         let (left, right) = (first % cells.columns, last % cells.columns);
         for row in first / cells.columns..=last / cells.columns {
             work::count(right - left + 1);
             let start = row * cells.columns;
-            let down = f32x4::splat(cells.coordinate(row) - at.y);
-            let factors = self.factors[start + left..=start + right].chunks_mut(LANES);
-            for (column, factors) in (left..).step_by(LANES).zip(factors) {
-                let across = [0, 1, 2, 3].map(|lane| cells.coordinate(column + lane) - at.x);
-                let across = f32x4::from(across);
-                let share = ((across * across + down * down).sqrt() / f32x4::splat(radius)).fast_min(f32x4::splat(1.0));
-                let mut before = [1.0; LANES];
-                before[..factors.len()].copy_from_slice(factors);
-                let changed = change(share, f32x4::from(before)).to_array();
-                factors.copy_from_slice(&changed[..factors.len()]);
+            for (column, factor) in (left..).zip(&mut self.factors[start + left..=start + right]) {
+                let middle = Vec2::new(cells.coordinate(column), cells.coordinate(row));
+                *factor = change(fast_min(distance(middle, at) / radius, 1.0), *factor);
             }
         }
     }
