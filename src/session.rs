@@ -138,8 +138,8 @@ impl Session {
         })
     }
 
-    /// Copies the session; the copies are independent. `clone` does the same, but aborts the program if there is not
-    /// enough memory.
+    /// Copies the session; the copies are independent. A copy begins a search for the sea's level, deltas, a relief or lakes again that
+    /// are not finished, and ends the same. `clone` does all this too, but aborts the program if there is not enough memory.
     ///
     /// # Errors
     /// Fails if there is not enough memory.
@@ -149,7 +149,7 @@ impl Session {
         const BYTES: usize = 96;
         const BYTES_OF_CELLS: usize = 6_000_000;
         let items = self.tree().len() + self.growth.attractors() as usize;
-        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes() + self.deltas.bytes() + self.coasts.bytes();
+        let bytes = items * BYTES + BYTES_OF_CELLS + self.coasts.bytes();
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }

@@ -45,7 +45,7 @@ pub(crate) struct Shore {
 }
 
 /// The deltas of a map, as far as they are made.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct DeltaMaker {
     settings: DeltaSettings,
     land: Arc<Land>,
@@ -327,12 +327,6 @@ impl DeltaMaker {
         let flats = is_flat.then(|| self.land.coast_distance().with_heights_of(&self.flats).into());
         let network = (!self.ends.is_empty()).then(|| extended(network, &self.ends).into());
         Ok(Shore { deltas: std::mem::take(&mut self.made).into(), land, flats, network })
-    }
-
-    /// Returns the approximate memory of a copy, in bytes.
-    pub fn bytes(&self) -> usize {
-        // Heights, flat ground, and the numbers of waters at two depths and of lands.
-        5 * size_of_val(&self.heights[..])
     }
 }
 

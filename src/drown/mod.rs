@@ -39,7 +39,7 @@ pub(crate) use transgression::Transgression;
 pub(crate) use valleys::Valleys;
 
 /// The search for the level to which the sea rises, step by step.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Drowning {
     low_stand: Arc<LowStand>,
     recipe: Recipe,
@@ -50,7 +50,7 @@ pub(crate) struct Drowning {
 }
 
 /// The part that the next step does, or goes on with.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 enum Part {
     Begin,
     /// Marks the valleys of the tree.

@@ -16,7 +16,7 @@ use crate::network::Network;
 use crate::relief::{Flow, Relief, ReliefError, ReliefSettings};
 
 /// The lakes of a map, as far as they are made.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct LakeMaker {
     /// The share of the most land under lakes that is asked for.
     share: f32,
@@ -28,7 +28,7 @@ pub(crate) struct LakeMaker {
 }
 
 /// The part that the next step does, or goes on with.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 enum Part {
     Ways,
     Order(Vec<u32>),
@@ -36,7 +36,7 @@ enum Part {
 }
 
 /// The search for places of lakes.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Search {
     upstream: Upstream,
     /// What is known of the unevenness of each cell.

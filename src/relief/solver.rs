@@ -119,11 +119,6 @@ impl ReliefSolver {
         Ok(Self { given: Some(given), ..Self::new(network, settings)? })
     }
 
-    /// Estimates the bytes of memory that the relief needs.
-    pub(crate) fn bytes(&self) -> usize {
-        self.bytes
-    }
-
     /// Does a step of the work for `network`, with which it was begun. Returns the relief once it is finished.
     ///
     /// # Errors

@@ -9,8 +9,8 @@ use crate::recipe::Recipe;
 use crate::relief::ReliefError;
 use crate::tree::Tree;
 
-/// The lands of a session.
-#[derive(Clone, Debug)]
+/// The lands of a session. A copy shares them, and begins again to look for the level of the sea where that is not known.
+#[derive(Debug)]
 pub(super) struct Coasts {
     /// The land on which the tree grows; `None` if all of the domain is land.
     planted: Option<Arc<Land>>,
@@ -23,7 +23,7 @@ pub(super) struct Coasts {
 }
 
 /// The rise of the sea, in progress.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 enum Rise {
     /// The level is not known yet.
     Unknown(Box<Drowning>),
@@ -36,6 +36,18 @@ enum Rise {
 struct Risen {
     drowned: Drowned,
     from: Arc<CoastDistance>,
+}
+
+impl Clone for Coasts {
+    fn clone(&self) -> Self {
+        Self {
+            planted: self.planted.clone(),
+            are_given: self.are_given,
+            low_stand: self.low_stand.clone(),
+            rising: self.transgression().cloned().map(Rise::Seen),
+            drowned: self.drowned.clone(),
+        }
+    }
 }
 
 impl Coasts {
@@ -141,11 +153,6 @@ impl Coasts {
 
     /// Returns the approximate memory of a copy of these coasts, in bytes. Lands are shared.
     pub fn bytes(&self) -> usize {
-        const OF_SEARCH: usize = Drowning::MEGABYTES as usize * 1_000_000;
-        match &self.rising {
-            None => 0,
-            Some(Rise::Unknown(_)) => OF_SEARCH,
-            Some(Rise::Seen(transgression)) => transgression.bytes(),
-        }
+        self.transgression().map_or(0, Transgression::bytes)
     }
 }

@@ -9,13 +9,19 @@ use crate::network::{Network, Shaping};
 use crate::recipe::NumberKey;
 use crate::relief::ReliefError;
 
-/// The deltas of a session, as far as they are made.
-#[derive(Clone, Debug, Default)]
+/// The deltas of a session, as far as they are made. A copy shares those that are finished, and makes others again.
+#[derive(Debug, Default)]
 pub(super) struct DeltaStage {
     maker: Option<Box<DeltaMaker>>,
     made: Option<Shore>,
     /// Those of the same tree's rivers before a change, which pictures show until there are others.
     former: Option<Shore>,
+}
+
+impl Clone for DeltaStage {
+    fn clone(&self) -> Self {
+        Self { maker: None, made: self.made.clone(), former: self.former.clone() }
+    }
 }
 
 impl DeltaStage {
@@ -78,11 +84,6 @@ impl DeltaStage {
     /// Returns the deltas that pictures show, and the land with them: those of the rivers before until there are others.
     pub fn shown(&self) -> Option<(&Deltas, &Arc<Land>)> {
         self.made.as_ref().or(self.former.as_ref()).map(|shore| (&*shore.deltas, &shore.land))
-    }
-
-    /// Returns the approximate memory of a copy of this state, in bytes. What is made is shared.
-    pub fn bytes(&self) -> usize {
-        self.maker.as_ref().map_or(0, |maker| maker.bytes())
     }
 }
 

@@ -7,8 +7,8 @@ use crate::lakes::{LakeMaker, Lakes};
 use crate::network::Network;
 use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 
-/// The state of the relief.
-#[derive(Clone, Debug, Default)]
+/// The state of the relief. A copy shares what is finished, and makes again what is not.
+#[derive(Debug, Default)]
 pub(super) enum ReliefStage {
     /// Not needed so far.
     #[default]
@@ -18,7 +18,7 @@ pub(super) enum ReliefStage {
 }
 
 /// The state of the lakes on a relief.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) enum LakeStage {
     #[default]
     Waiting,
@@ -26,6 +26,18 @@ pub(super) enum LakeStage {
     Begun(Box<ReliefSolver>),
     Making(Box<LakeMaker>),
     Made(Arc<Lakes>),
+}
+
+impl Clone for ReliefStage {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Waiting | Self::Solving(_) => Self::Waiting,
+            Self::Solved(relief, LakeStage::Made(lakes)) => {
+                Self::Solved(relief.clone(), LakeStage::Made(lakes.clone()))
+            }
+            Self::Solved(relief, _) => Self::Solved(relief.clone(), LakeStage::Waiting),
+        }
+    }
 }
 
 impl ReliefStage {
@@ -82,15 +94,6 @@ impl ReliefStage {
             Self::Solving(solver) => RELIEF * solver.progress(),
             Self::Solved(_, LakeStage::Made(_)) => 1.0,
             Self::Solved(..) => RELIEF,
-        }
-    }
-
-    /// Returns the approximate memory of a copy of this state, in bytes. A solved relief is shared.
-    pub fn bytes(&self) -> usize {
-        match self {
-            Self::Solving(solver) => solver.bytes(),
-            Self::Solved(_, LakeStage::Begun(solver)) => solver.bytes(),
-            Self::Waiting | Self::Solved(..) => 0,
         }
     }
 }

@@ -313,14 +313,15 @@ fn each_step_of_lakes_can_be_refused_and_made_again() {
 }
 
 #[test]
-fn a_copy_of_a_relief_in_the_making_takes_more_memory_and_ends_the_same() {
+fn a_copy_begins_a_relief_in_the_making_again_and_ends_the_same() {
     let text = format!("{BENDS}&style=atlas");
     let mut session = shaped(&text);
     let copied = |session: &Session| with_lists_up_to(10_000_000, || session.try_clone()).map(drop);
-    assert_eq!(copied(&session), Ok(()));
     session.advance(9).unwrap();
-    assert_eq!(copied(&session), Err(SessionError::Copy { megabytes: 12 }));
+    assert!(session.progress() > 0.0);
+    assert_eq!(copied(&session), Ok(()), "what is being made is not copied");
     let mut copy = session.try_clone().unwrap();
+    assert_eq!(copy.progress(), 0.0);
     finish(&mut copy);
     finish(&mut session);
     assert!(session.relief().is_some() && session.relief() == copy.relief());

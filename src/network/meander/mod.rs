@@ -61,8 +61,10 @@ pub struct Meander {
     /// The network as it is drawn; empty until it is asked for.
     drawn: OnceLock<Arc<Network>>,
     guard: ClearanceGrid,
-    /// The last survey, while it has rounds left to serve.
+    /// The last survey, while it has rounds left to serve or bends are eased.
     survey: Option<Survey>,
+    /// The bends that are eased at the end of a survey's rounds, if they are.
+    easing: Option<fair::Easing>,
     /// The necks that the last step found, and the next one cuts.
     necks: Vec<cutoff::Cut>,
     round: u32,
@@ -102,6 +104,7 @@ impl Meander {
             drawn: OnceLock::new(),
             guard,
             survey: None,
+            easing: None,
             necks: Vec::new(),
             round: 0,
             past: Arc::default(),
@@ -161,14 +164,17 @@ impl Meander {
         !self.is_finished()
     }
 
-    /// Makes a step: finds necks that are to be cut, or makes a round. Only rounds change the network. Returns `true`
-    /// if there is another step to make.
+    /// Makes a step: finds necks that are to be cut, moves bends, or eases some of them. Returns `true` if there is another step to
+    /// make.
     pub fn step(&mut self) -> bool {
         if self.is_finished() {
             return false;
         }
         if let Some(survey) = self.survey.take().or_else(|| self.survey()) {
-            self.make_round(survey);
+            match self.easing.take() {
+                Some(easing) => self.ease_bends(survey, easing),
+                None => self.move_on(survey),
+            }
         }
         !self.is_finished()
     }
@@ -183,19 +189,25 @@ impl Meander {
         }
     }
 
-    /// Makes a round within the limits of a survey.
-    fn make_round(&mut self, mut survey: Survey) {
+    /// Moves bends within the limits of a survey. That is a round, unless it is the last one of the survey: then bends are eased.
+    fn move_on(&mut self, mut survey: Survey) {
         self.keep_courses();
         self.drawn = OnceLock::new();
-        self.round += 1;
         let moved = self.move_bends(&survey);
         survey.drift += moved.iter().copied().fold(0.0, fast_max);
-        if self.round.is_multiple_of(ROUNDS_A_SURVEY) || self.is_finished() {
-            self.settle(survey);
+        let round = self.round + 1;
+        if round.is_multiple_of(ROUNDS_A_SURVEY) || round == self.settings.rounds {
+            self.easing = Some(fair::Easing::new(&self.network, &survey, self.passes(round)));
         } else {
             survey.use_up(&moved);
-            self.survey = Some(survey);
+            self.end_round();
         }
+        self.survey = Some(survey);
+    }
+
+    /// Counts a round that has been made.
+    fn end_round(&mut self) {
+        self.round += 1;
         lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
     }
 
@@ -216,13 +228,6 @@ impl Meander {
             mobility::ease_off(Arc::make_mut(&mut self.network), self.settings.spacing);
         }
         Some(Survey { downstream, step_scale, clearance, drift: 0.0 })
-    }
-
-    /// Ends the rounds of a survey: eases bends that are too sharp, and spaces vertices evenly.
-    fn settle(&mut self, mut survey: Survey) {
-        self.ease_bends(&mut survey);
-        let Survey { step_scale, clearance, .. } = survey;
-        respace::respace(Arc::make_mut(&mut self.network), &clearance, &step_scale, &self.settings);
     }
 
     /// Returns `true` if there is no other round to make.
@@ -370,14 +375,28 @@ impl Meander {
         tributary.parent == river && tributary.end - i <= near && tributary.junction.abs_diff(j) <= near
     }
 
-    /// Eases bends that are too sharp for their rivers, most of all at first and after the last round.
-    fn ease_bends(&mut self, survey: &mut Survey) {
+    /// Returns the greatest number of times that bends are eased after a round: most of all at first and after the last one.
+    fn passes(&self, round: u32) -> u32 {
         const PASSES: u32 = ROUNDS_A_SURVEY;
         const MOST_PASSES: u32 = 32;
-        let is_end = self.round <= ROUNDS_A_SURVEY || self.round == self.settings.rounds;
+        let is_end = round <= ROUNDS_A_SURVEY || round == self.settings.rounds;
+        if is_end { MOST_PASSES } else { PASSES }
+    }
+
+    /// Eases bends that are too sharp for their rivers, as far as one step goes. Once all are eased, spaces vertices evenly, which ends
+    /// the rounds of the survey.
+    fn ease_bends(&mut self, mut survey: Survey, mut easing: fair::Easing) {
+        self.drawn = OnceLock::new();
         let network = Arc::make_mut(&mut self.network);
-        let passes = if is_end { MOST_PASSES } else { PASSES };
-        fair::Fairing::new(network, &mut self.guard, self.land.as_deref(), &self.settings, survey).ease(passes);
+        let (guard, land) = (&mut self.guard, self.land.as_deref());
+        let mut fairing =
+            fair::Fairing { network, guard, land, settings: &self.settings, survey: &mut survey, easing: &mut easing };
+        if fairing.step() {
+            (self.survey, self.easing) = (Some(survey), Some(easing));
+        } else {
+            respace::respace(network, &survey.clearance, &survey.step_scale, &self.settings);
+            self.end_round();
+        }
     }
 
     /// Moves bends. Returns the distance that each vertex has moved, in units.

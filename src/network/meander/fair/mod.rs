@@ -7,29 +7,25 @@
 
 use glam::Vec2;
 
+mod curve;
+mod plan;
+
+use self::curve::Bend;
+use self::plan::Plan;
 use super::super::clearance::ClearanceGrid;
-use super::super::curvature::curvature;
 use super::super::settings::NetworkSettings;
 use super::super::smooth::LEAST_CLEARANCE;
-use super::super::{NONE, Network, River, Vertex};
-use super::{CAP, Survey, keeps_off_frame, river_of};
-use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet, smooth_step};
-use crate::base::sort::argsort;
+use super::super::{NONE, Network, Vertex};
+use super::{CAP, Survey, keeps_off_frame};
+use crate::base::geometry::{Segment, distance, fast_max, fast_min, gap, length, meet};
 use crate::base::work;
 use crate::land::Land;
-
-/// The least radius of a wide river's bends, in widths: that of the circle through points a width apart.
-const LEAST_RADIUS: f32 = 1.5;
-
-/// The radius from which down bends are eased, in widths, so that they rarely come to the least.
-const EASED_RADIUS: f32 = 2.0;
 
 /// The mobility above which narrow rivers are eased too, as if they were as wide as vertices are apart.
 const FULLY: f32 = 0.5;
 
-/// The work that all passes may take, in elementary steps, and what is added for each unit of the total discharge. Few maps need it.
-const LEAST_WORK: u64 = 2_000_000;
-const WORK: u64 = 60;
+/// The work after which a step ends with the river that is at hand, in elementary steps. What becomes of the river does not depend on it.
+const WORK_A_STEP: u64 = 600_000;
 
 /// The least distance between segments, in units, so that lines stay apart.
 const NEAREST: f32 = 2.0 * LEAST_CLEARANCE;
@@ -37,75 +33,98 @@ const NEAREST: f32 = 2.0 * LEAST_CLEARANCE;
 /// The least move that is a reason for another pass, in widths.
 const STILL: f32 = 0.01;
 
-/// A network whose bends are being eased, after a survey.
-pub(super) struct Fairing<'a> {
-    network: &'a mut Network,
-    /// The grid of the survey, or one entered since.
-    guard: &'a mut ClearanceGrid,
-    land: Option<&'a Land>,
-    settings: &'a NetworkSettings,
-    /// The survey, which is kept up to date.
-    survey: &'a mut Survey,
+/// The state of a network whose bends are being eased, between two steps.
+#[derive(Clone, Debug)]
+pub(super) struct Easing {
+    plan: Plan,
+    /// The rivers that this pass has yet to ease, the last one first, and those in which it has moved vertices.
+    waiting: Vec<u32>,
+    restless: Vec<u32>,
+    /// The number of passes left after this one.
+    passes: u32,
+    /// `true` once the ends of tributaries are straight.
+    has_begun: bool,
     /// The positions of the vertices when easing began or the grid was entered again, and the greatest distance that any had moved
     /// by then.
     places: Vec<Vec2>,
     drift: f32,
-    /// The greatest width of any river, in units; and for each river, that of all which neither join it nor are joined by it.
-    widest: f32,
-    widest_apart: Vec<f32>,
 }
 
-impl<'a> Fairing<'a> {
-    pub fn new(
-        network: &'a mut Network,
-        guard: &'a mut ClearanceGrid,
-        land: Option<&'a Land>,
-        settings: &'a NetworkSettings,
-        survey: &'a mut Survey,
-    ) -> Self {
-        let places = network.vertices.iter().map(|vertex| vertex.at).collect();
-        let widest = widths(network);
-        let widest_apart = widest_apart(&parents(network), &widest);
-        let (widest, drift) = (widest.into_iter().fold(0.0, fast_max), survey.drift);
-        Self { network, guard, land, settings, survey, places, drift, widest, widest_apart }
+impl Easing {
+    /// Plans at most so many passes over all rivers, after a survey.
+    pub fn new(network: &Network, survey: &Survey, passes: u32) -> Self {
+        Self {
+            plan: Plan::of(network),
+            waiting: Vec::new(),
+            restless: (0..network.rivers.len() as u32).collect(),
+            passes,
+            has_begun: false,
+            places: network.vertices.iter().map(|vertex| vertex.at).collect(),
+            drift: survey.drift,
+        }
     }
+}
 
-    /// Eases bends in at most `passes` passes, fewer if they take long.
-    pub fn ease(mut self, passes: u32) {
-        let end = work::steps() + LEAST_WORK + WORK * u64::from(self.settings.total_discharge);
-        let plan = Plan::of(self.network);
-        self.straighten_ends(&plan);
-        let mut restless: Vec<u32> = (0..self.network.rivers.len() as u32).collect();
-        for _ in 0..passes {
-            self.enter_again();
-            restless.retain(|&river| work::steps() <= end && self.ease_river(river, &plan));
-            if restless.is_empty() {
-                break;
+/// A network while its bends are eased.
+pub(super) struct Fairing<'a> {
+    pub network: &'a mut Network,
+    /// The grid of the survey, or one entered since.
+    pub guard: &'a mut ClearanceGrid,
+    pub land: Option<&'a Land>,
+    pub settings: &'a NetworkSettings,
+    /// The survey, which is kept up to date.
+    pub survey: &'a mut Survey,
+    pub easing: &'a mut Easing,
+}
+
+impl Fairing<'_> {
+    /// Makes a step: eases rivers for some time. Returns `true` if there is another step to make.
+    pub fn step(&mut self) -> bool {
+        let begin = work::steps();
+        if !std::mem::replace(&mut self.easing.has_begun, true) {
+            self.straighten_ends();
+        }
+        while work::steps() - begin < WORK_A_STEP {
+            let Some(river) = self.next_river() else { return false };
+            if self.ease_river(river) {
+                self.easing.restless.push(river);
             }
         }
+        true
+    }
+
+    /// Takes the next river of this pass, or the first of the next one: `None` if there is none.
+    fn next_river(&mut self) -> Option<u32> {
+        let Easing { waiting, restless, passes, .. } = &mut *self.easing;
+        if waiting.is_empty() && *passes > 0 {
+            *passes -= 1;
+            waiting.extend(restless.drain(..).rev());
+            self.enter_again();
+        }
+        self.easing.waiting.pop()
     }
 
     /// Enters the segments in the grid where they are now, if they may have moved so far that it has to be searched much wider.
     fn enter_again(&mut self) {
         if self.survey.drift > self.settings.spacing {
             self.guard.enter(self.network, &self.survey.downstream, &vec![0.0; self.network.vertices.len()]);
-            self.places = self.network.vertices.iter().map(|vertex| vertex.at).collect();
-            (self.drift, self.survey.drift) = (0.0, 0.0);
+            self.easing.places = self.network.vertices.iter().map(|vertex| vertex.at).collect();
+            (self.easing.drift, self.survey.drift) = (0.0, 0.0);
         }
     }
 
     /// Straightens the ends of tributaries that run past their junctions and come back.
-    fn straighten_ends(&mut self, plan: &Plan) {
+    fn straighten_ends(&mut self) {
         for own in self.network.rivers.clone() {
             if own.junction == NONE || own.end <= own.start {
                 continue;
             }
             let (junction, last) = (own.junction, own.end - 1);
             let at = self.network.vertices[junction as usize].at;
-            let parent = self.network.rivers[plan.river_of[junction as usize] as usize];
+            let parent = self.network.rivers[self.easing.plan.river_of[junction as usize] as usize];
             let is_end = junction == parent.start || self.survey.downstream[junction as usize] == NONE;
             if last > own.start && !is_end && self.turns_back(last, at) {
-                self.try_to_move(junction, at, plan);
+                self.try_to_move(junction, at);
             }
         }
     }
@@ -117,7 +136,7 @@ impl<'a> Fairing<'a> {
     }
 
     /// Makes a pass over a river. Returns `true` if vertices have moved.
-    fn ease_river(&mut self, river: u32, plan: &Plan) -> bool {
+    fn ease_river(&mut self, river: u32) -> bool {
         let own = self.network.rivers[river as usize];
         let mut any = false;
         for i in own.start + 1..own.end {
@@ -127,7 +146,7 @@ impl<'a> Fairing<'a> {
                 continue;
             }
             if let Some(to) = self.without_spike(i, below) {
-                self.try_to_move(i, to, plan);
+                self.try_to_move(i, to);
                 continue;
             }
             let width = fast_max(vertex.width(), self.settings.spacing);
@@ -136,7 +155,7 @@ impl<'a> Fairing<'a> {
             }
             let Some(bend) = Bend::at(self.network, &own, i, width) else { continue };
             let to = vertex.at.lerp(bend.mean, bend.ease);
-            any |= distance(vertex.at, to) > STILL * width && self.try_to_move(i, to, plan);
+            any |= distance(vertex.at, to) > STILL * width && self.try_to_move(i, to);
         }
         any
     }
@@ -152,17 +171,17 @@ impl<'a> Fairing<'a> {
     }
 
     /// Moves a vertex if nothing is in the way of the segments that end in it. Returns `true` if it has moved.
-    fn try_to_move(&mut self, i: u32, to: Vec2, plan: &Plan) -> bool {
+    fn try_to_move(&mut self, i: u32, to: Vec2) -> bool {
         let vertex = self.network.vertices[i as usize];
         if !keeps_off_frame(&self.settings.domain, &vertex, to) {
             return false;
         }
-        let arms: Vec<Arm> = plan.arms(i).map(|last| self.arm(last, to, &vertex, plan)).collect();
+        let arms: Vec<Arm> = self.easing.plan.arms(i).map(|last| self.arm(last, to, &vertex)).collect();
         let ends = [(i - 1, i - 1), (i, self.survey.downstream[i as usize])];
         let mut moved = Moved { i, to, arms: &arms, gaps: Vec::with_capacity(32) };
         let are_free = ends.into_iter().chain(arms.iter().map(|arm| (arm.last, arm.first))).all(|(segment, end)| {
             let is_on_land = |land: &Land| land.allows(self.network.vertices[end as usize].at, to);
-            self.land.is_none_or(is_on_land) && self.is_free(&mut moved, segment, end, plan)
+            self.land.is_none_or(is_on_land) && self.is_free(&mut moved, segment, end)
         });
         if !are_free {
             return false;
@@ -176,13 +195,14 @@ impl<'a> Fairing<'a> {
         self.network.vertices[i as usize].at = to;
         arms.iter().for_each(|arm| arm.straighten(self.network, &mut self.survey.clearance, to));
         let moved = std::iter::once(i).chain(arms.iter().flat_map(|arm| arm.first..=arm.last)).map(|i| i as usize);
-        let farthest = moved.map(|i| distance(self.places[i], self.network.vertices[i].at)).fold(0.0, fast_max);
-        self.survey.drift = fast_max(self.survey.drift, self.drift + farthest);
+        let farthest = moved.map(|i| distance(self.easing.places[i], self.network.vertices[i].at)).fold(0.0, fast_max);
+        self.survey.drift = fast_max(self.survey.drift, self.easing.drift + farthest);
         true
     }
 
     /// Finds the part of a tributary that lies under the water of the river that it joins, once the junction has moved.
-    fn arm(&self, last: u32, junction: Vec2, vertex: &Vertex, plan: &Plan) -> Arm {
+    fn arm(&self, last: u32, junction: Vec2, vertex: &Vertex) -> Arm {
+        let plan = &self.easing.plan;
         let cover = fast_min(vertex.left, vertex.right);
         let start = self.network.rivers[plan.river_of[last as usize] as usize].start;
         let is_lost =
@@ -195,13 +215,13 @@ impl<'a> Fairing<'a> {
     }
 
     /// Returns `true` if a segment from the vertex `end` could end where the moved one goes. Notes its distances from others there.
-    fn is_free(&self, moved: &mut Moved<'_>, segment: u32, end: u32, plan: &Plan) -> bool {
+    fn is_free(&self, moved: &mut Moved<'_>, segment: u32, end: u32) -> bool {
         let vertices = &self.network.vertices;
         let (i, to) = (moved.i, moved.to);
         let (from, old) = (vertices[end as usize].at, vertices[i as usize].at);
         let around = ((from + to) * 0.5, distance(from, to) * 0.5 + self.survey.drift);
-        let sight = |other: u32| self.sight(segment, other, plan);
-        self.guard.all_near(around, self.longest_sight(segment, plan), sight, |other, sight| {
+        let sight = |other: u32| self.sight(segment, other);
+        self.guard.all_near(around, self.longest_sight(segment), sight, |other, sight| {
             let below = self.survey.downstream[other as usize];
             if [i, end].contains(&other) || [i, end].contains(&below) || moved.arms.iter().any(|arm| arm.holds(other)) {
                 return true;
@@ -213,29 +233,29 @@ impl<'a> Fairing<'a> {
             }
             moved.gaps.push((segment, other, far));
             let is_apart = far >= NEAREST && !meet((from, to), beside);
-            is_apart && self.keeps_its_distance(segment, other, far, ((from, old), beside), plan)
+            is_apart && self.keeps_its_distance(segment, other, far, ((from, old), beside))
         })
     }
 
     /// Returns `true` if two segments are far enough apart for the banks of two rivers, or at least no nearer than before.
-    fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment), plan: &Plan) -> bool {
-        plan.are_joined(a, b) || far >= self.apart(a, b) || far >= gap(before.0, before.1)
+    fn keeps_its_distance(&self, a: u32, b: u32, far: f32, before: (Segment, Segment)) -> bool {
+        self.easing.plan.are_joined(a, b) || far >= self.apart(a, b) || far >= gap(before.0, before.1)
     }
 
     /// Returns the distance within which one segment matters to another, by the caps of their clearances and by the banks of two
     /// rivers, in units.
     #[inline]
-    fn sight(&self, a: u32, b: u32, plan: &Plan) -> f32 {
+    fn sight(&self, a: u32, b: u32) -> f32 {
         let [own, other] = [a, b].map(|segment| self.network.vertices[segment as usize].width());
         let cap = self.cap(fast_max(own, other));
-        if plan.are_joined(a, b) { cap } else { fast_max(cap, self.apart(a, b)) }
+        if self.easing.plan.are_joined(a, b) { cap } else { fast_max(cap, self.apart(a, b)) }
     }
 
     /// Returns the greatest distance within which any segment matters to a given one, in units.
-    fn longest_sight(&self, segment: u32, plan: &Plan) -> f32 {
+    fn longest_sight(&self, segment: u32) -> f32 {
         let width = self.network.vertices[segment as usize].width();
-        let apart = self.widest_apart[plan.river_of[segment as usize] as usize];
-        fast_max(self.cap(self.widest), (width + apart) * 0.5 + self.settings.min_clearance)
+        let apart = self.easing.plan.widest_apart(segment);
+        fast_max(self.cap(self.easing.plan.widest), (width + apart) * 0.5 + self.settings.min_clearance)
     }
 
     /// Returns the distance up to which clearances are known of segments that are at most so wide, in units.
@@ -248,30 +268,6 @@ impl<'a> Fairing<'a> {
         let [a, b] = [a, b].map(|i| self.network.vertices[i as usize].width());
         (a + b) * 0.5 + self.settings.min_clearance
     }
-}
-
-/// Returns the greatest width of each river, in units.
-fn widths(network: &Network) -> Vec<f32> {
-    let widest = |river: &River| network.vertices[river.vertex_range()].iter().map(Vertex::width).fold(0.0, fast_max);
-    network.rivers.iter().map(widest).collect()
-}
-
-/// Returns for each river the greatest width, in units, of all that neither join it nor are joined by it.
-fn widest_apart(parents: &[u32], widths: &[f32]) -> Vec<f32> {
-    let by_width = argsort(widths.iter().map(|width| u32::MAX - width.to_bits()));
-    let apart = |river: u32| by_width.iter().find(|&&other| !are_joined(parents, river, other as u32));
-    (0..parents.len() as u32).map(|river| apart(river).map_or(0.0, |&other| widths[other])).collect()
-}
-
-/// Returns the river that each river joins, if any.
-fn parents(network: &Network) -> Vec<u32> {
-    network.rivers.iter().map(|river| river.parent).collect()
-}
-
-/// Returns `true` if two rivers are one, or one joins the other.
-#[inline]
-fn are_joined(parents: &[u32], a: u32, b: u32) -> bool {
-    a == b || parents[a as usize] == b || parents[b as usize] == a
 }
 
 /// A vertex on its way to another place.
@@ -307,106 +303,13 @@ impl Arm {
     }
 }
 
-/// The bend of a course at a vertex.
-struct Bend {
-    /// The mean of the course within a width, weighted by nearness.
-    mean: Vec2,
-    /// The share of the way to the mean that the vertex moves, from 0 to 1.
-    ease: f32,
-}
-
-impl Bend {
-    /// Measures a bend. `None` at the river's ends.
-    fn at(network: &Network, river: &River, i: u32, width: f32) -> Option<Self> {
-        let course = |k: u32| {
-            let k = if k < river.end { k } else { river.junction };
-            network.vertices.get(k as usize).map(|vertex| vertex.at)
-        };
-        let at = course(i)?;
-        let upper = Side::of(at, width, (river.start..i).rev().map_while(course))?;
-        let lower = Side::of(at, width, (i + 1..=river.end).map_while(course))?;
-        // A zigzag finer than a width shows only in the nearest vertices.
-        let sharpest =
-            fast_max(curvature(upper.end, at, lower.end).abs(), curvature(course(i - 1)?, at, course(i + 1)?).abs());
-        let [from, to] = [EASED_RADIUS, LEAST_RADIUS].map(|radius| 1.0 / radius);
-        let ease = smooth_step((sharpest * width - from) / (to - from));
-        Some(Self { mean: (upper.mean + lower.mean) * 0.375 + at * 0.25, ease })
-    }
-}
-
-/// The part of a course within a width of a vertex, on one side of it.
-struct Side {
-    /// The point a width away along the course.
-    end: Vec2,
-    mean: Vec2,
-}
-
-impl Side {
-    /// Measures a course from a vertex on, shorter than a width if it ends before. `None` if it ends at the vertex itself.
-    fn of(at: Vec2, width: f32, others: impl Iterator<Item = Vec2>) -> Option<Self> {
-        let (mut from, mut along, mut sum, mut weight) = (at, 0.0, Vec2::ZERO, 0.0);
-        for next in others {
-            let far = distance(from, next);
-            if along + far >= width {
-                let end = from.lerp(next, (width - along) / far);
-                let mean = if weight > 0.0 { sum / weight } else { (at + end) * 0.5 };
-                return Some(Self { end, mean });
-            }
-            along += far;
-            let share = (width - along) * far;
-            (sum, weight) = (sum + next * share, weight + share);
-            from = next;
-        }
-        (weight > 0.0).then(|| Self { end: from, mean: sum / weight })
-    }
-}
-
-/// The river of each vertex, and the tributaries that end in it.
-struct Plan {
-    river_of: Vec<u32>,
-    /// The river that each river joins, if any.
-    parents: Vec<u32>,
-    is_junction: Vec<bool>,
-    /// For each vertex, the last vertex of a tributary that ends there; and for each last vertex, that of the next such tributary.
-    arms: Vec<u32>,
-    next: Vec<u32>,
-}
-
-impl Plan {
-    fn of(network: &Network) -> Self {
-        let none = vec![NONE; network.vertices.len()];
-        let mut plan = Self {
-            river_of: river_of(network),
-            parents: parents(network),
-            is_junction: network.junctions(),
-            arms: none.clone(),
-            next: none,
-        };
-        // In reverse, so that the first tributary comes first in its list.
-        for river in network.rivers.iter().rev().filter(|river| river.junction != NONE && river.end > river.start) {
-            let last = river.end - 1;
-            plan.next[last as usize] = std::mem::replace(&mut plan.arms[river.junction as usize], last);
-        }
-        plan
-    }
-
-    /// Returns `true` if two segments belong to one river, or to two of which one joins the other.
-    #[inline]
-    fn are_joined(&self, a: u32, b: u32) -> bool {
-        are_joined(&self.parents, self.river_of[a as usize], self.river_of[b as usize])
-    }
-
-    /// Iterates over the last vertices of the rivers that join at a vertex.
-    fn arms(&self, junction: u32) -> impl Iterator<Item = u32> {
-        let some = |i: u32| (i != NONE).then_some(i);
-        std::iter::successors(some(self.arms[junction as usize]), move |&last| some(self.next[last as usize]))
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::super::curvature::curvature;
     use super::super::super::samples::{places, river, settings, straight};
+    use super::curve::{LEAST_RADIUS, Side};
     use super::*;
+    use crate::base::geometry::fast_max;
 
     const WIDTH: f32 = 4.0;
 
@@ -418,7 +321,16 @@ mod tests {
         let reach = vec![WIDTH; downstream.len()];
         let clearance = guard.measure(&network, &downstream, &reach, reach.clone(), &mut |_| {});
         let mut survey = Survey { downstream, step_scale: Vec::new(), clearance, drift: 0.0 };
-        Fairing::new(&mut network, &mut guard, None, &settings, &mut survey).ease(passes);
+        let mut easing = Easing::new(&network, &survey, passes);
+        let mut fairing = Fairing {
+            network: &mut network,
+            guard: &mut guard,
+            land: None,
+            settings: &settings,
+            survey: &mut survey,
+            easing: &mut easing,
+        };
+        while fairing.step() {}
         network
     }
 
