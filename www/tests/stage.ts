@@ -77,7 +77,8 @@ export class Stage implements Growing {
   }
 
   advance(ticks: number): boolean {
-    if (this.phase === "finished") throw new Error("it is finished, and advances");
+    const { phase } = this;
+    if (phase === "finished") throw new Error("it is finished, and advances");
     this.ticks += ticks;
     this.time += this.cost;
     return this.phase !== "finished";

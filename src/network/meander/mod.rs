@@ -58,6 +58,8 @@ pub struct Meander {
     /// The land; `None` if all of the domain is.
     land: Option<Arc<Land>>,
     network: Arc<Network>,
+    /// The rivers as the last round has left them, while bends are eased and the next one is not over.
+    shown: Option<Shown>,
     /// The network as it is drawn; empty until it is asked for.
     drawn: OnceLock<Arc<Network>>,
     guard: ClearanceGrid,
@@ -72,6 +74,13 @@ pub struct Meander {
     reaches: Arc<[Reach]>,
     /// `true` if a vertex was stopped by the frame of the map since the last survey.
     has_stopped: bool,
+}
+
+/// Rivers with their past, as they are handed out.
+#[derive(Clone, Debug)]
+struct Shown {
+    network: Arc<Network>,
+    past: Arc<PastCourses>,
 }
 
 /// The limits on moves until the next survey.
@@ -101,6 +110,7 @@ impl Meander {
             settings,
             land,
             network: network.into(),
+            shown: None,
             drawn: OnceLock::new(),
             guard,
             survey: None,
@@ -116,19 +126,19 @@ impl Meander {
     /// Returns the network as it is drawn: narrower where a course turns so sharply, or comes back so near to itself,
     /// that banks would meet. Rivers as grown keep their full width.
     pub fn drawn(&self) -> &Arc<Network> {
-        self.drawn.get_or_init(|| self.narrowed(self.network.rivers.iter()))
+        self.drawn.get_or_init(|| self.narrowed(self.network(), self.network().rivers.iter()))
     }
 
-    /// Returns the network with some of its rivers as they are drawn.
-    fn narrowed<'a>(&'a self, rivers: impl Iterator<Item = &'a River>) -> Arc<Network> {
+    /// Returns a network with some of its rivers as they are drawn.
+    fn narrowed<'a>(&self, network: &'a Arc<Network>, rivers: impl Iterator<Item = &'a River>) -> Arc<Network> {
         let is_smooth = self.settings.courses == CourseShape::Smooth;
-        let narrowed = if is_smooth { narrowed(&self.network, rivers) } else { None };
-        narrowed.map_or_else(|| self.network.clone(), Arc::new)
+        let narrowed = if is_smooth { narrowed(network, rivers) } else { None };
+        narrowed.map_or_else(|| network.clone(), Arc::new)
     }
 
-    /// Returns the network with its full widths.
+    /// Returns the network with its full widths, as the last round has left it.
     pub fn network(&self) -> &Arc<Network> {
-        &self.network
+        self.shown.as_ref().map_or(&self.network, |shown| &shown.network)
     }
 
     /// Makes sure that the network and its past are not shared: copies them if need be.
@@ -144,7 +154,7 @@ impl Meander {
 
     /// Returns the courses that great rivers had in earlier rounds.
     pub fn past(&self) -> &Arc<PastCourses> {
-        &self.past
+        self.shown.as_ref().map_or(&self.past, |shown| &shown.past)
     }
 
     /// Returns the longest flat stretch of each great river, where it meanders fully.
@@ -170,13 +180,21 @@ impl Meander {
         if self.is_finished() {
             return false;
         }
+        // Necks are cut and past courses kept before bends move, and none of it is shown before the round is over.
+        let is_eased = self.easing.is_none() && self.ends_a_survey(self.round + 1);
+        let before = is_eased.then(|| Shown { network: self.network.clone(), past: self.past.clone() });
         if let Some(survey) = self.survey.take().or_else(|| self.survey()) {
             match self.easing.take() {
                 Some(easing) => self.ease_bends(survey, easing),
-                None => self.move_on(survey),
+                None => self.move_on(survey, before),
             }
         }
         !self.is_finished()
+    }
+
+    /// Returns `true` if a round is the last one that a survey serves.
+    fn ends_a_survey(&self, round: u32) -> bool {
+        round.is_multiple_of(ROUNDS_A_SURVEY) || round == self.settings.rounds
     }
 
     /// Records the courses before a round if the past wants them.
@@ -184,20 +202,20 @@ impl Meander {
         if self.past.wants(self.round, self.settings.rounds) {
             // Only great rivers are recorded, and to narrow all rivers takes longer than a round.
             let great = self.past.great_rivers().iter().map(|&river| &self.network.rivers[river as usize]);
-            let drawn = self.narrowed(great);
+            let drawn = self.narrowed(&self.network, great);
             Arc::make_mut(&mut self.past).keep(&drawn, self.round);
         }
     }
 
-    /// Moves bends within the limits of a survey. That is a round, unless it is the last one of the survey: then bends are eased.
-    fn move_on(&mut self, mut survey: Survey) {
+    /// Moves bends within the limits of a survey. That is a round, unless it is the last one of the survey: then bends are eased, and
+    /// `before` is shown until they are.
+    fn move_on(&mut self, mut survey: Survey, before: Option<Shown>) {
         self.keep_courses();
-        self.drawn = OnceLock::new();
         let moved = self.move_bends(&survey);
         survey.drift += moved.iter().copied().fold(0.0, fast_max);
-        let round = self.round + 1;
-        if round.is_multiple_of(ROUNDS_A_SURVEY) || round == self.settings.rounds {
-            self.easing = Some(fair::Easing::new(&self.network, &survey, self.passes(round)));
+        if before.is_some() {
+            self.easing = Some(fair::Easing::new(&self.network, &survey, self.passes(self.round + 1)));
+            self.shown = before;
         } else {
             survey.use_up(&moved);
             self.end_round();
@@ -205,9 +223,10 @@ impl Meander {
         self.survey = Some(survey);
     }
 
-    /// Counts a round that has been made.
+    /// Counts a round that has been made, and shows it.
     fn end_round(&mut self) {
         self.round += 1;
+        (self.shown, self.drawn) = (None, OnceLock::new());
         lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round, self.settings.oxbow_life);
     }
 
@@ -386,12 +405,11 @@ impl Meander {
     /// Eases bends that are too sharp for their rivers, as far as one step goes. Once all are eased, spaces vertices evenly, which ends
     /// the rounds of the survey.
     fn ease_bends(&mut self, mut survey: Survey, mut easing: fair::Easing) {
-        self.drawn = OnceLock::new();
         let network = Arc::make_mut(&mut self.network);
         let (guard, land) = (&mut self.guard, self.land.as_deref());
         let mut fairing =
             fair::Fairing { network, guard, land, settings: &self.settings, survey: &mut survey, easing: &mut easing };
-        if fairing.step() {
+        if fairing.step(fair::WORK_A_STEP) {
             (self.survey, self.easing) = (Some(survey), Some(easing));
         } else {
             respace::respace(network, &survey.clearance, &survey.step_scale, &self.settings);

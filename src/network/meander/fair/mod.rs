@@ -25,7 +25,7 @@ use crate::land::Land;
 const FULLY: f32 = 0.5;
 
 /// The work after which a step ends with the river that is at hand, in elementary steps. What becomes of the river does not depend on it.
-const WORK_A_STEP: u64 = 600_000;
+pub(super) const WORK_A_STEP: u64 = 600_000;
 
 /// The least distance between segments, in units, so that lines stay apart.
 const NEAREST: f32 = 2.0 * LEAST_CLEARANCE;
@@ -78,13 +78,13 @@ pub(super) struct Fairing<'a> {
 }
 
 impl Fairing<'_> {
-    /// Makes a step: eases rivers for some time. Returns `true` if there is another step to make.
-    pub fn step(&mut self) -> bool {
+    /// Makes a step: eases rivers until that has taken so many elementary steps. Returns `true` if there is another step to make.
+    pub fn step(&mut self, work: u64) -> bool {
         let begin = work::steps();
         if !std::mem::replace(&mut self.easing.has_begun, true) {
             self.straighten_ends();
         }
-        while work::steps() - begin < WORK_A_STEP {
+        while work::steps() - begin < work {
             let Some(river) = self.next_river() else { return false };
             if self.ease_river(river) {
                 self.easing.restless.push(river);
@@ -314,7 +314,12 @@ mod tests {
     const WIDTH: f32 = 4.0;
 
     /// Returns a network with its bends eased in a number of passes.
-    fn eased(mut network: Network, passes: u32) -> Network {
+    fn eased(network: Network, passes: u32) -> Network {
+        eased_in_steps(network, passes, WORK_A_STEP).0
+    }
+
+    /// Returns the same, and the number of steps, each of so much work.
+    fn eased_in_steps(mut network: Network, passes: u32, work: u64) -> (Network, u32) {
         let settings = NetworkSettings { min_clearance: 0.5, ..settings() };
         let downstream = network.downstream();
         let mut guard = ClearanceGrid::new(&settings.domain, settings.spacing);
@@ -330,8 +335,11 @@ mod tests {
             survey: &mut survey,
             easing: &mut easing,
         };
-        while fairing.step() {}
-        network
+        let mut steps = 1;
+        while fairing.step(work) {
+            steps += 1;
+        }
+        (network, steps)
     }
 
     /// Returns a course east, then south, with a right-angled corner.
@@ -385,6 +393,16 @@ mod tests {
             let off = crate::base::geometry::height(eased.vertices[i].at, eased.vertices[first].at, junction);
             assert!(off < 1e-3, "{i}: {off}");
         }
+    }
+
+    #[test]
+    fn what_becomes_of_rivers_does_not_depend_on_where_steps_end() {
+        let arm = straight((150.0, 380.0), (140.5, 399.0), 19);
+        let network = river(&corner(), WIDTH).with_arm(&arm, 40, 10);
+        let [(little, steps), (much, step)] = [1, u64::MAX].map(|work| eased_in_steps(network.clone(), 40, work));
+        assert_eq!(step, 1);
+        assert!(steps > 5, "{steps}");
+        assert_eq!(places(&little), places(&much));
     }
 
     #[test]
