@@ -1,4 +1,4 @@
-//! How sharply a river bends, and where it would bend less.
+//! Bends: their sharpness at a vertex, and the place where it would be less.
 
 use glam::Vec2;
 

@@ -93,10 +93,10 @@ impl Fairing<'_> {
         true
     }
 
-    /// Takes the next river of this pass, or the first of the next one: `None` if there is none.
+    /// Takes the next river of this pass, or the first one of the next pass. `None` if nothing is left to ease.
     fn next_river(&mut self) -> Option<u32> {
         let Easing { waiting, restless, passes, .. } = &mut *self.easing;
-        if waiting.is_empty() && *passes > 0 {
+        if waiting.is_empty() && *passes > 0 && !restless.is_empty() {
             *passes -= 1;
             waiting.extend(restless.drain(..).rev());
             self.enter_again();
@@ -318,7 +318,7 @@ mod tests {
         eased_in_steps(network, passes, WORK_A_STEP).0
     }
 
-    /// Returns the same, and the number of steps, each of so much work.
+    /// Returns a network with its bends eased in steps of so much work, and the number of steps.
     fn eased_in_steps(mut network: Network, passes: u32, work: u64) -> (Network, u32) {
         let settings = NetworkSettings { min_clearance: 0.5, ..settings() };
         let downstream = network.downstream();

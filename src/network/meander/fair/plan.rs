@@ -1,11 +1,11 @@
-//! What easing bends needs to know of a network: which rivers join, and how wide the others are.
+//! The plan of a network while its bends are eased: the rivers that join, and the widths of those that do not.
 
 use super::super::super::{NONE, Network, River, Vertex};
 use super::super::river_of;
 use crate::base::geometry::fast_max;
 use crate::base::sort::argsort;
 
-/// The river of each vertex, and the tributaries that end in it.
+/// The river of each vertex, the tributaries that end in it, and the widths of the rivers apart from it.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub river_of: Vec<u32>,
