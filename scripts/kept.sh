@@ -8,7 +8,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
 
-folders=(debug wasm/debug wasm/release wasm/wasm32-unknown-unknown/debug wasm/wasm32-unknown-unknown/release python/debug)
+# The folders of target that hold compiled crates, which are there. Each wasm package has its own.
+folders() {
+  (cd target && shopt -s nullglob && printf '%s\n' debug python/debug wasm/{,wasm32-unknown-unknown/}debug wasm/*/{,wasm32-unknown-unknown/}release)
+}
 
 # A name for all that decides how these crates are compiled.
 digest() {
@@ -53,7 +56,7 @@ keep() {
   while read -r name; do own[$name]=ours; done < <(own_names)
   mkdir -p "$RIVERSEED_CACHE/crates"
   new=$(mktemp -d "$RIVERSEED_CACHE/crates/new.XXXXXX")
-  for folder in "${folders[@]}"; do copy "target/$folder" "$new/$folder"; done
+  for folder in $(folders); do copy "target/$folder" "$new/$folder"; done
   find "$RIVERSEED_CACHE/crates" -mindepth 1 -maxdepth 1 ! -path "$new" -exec rm -rf {} +
   mv "$new" "$kept"
 }

@@ -2,7 +2,8 @@
 // Decides what of the slow tests a landing proves: what its commits touch, and of all else a share in turn (docs/ci.toml). Everything is
 // read from the clone, so the same commit always proves the same.
 //
-//   node scripts/plan.mjs parts               the targets of make that this landing runs, a line each; why, on standard error
+//   node scripts/plan.mjs parts               the targets of make that this landing runs, a line each, with the minutes it takes at most; why, on
+//                                             standard error
 //   node scripts/plan.mjs tests SUITE <LIST   those of a suite's tests that it runs; LIST has one on each line
 //
 // SHARE=2/5 takes that share instead of the one whose turn it is, and SHARE=all everything.
@@ -34,9 +35,9 @@ switch (argv[2]) {
 function printParts() {
   const { commits, touched } = landing();
   sayNightly(commits);
-  for (const { make, why } of partsOf(rules, touchedRows(rules, touched), commits)) {
+  for (const { make, minutes, why } of partsOf(rules, touchedRows(rules, touched), commits)) {
     console.error(`  make ${make}: ${why}`);
-    console.log(make);
+    console.log(make, minutes);
   }
 }
 

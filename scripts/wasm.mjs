@@ -8,10 +8,12 @@
 //
 // scripts/setup.sh wasm node must have run, for `demo` bindgen node. Two at a time would build into one file name: see scripts/lib/lock.sh.
 
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { createHash } from "node:crypto";
+import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { availableParallelism } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
@@ -23,7 +25,7 @@ const crate = "riverseed-wasm";
 const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
 const manifest = parse(readFileSync(`${folder}/Cargo.toml`, "utf8"));
 const optimiser = manifest.package.metadata["wasm-pack"].profile.release["wasm-opt"];
-const packages = Object.values(settings.packages).map((one) => ({ ...settings.build, ...one }));
+const packages = Object.entries(settings.packages).map(([key, one]) => ({ key, ...settings.build, ...one }));
 
 switch (process.argv[2]) {
   case "figures":
@@ -36,7 +38,7 @@ switch (process.argv[2]) {
     if (packages.map(weigh).includes(false)) process.exitCode = 1;
     break;
   default:
-    buildPackages();
+    await buildPackages();
 }
 
 /** Runs a command with the Rust that knows wasm32; its failure is ours. */
@@ -46,6 +48,12 @@ function run(...command) {
   } catch {
     process.exit(1);
   }
+}
+
+/** Runs a command of the same environment while others run. */
+async function runBeside(...command) {
+  const [code] = await once(spawn("scripts/env.sh", ["--wasm", ...command], { stdio: "inherit" }), "exit");
+  if (code !== 0) throw new Error(`${command[0]} failed`);
 }
 
 /** What a command prints, in the same environment. */
@@ -58,12 +66,20 @@ function ask(...command) {
   }
 }
 
-function buildPackages() {
+/** Link-time optimisation uses one processor for minutes, so as many packages are built at a time as there are processors, the largest first. */
+async function buildPackages() {
   const made = madeOf();
-  for (const one of packages) {
-    if (!isFresh(one, made)) buildPackage(one, made);
-    weigh(one);
+  const stale = packages.filter((one) => !isFresh(one, made)).reverse();
+  const work = async () => {
+    for (let one = stale.shift(); one; one = stale.shift()) await buildPackage(one, made);
+  };
+  const outcomes = await Promise.allSettled(Array.from({ length: availableParallelism() }, work));
+  const failed = outcomes.find(({ status }) => status === "rejected");
+  if (failed) {
+    console.error(failed.reason.message);
+    process.exit(1);
   }
+  packages.forEach(weigh);
 }
 
 /**
@@ -76,23 +92,13 @@ function buildDemo() {
   if (packages.every((one) => isFresh(one, made) || isFresh(one, quickly))) return;
   console.log(`Building ${packages.map((one) => one["out-dir"]).join(", ")} (a minute the first time)`);
   const features = [...new Set(packages.flatMap((one) => one.features))].join(",");
-  forgetCrate();
+  const folder = targetOf("demo");
   run(
-    ...[
-      "cargo",
-      "build",
-      "--quiet",
-      "--package",
-      crate,
-      "--release",
-      "--target",
-      "wasm32-unknown-unknown",
-      "--features",
-      features,
-    ],
+    ...["cargo", "build", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown"],
+    ...["--target-dir", folder, "--features", features],
     ...["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"],
   );
-  const module = `${process.env.CARGO_TARGET_DIR ?? "target"}/wasm/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
+  const module = `${folder}/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
   for (const { target, "out-dir": dir, "out-name": name } of packages) {
     rmSync(dir, { recursive: true, force: true });
     run("wasm-bindgen", "--target", target, "--out-dir", dir, "--out-name", name, module);
@@ -107,9 +113,9 @@ function madeOf() {
   return { inputs: digestOf([...sources(), ...files]), script: digestOf(["scripts/wasm.mjs"]), tools };
 }
 
-/** Builds with other features have the same file name, and cargo would take one for another. The library stays. */
-function forgetCrate() {
-  run("cargo", "clean", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown");
+/** Where cargo compiles a package: builds with other features have the same file names, so each has a folder of its own. */
+function targetOf(key) {
+  return resolve(process.env.CARGO_TARGET_DIR ?? "target", "wasm", key);
 }
 
 /** Whether a package is what would be built: of these inputs, by these tools, and as it was then. */
@@ -118,16 +124,15 @@ function isFresh({ "out-dir": dir }, made) {
   return existsSync(stamp) && readFileSync(stamp, "utf8") === JSON.stringify({ ...made, outputs: outputs(dir) });
 }
 
-function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo, features }, made) {
+async function buildPackage({ key, target, "out-dir": dir, "out-name": name, profile, cargo, features }, made) {
   // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
   rmSync(dir, { recursive: true, force: true });
-  forgetCrate();
   // no-install: wasm-pack would fetch tools, ours are there and have the right versions.
-  run(
+  await runBeside(
     ...["wasm-pack", "--quiet", "build", folder, "--mode", "no-install", `--${profile}`, "--target", target],
     ...["--out-dir", resolve(dir), "--out-name", name, "--", ...cargo, "--features", features.join(",")],
-    ...["--config", compilerFlags()],
+    ...["--target-dir", targetOf(key), "--config", compilerFlags()],
   );
   writeFileSync(stampOf(dir), JSON.stringify({ ...made, outputs: outputs(dir) }));
 }

@@ -64,7 +64,7 @@ eventually() {
   touch "$machine/hold"
   on_machine make -C "$checkout" wasm >"$machine/first" 2>&1 &
   local first=$!
-  eventually $first test -e "$machine/building"
+  eventually $first compgen -G "$machine/building-*" >/dev/null
   on_machine make -C "$checkout" wasm >"$machine/second" 2>&1 &
   local second=$!
   eventually $second grep -q "another build of the wasm packages is at work" "$machine/second"

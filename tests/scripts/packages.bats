@@ -75,11 +75,30 @@ built() {
 @test "a build that failed is not taken for one" {
   built 3
   echo "pub fn lake() {}" >>"$checkout/src/lib.rs"
-  mkdir "$machine/building" # as if another held it: wasm-pack's stand-in fails
+  touch "$machine/does-not-compile"
   build
   failed
-  rmdir "$machine/building"
-  built 7 # the one that failed, and three
+  said "wasm-pack failed"
+  rm "$machine/does-not-compile"
+  forget_calls
+  built 3
+}
+
+@test "as many packages are built at a time as there are processors, each in a folder of its own" {
+  touch "$machine/hold"
+  build_beside() { on_machine "$checkout/scripts/env.sh" node "$checkout/scripts/wasm.mjs"; }
+  build_beside &
+  local building=$! together
+  together=$(node -e 'console.log(Math.min(3, os.availableParallelism()))')
+  local tries=2000
+  until (($(compgen -G "$machine/building-*" | wc -l) == together)); do
+    ((--tries)) || fail "only $(ls -d "$machine"/building-*) at a time"
+    sleep 0.05
+  done
+  touch "$machine/release"
+  wait $building
+  local key
+  for key in make label engine; do grep -q -- "--target-dir $checkout/target/wasm/$key " "$machine/calls" || fail "no folder for $key"; done
 }
 
 @test "a cargo folder with a space in its path is one flag" {
