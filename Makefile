@@ -237,6 +237,11 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	cd www && ../$(run) biome check --error-on-warnings ../python/riverseed/static/widget.js ../python/tests/notebooks
 	$(lap) "formats, lints, types, licences"
 
+.PHONY: supply
+supply: ## licences, notices and advisories of all crates, also where the same files have passed before
+	@$(setup) supply
+	@scripts/supply.sh check
+
 .PHONY: prose
 prose: ## count how doc comments begin, module by module; fails where a module that has been rewritten slips back
 	@$(setup) node

@@ -5,7 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 
-(($#)) || set -- check test-all test-arch newest explore fuzz mutants
+(($#)) || set -- check supply test-all test-arch newest explore fuzz mutants
 commit=$(git rev-parse --short=12 HEAD)
 failed=()
 for target; do

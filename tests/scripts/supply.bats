@@ -35,6 +35,21 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   failed
 }
 
+@test "what has passed on one machine is known on another, and what has failed is not" {
+  supply check
+  cp -R "$checkout/.cargo" "$machine/committed"
+  rm -rf "$machine/cache" "$checkout/.cargo"
+  cp -R "$machine/committed" "$checkout/.cargo"
+  supply passed
+  succeeded
+  echo "[workspace]" >>"$checkout/Cargo.toml"
+  touch "$machine/licence-refused"
+  supply check
+  failed
+  supply passed
+  failed
+}
+
 @test "notices that are out of date stop the check, and are left as they are" {
   echo "MIT: the authors of libm" >>"$machine/notices"
   supply check
