@@ -52,7 +52,7 @@ tests() { chosen=$(printf '%s\n' "$@" | RIVERSEED_ROOT=$clone SHARE=${share-} "$
 # named KEY: the words that rows of docs/ci.toml have under it.
 named() { grep -oE "$1 = \"[^\"]*\"" "$project/docs/ci.toml" | sed 's/.* = //; s/"//g' | tr ' ' '\n'; }
 # A part is printed with its minutes.
-has() { grep --quiet --line-regexp "$1 [0-9]*" <<<"$output" || fail "no line $1"; }
+has() { grep --quiet --extended-regexp --line-regexp "$1 [0-9]+" <<<"$output" || fail "no line $1"; }
 
 @test "what always runs runs, what is touched runs, and of the rest one part, in turn" {
   change src/relief/solver.rs
@@ -164,7 +164,8 @@ has() { grep --quiet --line-regexp "$1 [0-9]*" <<<"$output" || fail "no line $1"
   [[ ${lines[0]} == "NIGHTLY MISSED: 5 commits"* ]] || fail "first: ${lines[0]}"
 }
 
-@test "every name in docs/ci.toml is there: parts, modules of tests, specs" {
+@test "every name in docs/ci.toml is there: parts, modules of tests, specs; and every part has its minutes" {
+  grep 'make = ' "$project/docs/ci.toml" | grep --invert-match 'minutes = [0-9]' && fail "a part without minutes"
   make=$(grep -oE '^[a-z-]+:' "$project/Makefile")
   while read -r part; do
     grep --quiet "^$part:" <<<"$make" || fail "make has no $part"
@@ -179,6 +180,25 @@ has() { grep --quiet --line-regexp "$1 [0-9]*" <<<"$output" || fail "no line $1"
   while read -r path; do
     [[ -e $project/$path || -e $project/$path.rs ]] || fail "no path $path"
   done < <(sed -n '/^\[paths\]/,$s/^"\([^"]*\)" = .*/\1/p' "$project/docs/ci.toml")
+}
+
+@test "CI begins a part only if it may end in time, and says which it leaves to the night" {
+  mkdir -p "$clone/.ci" "$clone/bin"
+  cp "$project/.ci/run" "$clone/.ci"
+  printf '#!/bin/sh\necho "make $*" >>"$CALLS"\n' >"$clone/bin/make"
+  for script in setup kept laps; do printf '#!/bin/sh\n' >"$clone/scripts/$script.sh"; done
+  chmod +x "$clone"/{bin/make,scripts/*.sh}
+  change surprise.txt
+  calls=$BATS_TEST_TMPDIR/ran
+  ci() { : >"$calls" && run env CALLS="$calls" RIVERSEED_ROOT="$clone" PATH="$clone/bin:$PATH" "$@" "$clone/.ci/run"; }
+  ci
+  succeeded
+  [[ $(cat "$calls") == $'make check test\nmake always\nmake gis\nmake python\nmake firefox' ]] || fail "$(cat "$calls")"
+  ci SECONDS=$((86 * 60))
+  succeeded
+  [[ $(cat "$calls") == $'make check test\nmake always\nmake gis' ]] || fail "$(cat "$calls")"
+  said "make python is left to the night: it may take 3 minutes, and this machine took 86 so far, of 88"
+  said "make firefox is left to the night"
 }
 
 @test "a suite runs the tests that were chosen by their names, and one that is lost on the way is a failure" {
