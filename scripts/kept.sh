@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
 
-# The folders of target that hold compiled crates, which are there. Each wasm package has its own.
+# Prints the folders of target that crates are compiled in, as far as they are there. Each wasm package has one of its own.
 folders() {
   (cd target && shopt -s nullglob && printf '%s\n' debug python/debug wasm/{,wasm32-unknown-unknown/}debug wasm/*/{,wasm32-unknown-unknown/}release)
 }

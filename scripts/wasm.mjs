@@ -6,7 +6,7 @@
 //   node scripts/wasm.mjs weigh     weighs what is built; too much weight is a failure
 //   node scripts/wasm.mjs figures   target/figures-wasm, the module that `make bench` times
 //
-// scripts/setup.sh wasm node must have run, for `demo` bindgen node. Two at a time would build into one file name: see scripts/lib/lock.sh.
+// scripts/setup.sh wasm node must have run, for `demo` bindgen node. Two of these at a time would build into the same folders: see scripts/lib/lock.sh.
 
 import { execFileSync, spawn } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -66,7 +66,10 @@ function ask(...command) {
   }
 }
 
-/** Link-time optimisation uses one processor for minutes, so as many packages are built at a time as there are processors, the largest first. */
+/**
+ * Builds what is not fresh. Link-time optimisation keeps one processor busy for minutes, so as many packages are built at a time as there
+ * are processors; the last of the list, which is the largest, first.
+ */
 async function buildPackages() {
   const made = madeOf();
   const stale = packages.filter((one) => !isFresh(one, made)).reverse();
@@ -92,13 +95,13 @@ function buildDemo() {
   if (packages.every((one) => isFresh(one, made) || isFresh(one, quickly))) return;
   console.log(`Building ${packages.map((one) => one["out-dir"]).join(", ")} (a minute the first time)`);
   const features = [...new Set(packages.flatMap((one) => one.features))].join(",");
-  const folder = targetOf("demo");
+  const built = targetOf("demo");
   run(
     ...["cargo", "build", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown"],
-    ...["--target-dir", folder, "--features", features],
+    ...["--target-dir", built, "--features", features],
     ...["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"],
   );
-  const module = `${folder}/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
+  const module = `${built}/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
   for (const { target, "out-dir": dir, "out-name": name } of packages) {
     rmSync(dir, { recursive: true, force: true });
     run("wasm-bindgen", "--target", target, "--out-dir", dir, "--out-name", name, module);

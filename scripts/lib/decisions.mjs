@@ -9,7 +9,7 @@ export function touchedRows(rules, touched) {
   return [...new Set([...found.flat(), ...touched.map(testFile).filter(Boolean)])];
 }
 
-/** Returns the parts that a landing runs, in the order of the rules, each with its target of make, its minutes and the reason. */
+/** Returns the parts that a landing runs, in the order of the rules, each with the reason. */
 export function partsOf(rules, rows, commits) {
   const inTurn = rules.parts.filter(({ always }) => !always);
   const turn = inTurn[commits % inTurn.length];
@@ -20,7 +20,7 @@ export function partsOf(rules, rows, commits) {
     if (row) return `touched: ${row.at}`;
     return part === turn ? "its turn" : undefined;
   };
-  return rules.parts.map((part) => ({ make: part.make, minutes: part.minutes, why: reason(part) })).filter(({ why }) => why !== undefined);
+  return rules.parts.map((part) => ({ ...part, why: reason(part) })).filter(({ why }) => why !== undefined);
 }
 
 /** Returns the share that is meant: `"all"`, or its index from 0. By itself the number of commits says whose turn it is. */

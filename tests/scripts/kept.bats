@@ -11,6 +11,8 @@ setup() {
   digits=0123456789abcdef
   deps=$checkout/target/debug/deps
   mkdir -p "$deps" "$checkout/target/debug/.fingerprint"/{glam,riverseed-cli}-$digits
+  mkdir -p "$checkout/target/wasm/make/wasm32-unknown-unknown/release/deps"
+  touch "$checkout/target/wasm/make/wasm32-unknown-unknown/release/deps/libglam-$digits.rlib"
   touch "$deps"/{libglam-$digits.rlib,glam-$digits.d,libriverseed_cli-$digits.rlib,program-$digits,program-$digits.program.0123456789abcdef-cgu.0.rcgu.o}
 }
 
@@ -26,6 +28,7 @@ there() { [[ -e $checkout/target/debug/$1 ]] || fail "no $1"; }
   there "deps/libglam-$digits.rlib"
   there "deps/glam-$digits.d"
   there ".fingerprint/glam-$digits"
+  there "../wasm/make/wasm32-unknown-unknown/release/deps/libglam-$digits.rlib"
   [[ $(ls "$deps") != *program* && $(ls "$deps") != *riverseed* ]] || fail "ours are kept: $(ls "$deps")"
 }
 

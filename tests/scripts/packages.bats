@@ -12,6 +12,9 @@ setup() {
   metadata "$machine/home/.cargo/registry/src/index-1/glam-0.34.2"
 }
 
+# A build that is held would wait for ever.
+teardown() { touch "$machine/release"; }
+
 # metadata FOLDER: where cargo says that a crate lies.
 metadata() {
   echo "{ \"packages\": [ { \"source\": null, \"manifest_path\": \"$checkout/Cargo.toml\" },
